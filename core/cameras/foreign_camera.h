@@ -6,6 +6,7 @@
 
 #include <glm/mat4x4.hpp>
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -53,7 +54,9 @@ struct PictureSize {
 
 /// A camera as another program gives it, before conversion.
 struct ForeignCamera {
-    std::string program; ///< whose form it is: "OpenCV", "COLMAP"
+    std::string program;             ///< whose form it is: "OpenCV", "COLMAP"
+    std::vector<std::string> images; ///< all images or frames of the texts, in their order; empty: only this one
+    std::size_t image = 0;           ///< the index of the one read, among `images`
     std::optional<Intrinsics> intrinsics;
     std::optional<geometry::MatrixProjection> projection; ///< instead of intrinsics; OpenGL's clip space
     std::optional<PictureSize> size;
@@ -79,6 +82,12 @@ struct CameraChoices {
     std::optional<PoseDirection> direction;
     std::optional<PixelCentres> centres;
     bool isUndistorted = false; ///< pixels are of the undistorted picture: coefficients are dropped, and this is said
+
+    /// Returns whether the user says nothing but the size.
+    bool isNothing() const
+    {
+        return image.empty() && !nearDistance && !farDistance && !axes && !direction && !centres && !isUndistorted;
+    }
 };
 
 /// A text with its name, for messages.
@@ -98,9 +107,12 @@ struct SceneCamera {
     geometry::MatrixProjection projection;
     glm::dmat4 eyeFromWorld{1.0};
     PictureSize size;
-    std::optional<Distortion> distortion; ///< of its pixels, where it was not dropped
-    std::optional<Intrinsics> intrinsics; ///< of the file, for undistorting pixels
-    std::vector<std::string> assumed;     ///< what was assumed, and how to say otherwise; one sentence each
+    std::optional<Distortion> distortion;                   ///< of its pixels, where it was not dropped
+    std::optional<Intrinsics> intrinsics;                   ///< of the file, for undistorting pixels
+    PoseDirection direction = PoseDirection::WorldToCamera; ///< as read
+    EyeAxes axes = EyeAxes::RightUpBack;                    ///< as read
+    std::optional<double> nearDistance, farDistance;        ///< given or assumed; none: the file has a projection
+    std::vector<std::string> assumed; ///< what was assumed, and how to say otherwise; one sentence each
 };
 
 /// Reads the camera in these texts; the texts of one program belong together (cameras.txt and
@@ -115,5 +127,11 @@ std::optional<geometry::Result<ForeignCamera, CameraError>> readCamera(std::span
 ///         program's usual direction and axes count
 geometry::Result<SceneCamera, CameraError> sceneCamera(const ForeignCamera &camera, const CameraChoices &choices,
                                                        const std::optional<geometry::Box> &objects);
+
+/// The words for axes and directions on the command line: "opencv", "camera-to-world".
+inline constexpr std::array kEyeAxes{EyeAxes::RightUpBack, EyeAxes::RightDownAhead, EyeAxes::RightUpAhead,
+                                     EyeAxes::AheadRightUp, EyeAxes::AheadLeftUp};
+const char *keyOf(EyeAxes axes);
+const char *keyOf(PoseDirection direction);
 
 } // namespace unprojector::cameras

@@ -140,8 +140,10 @@ void addEulerAngles(VariantList &list)
         const std::string name = nameOf(kOrders[right]);
         for (std::size_t wrong = 0; wrong < kOrders.size(); ++wrong) {
             if (wrong != right)
-                list.addAlone("euler-order", Stage::Factors, multiplyInAnotherOrder,
-                              {marked("%1"), name + " > " + nameOf(kOrders[wrong])}, double(right), double(wrong));
+                list.addAlone(
+                    "euler-order", Stage::Factors, multiplyInAnotherOrder,
+                    {marked("angles for the order %1, multiplied in the order %2"), name, nameOf(kOrders[wrong])},
+                    double(right), double(wrong));
         }
         list.addAlone("euler-degrees", Stage::Factors, scaleAngles,
                       {marked("degrees taken for radians, order %1"), name}, double(right), kDegrees);

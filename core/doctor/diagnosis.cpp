@@ -4,6 +4,7 @@
 #include "core/doctor/known_points.h"
 #include "core/doctor/next_click.h"
 #include "core/doctor/ranking.h"
+#include "core/doctor/solved_mistakes.h"
 #include "core/doctor/ties.h"
 #include "core/geometry/finite.h"
 
@@ -436,6 +437,8 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
     diagnosis.verdict = verdictOf(best.front(), best, diagnosis.chance, *input, points, targets);
     const bool hasTies = diagnosis.namesMistake();
     lookAtKnown(diagnosis, best.front(), *input, scene, targets);
+    if (diagnosis.verdict == "unknown")
+        diagnosis.lacking = lackOf(*input, targets);
     std::vector<Hypothesis> told, others;
     for (const Hypothesis &hypothesis : best) {
         const bool explains = hypothesis.worst <= kCutOff;

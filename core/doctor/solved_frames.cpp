@@ -59,7 +59,8 @@ bool explains(const FrameFit &frame, const Points &points, double most)
 void roundOff(double &value, const FrameFit &frame, const Points &points)
 {
     const double exact = value;
-    if (exact == 0.0)
+    value = 0.0;
+    if (exact == 0.0 || explains(frame, points, kRounded))
         return;
     const int first = int(std::floor(std::log10(std::abs(exact)))) + 1;
     for (int exponent = first; exponent > first - 12; --exponent) {
@@ -128,7 +129,7 @@ VariantName nameOf(const FrameFit &frame, const AxisPermutation *permutation)
             return {marked("%1, scaled by %2"), permutation->axes, scale};
         return frame.scale == 1.0
                    ? VariantName(marked("%1, then moved by %2"), permutation->axes, moved)
-                   : VariantName(marked("%1, then scaled by %2"), permutation->axes, scale + "; " + moved);
+                   : VariantName(marked("%1, then scaled and moved: %2"), permutation->axes, scale + "; " + moved);
     }
     if (permutation)
         return frame.scale == 1.0 ? VariantName(marked("moved by %1"), moved)

@@ -24,6 +24,9 @@ void addSolvedFromSeveral(VariantList &list, const Given &given, std::span<const
 /// Another frame, or other axes with a scale or a translation. All depths must be known.
 void addSolvedFrames(VariantList &list, const Given &given, std::span<const Target> points);
 
+/// The lacks of several points that keep values from being solved; none for one point.
+std::vector<Lack> lackOf(const Given &given, std::span<const Target> points);
+
 /// Solves a value from one point.
 /// @return empty if this point does not determine it
 using Solve = std::function<std::optional<double>(const Click &click, const glm::dvec3 &got)>;

@@ -144,6 +144,20 @@ Result<Scene, SceneFileError> sceneFromFile(const SceneFile &file, const std::fi
     return scene;
 }
 
+SceneFileObject sceneFileObject(const SceneObject &object, const std::filesystem::path &sceneFile)
+{
+    SceneFileObject described;
+    described.name = object.name;
+    if (object.file.empty())
+        described.bundled = object.model ? object.model->name : object.name;
+    else
+        described.file = relativePath(absolutePath(object.file), absolutePath(sceneFile).parent_path());
+    described.transform = object.transform;
+    described.isHidden = object.isHidden;
+    described.extra = object.extra;
+    return described;
+}
+
 SceneFile sceneFileFrom(const Scene &scene, const Setup &setup, const std::filesystem::path &sceneFile)
 {
     SceneFile file;
@@ -174,20 +188,8 @@ SceneFile sceneFileFrom(const Scene &scene, const Setup &setup, const std::files
                scene.clipPlanesOff};
     file.extra = scene.fileKeys.extra;
 
-    const std::filesystem::path folder = absolutePath(sceneFile).parent_path();
-    for (const SceneObject &object : scene.objects) {
-        SceneFileObject described;
-        described.name = object.name;
-        if (object.file.empty()) {
-            described.bundled = object.model ? object.model->name : object.name;
-        } else {
-            described.file = relativePath(absolutePath(object.file), folder);
-        }
-        described.transform = object.transform;
-        described.isHidden = object.isHidden;
-        described.extra = object.extra;
-        file.objects.push_back(std::move(described));
-    }
+    for (const SceneObject &object : scene.objects)
+        file.objects.push_back(sceneFileObject(object, sceneFile));
     return file;
 }
 

@@ -153,6 +153,10 @@ std::optional<SceneFileError> whyNotShown(const SceneFile &scene, const std::str
 geometry::Result<scene::Scene, SceneFileError>
 sceneFromFile(const SceneFile &scene, const std::filesystem::path &sceneFile, std::vector<scene::SceneObject> objects);
 
+/// An object as a scene file describes it.
+/// @param sceneFile  the file that will have it: the model's path is relative to its folder
+SceneFileObject sceneFileObject(const scene::SceneObject &object, const std::filesystem::path &sceneFile);
+
 /// The scene file to write for a scene: the numbers of its setup, and the window's settings for
 /// them under "ui". Only the depth range is the scene's, with all digits as typed. The setup's
 /// range is rounded to single precision, and a depth read at an end of it may lie just outside the

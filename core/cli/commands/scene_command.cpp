@@ -1,9 +1,10 @@
 #include "core/cli/commands/scene_command.h"
 
+#include "core/cli/commands/camera_scene.h"
+#include "core/cli/commands/camera_texts.h"
 #include "core/cli/commands/matrix_taker.h"
 #include "core/cli/commands/size_text.h"
 #include "core/cli/rows/byte_stream.h"
-#include "core/files/path_text.h"
 #include "core/geometry/condition_number.h"
 #include "core/matrices/decomposition.h"
 #include "core/matrices/matrix_format.h"
@@ -12,12 +13,9 @@
 #include "core/text/translation.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <set>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -25,14 +23,8 @@ namespace unprojector::cli {
 using namespace geometry;
 using namespace matrices;
 using namespace scene_file;
-using namespace files;
 using text::tr;
 namespace {
-
-struct Pasted {
-    std::string text, name;
-    bool isFile = false; ///< a file, or stdin
-};
 
 std::string pasteErrorText(const PasteError &error, const std::string &name)
 {
@@ -40,51 +32,6 @@ std::string pasteErrorText(const PasteError &error, const std::string &name)
                                   ? ": " + std::string(nameOf(error.part))
                                   : ':' + std::to_string(error.line) + ':' + std::to_string(error.column);
     return name + place + ": " + reasonText(error);
-}
-
-/// True if a text contains OpenCV's camera: K, R and t, by these names or its functions' names.
-bool namesOpenCv(const std::string &text)
-{
-    std::set<std::string> names;
-    for (std::size_t at = 0; at < text.size();) {
-        const auto isLetter = [&](std::size_t i) {
-            return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])) != 0;
-        };
-        std::size_t end = at;
-        while (isLetter(end))
-            ++end;
-        if (end > at)
-            names.insert(text.substr(at, end - at));
-        at = end + 1;
-    }
-    const bool hasTurn = names.contains("R") || names.contains("t") || names.contains("T");
-    return (names.contains("K") && hasTurn) || names.contains("cameraMatrix") || names.contains("rvec")
-           || names.contains("tvec");
-}
-
-/// The pasted text: the words themselves, or a file's text. Errors are printed on stderr.
-std::optional<Pasted> pasted(const std::vector<std::string> &words)
-{
-    std::string text;
-    for (const std::string &word : words)
-        text += word + ' ';
-    std::error_code ignored;
-    const bool isFile =
-        words.size() == 1 && (words[0] == "-" || std::filesystem::exists(pathFromUtf8(words[0]), ignored));
-    if (!isFile)
-        return Pasted{text, "--from-matrices"};
-    ByteSource source(words[0]);
-    if (!source.isOpen())
-        return std::nullopt;
-    constexpr std::size_t kMost = 1 << 20;
-    text.resize(kMost);
-    text.resize(source.read(text.data(), kMost));
-    if (text.size() == kMost || source.hasFailed()) {
-        complain(tr(source.hasFailed() ? "%1: cannot be read" : "%1: too long for two matrices and a viewport",
-                    source.name()));
-        return std::nullopt;
-    }
-    return Pasted{text, source.name(), true};
 }
 
 /// Sets the window's size: the requested one, or up to the viewport's edge.
@@ -272,51 +219,64 @@ void setMatrices(const SceneOptions &options, const MatrixTaker &taker, const Pa
     scene.conventions = options.conventions;
 }
 
+/// Joins the texts.
+std::string joined(const GivenTexts &given)
+{
+    std::string text;
+    for (const cameras::NamedText &one : given.texts)
+        text += (text.empty() ? "" : "\n") + one.text;
+    return text;
+}
+
+/// Makes the scene from matrices.
+ExitCode sceneFromMatrices(const SceneOptions &options, const GivenTexts &given)
+{
+    Result<PastedScene, PasteError> read = pastedScene(joined(given));
+    if (!read) {
+        const PasteError &error = read.error();
+        const std::vector<std::string> &words = options.fromMatrices.empty() ? options.from : options.fromMatrices;
+        if (error.word.empty() && error.all == 0 && given.files.empty() && words.size() == 1)
+            complain(words[0] + ": " + tr("there is no such file"));
+        else if (options.fromMatrices.empty())
+            complain(tr("%1: no camera of a known program, and no matrices (%2); the manual lists the programs under "
+                        "Cameras of other programs",
+                        given.name, pasteErrorText(error, given.name)));
+        else
+            complain(pasteErrorText(error, given.name));
+        return ExitCode::UnusableInput;
+    }
+    if (!options.camera.isNothing())
+        complain(given.name + ": "
+                 + tr("the text has matrices, so --image, --near, --far, --axes, --pose, --pixel-centers and "
+                      "--undistorted are ignored"));
+
+    SceneFile scene;
+    InputFiles inputs = given.files;
+    if (!addObjects(options, inputs, scene))
+        return ExitCode::UnusableInput;
+    const MatrixTaker taker(options, given.name);
+    PastedScene numbers = std::move(read).value();
+    if (!taker.tellOrders(numbers) || !setViewport(options, taker, numbers, given.name, scene))
+        return ExitCode::UnusableInput;
+    setMatrices(options, taker, numbers, scene);
+
+    return writeScene(options, inputs, scene);
+}
+
 } // namespace
 
 ExitCode runScene(const SceneOptions &options)
 {
-    const std::optional<Pasted> given = pasted(options.fromMatrices);
+    const bool isFromMatrices = !options.fromMatrices.empty();
+    const std::optional<GivenTexts> given =
+        isFromMatrices ? givenTexts(options.fromMatrices, "--from-matrices") : givenTexts(options.from, "--from");
     if (!given)
         return ExitCode::UnusableInput;
-    ByteSink sink(options.output, given->isFile ? InputFiles{options.fromMatrices[0]} : InputFiles());
-    if (!sink.isOpen())
-        return ExitCode::UnusableInput;
-    Result<PastedScene, PasteError> read = pastedScene(given->text);
-    if (!read) {
-        const PasteError &error = read.error();
-        const bool isFileMeant =
-            error.word.empty() && error.all == 0 && !given->isFile && options.fromMatrices.size() == 1;
-        if (isFileMeant)
-            complain(options.fromMatrices[0] + ": " + tr("there is no such file"));
-        else
-            complain(namesOpenCv(given->text) ? tr("%1. K, R and t are not read: give a 4 x 4 view and projection "
-                                                   "instead; the manual shows the conversion under Conventions",
-                                                   pasteErrorText(error, given->name))
-                                              : pasteErrorText(error, given->name));
-        return ExitCode::UnusableInput;
+    if (!options.isAboutMatrices()) {
+        if (const std::optional<ExitCode> made = runCameraScene(options, *given))
+            return *made;
     }
-
-    SceneFile scene;
-    const MatrixTaker taker(options, given->name);
-    PastedScene numbers = std::move(read).value();
-    if (!taker.tellOrders(numbers) || !setViewport(options, taker, numbers, given->name, scene))
-        return ExitCode::UnusableInput;
-    setMatrices(options, taker, numbers, scene);
-
-    // The reader must accept what is written: it checks a scene's limits.
-    const auto written = sceneText(scene);
-    const std::string name = options.output == "-" ? "scene" : options.output;
-    if (!written) {
-        complain(sceneErrorText(written.error()));
-        return ExitCode::UnusableInput;
-    }
-    if (const auto readAgain = parseScene(*written, name); !readAgain) {
-        complain(sceneErrorText(readAgain.error()));
-        return ExitCode::UnusableInput;
-    }
-    sink.write(*written);
-    return sink.finish();
+    return sceneFromMatrices(options, *given);
 }
 
 } // namespace unprojector::cli

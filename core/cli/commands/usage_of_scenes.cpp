@@ -31,6 +31,49 @@ CLI::Option *addConventions(CLI::App &command, std::optional<Api> &target, const
     return addChoice<std::optional<Api>>(command, "--conventions", target, choices, description);
 }
 
+/// The options about another program's camera.
+void addCameraOptions(CLI::App &command, SceneOptions &options)
+{
+    using namespace cameras;
+    CameraChoices &camera = options.camera;
+    command
+        .add_option("--image", camera.image,
+                    tr("Of several images or frames: the name of one, or its index from 0; default:\nthe first"))
+        ->type_name("NAME");
+    command
+        .add_option("--size", options.size,
+                    tr("Size of the camera's picture in pixels; default: the file's, or twice the\nprincipal point"))
+        ->type_name("WxH");
+    command
+        .add_option("--near", camera.nearDistance,
+                    tr("Distance of the near plane; default: the file's, or by the "
+                       "objects"))
+        ->type_name("D");
+    command.add_option("--far", camera.farDistance, tr("Distance of the far plane; default: as for near"))
+        ->type_name("D");
+    std::map<std::string, std::optional<EyeAxes>> axes;
+    for (const EyeAxes one : kEyeAxes)
+        axes.emplace(keyOf(one), one);
+    addChoice<std::optional<EyeAxes>>(command, "--axes", camera.axes, axes,
+                                      tr("Axes of the camera's pose; default: as the program has them"));
+    addChoice<std::optional<PoseDirection>>(
+        command, "--pose", camera.direction,
+        {{keyOf(PoseDirection::WorldToCamera), PoseDirection::WorldToCamera},
+         {keyOf(PoseDirection::CameraToWorld), PoseDirection::CameraToWorld}},
+        tr("Direction of the pose; default: as its name tells, else by which the camera\nsees the objects"));
+    addChoice<std::optional<PixelCentres>>(command, "--pixel-centers", camera.centres,
+                                           {{"integer", PixelCentres::AtIntegers}, {"half", PixelCentres::AtHalves}},
+                                           tr("Coordinates of the first pixel's centre, 0 or 1/2, in the principal "
+                                              "point;\ndefault: as the program has them"));
+    command.add_flag("--undistorted", camera.isUndistorted,
+                     tr("Pixels are those of the undistorted picture: drop the distortion coefficients"));
+    command
+        .add_option("--objects", options.objects,
+                    tr("Models or scenes, whose objects the scene gets; they decide the pose's direction"))
+        ->type_name("FILE")
+        ->expected(1, 64);
+}
+
 std::string conventionNames()
 {
     // Chinese help is wrapped on display.
@@ -82,16 +125,25 @@ void addInfo(CLI::App &app, Run &run)
 
 void addScene(CLI::App &app, Run &run)
 {
-    CLI::App *command = app.add_subcommand("scene", tr("Make a scene file from another program's matrices"));
+    CLI::App *command = app.add_subcommand("scene", tr("Make a scene file from another program's camera or matrices"));
     auto options = std::make_shared<SceneOptions>();
-    command
-        ->add_option("--from-matrices", options->fromMatrices,
-                     tr("Modelview (16 numbers), projection (16) and viewport (4: x y width height),\n"
-                        "or their product (16) and the viewport, or a text file that has them; - is\n"
-                        "standard input. In this order, or each behind its name (modelview, view,\n"
-                        "projection, MVP, viewport)"))
-        ->required()
-        ->expected(1, 64);
+    CLI::Option *from =
+        command
+            ->add_option("FILE,--from", options->from,
+                         tr("Files of a camera, recognised by their contents: OpenCV (K, R, t; YAML, XML,\n"
+                            "JSON), ROS camera_info and the other programs of the manual's page\n"
+                            "conventions; - is standard input. Or the text itself"))
+            ->expected(1, 64);
+    CLI::Option *matrices =
+        command
+            ->add_option("--from-matrices", options->fromMatrices,
+                         tr("Modelview (16 numbers), projection (16) and viewport (4: x y width height),\n"
+                            "or their product (16) and the viewport, or a text file that has them; - is\n"
+                            "standard input. In this order, or each behind its name (modelview, view,\n"
+                            "projection, MVP, viewport)"))
+            ->expected(1, 64)
+            ->excludes(from);
+    addCameraOptions(*command, *options);
     addChoice<std::optional<NumberOrder>>(
         *command, "--order", options->order, {{"column", NumberOrder::ByColumns}, {"row", NumberOrder::ByRows}},
         tr("Order of the 16 numbers. Default, as programs print them: 16 in a row by\ncolumns, four lines or four "
@@ -120,10 +172,15 @@ void addScene(CLI::App &app, Run &run)
            "are reported and the matrix is not changed: an inverse, depths from 0 to 1 or reversed, y\nflipped, a "
            "scale.")
         + "\n\n" + tr("Examples:")
-        + "\n  unproject scene --from-matrices matrices.txt -o scene.json\n  unproject scene --from-matrices "
+        + "\n  unproject scene camera.yml -o scene.json --objects scan.ply\n  unproject scene --from-matrices "
+          "matrices.txt -o scene.json\n  unproject scene --from-matrices "
           "\"modelview 1 0 0 0  0 1 0 0  0 0 1 0  0 0 -5 1\n      projection 1 0 0 0  0 1 0 0  0 0 -1.2 -1  0 0 -2.2 0 "
           " viewport 0 0 800 600\"");
-    command->callback([options, &run] { run = [options] { return runScene(*options); }; });
+    command->callback([options, from, matrices, &run] {
+        if (from->count() == 0 && matrices->count() == 0)
+            throw CLI::RequiredError(tr("%1 (or --from-matrices)", "FILE"));
+        run = [options] { return runScene(*options); };
+    });
 }
 
 void addMatrices(CLI::App &app, Run &run)

@@ -1,0 +1,93 @@
+#include "core/cameras/camera_json.h"
+
+#include "core/scene_file/scene_error_text.h"
+#include "core/scene_file/strict_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <utility>
+
+namespace unprojector::cameras {
+using Json = nlohmann::ordered_json;
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t{64} << 20;
+constexpr std::size_t kMostNumbers = std::size_t{1} << 20;
+
+bool addNumbers(const Json &value, std::vector<double> &numbers)
+{
+    if (value.is_number() && std::isfinite(value.get<double>()) && numbers.size() < kMostNumbers) {
+        numbers.push_back(value.get<double>());
+        return true;
+    }
+    if (!value.is_array())
+        return false;
+    for (const Json &element : value) {
+        if (!addNumbers(element, numbers))
+            return false;
+    }
+    return true;
+}
+
+} // namespace
+
+bool isJson(std::string_view text)
+{
+    if (text.starts_with("\xEF\xBB\xBF"))
+        text.remove_prefix(3);
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    return begin != std::string_view::npos && (text[begin] == '{' || text[begin] == '[');
+}
+
+geometry::Result<Json, CameraError> parsedJson(const NamedText &text)
+{
+    auto parsed = scene_file::parseStrictJson(text.text, kMostBytes);
+    if (parsed)
+        return std::move(parsed).value();
+    scene_file::SceneFileError error = parsed.error();
+    const std::size_t line = std::exchange(error.line, 0);
+    error.file.clear();
+    std::string reason = scene_file::sceneErrorText(error);
+    reason.erase(0, reason.find_first_not_of(": "));
+    return CameraError{text.name, line, reason};
+}
+
+std::size_t lineOfKey(std::string_view text, std::string_view key, std::size_t count)
+{
+    const std::string quoted = '"' + std::string(key) + '"';
+    std::size_t line = 1, counted = 0;
+    for (std::size_t at = text.find(quoted); at != std::string_view::npos; at = text.find(quoted, at + 1)) {
+        const std::size_t next = text.find_first_not_of(" \t\r\n", at + quoted.size());
+        if (next == std::string_view::npos || text[next] != ':' || counted++ < count)
+            continue;
+        for (const char c : text.substr(0, at))
+            line += c == '\n' ? 1 : 0;
+        return line;
+    }
+    return 0;
+}
+
+std::optional<std::vector<double>> numbersOf(const Json &value)
+{
+    std::vector<double> numbers;
+    return addNumbers(value, numbers) ? std::optional(std::move(numbers)) : std::nullopt;
+}
+
+const Json *memberOf(const Json &object, std::string_view key)
+{
+    if (!object.is_object())
+        return nullptr;
+    const auto found = object.find(key);
+    return found == object.end() ? nullptr : &*found;
+}
+
+std::optional<double> numberOf(const Json &object, std::string_view key)
+{
+    const Json *member = memberOf(object, key);
+    if (member == nullptr || !member->is_number() || !std::isfinite(member->get<double>()))
+        return std::nullopt;
+    return member->get<double>();
+}
+
+} // namespace unprojector::cameras

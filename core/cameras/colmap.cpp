@@ -1,0 +1,210 @@
+#include "core/cameras/camera_reader.h"
+#include "core/cameras/reader_parts.h"
+#include "core/text/text_scanner.h"
+#include "core/text/translation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+// cameras.txt: CAMERA_ID MODEL WIDTH HEIGHT PARAMS[]
+// images.txt:  IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME, then a line of 2-D points
+// Source: COLMAP's documentation, "Output Format".
+
+namespace unprojector::cameras {
+using namespace geometry;
+using text::tr;
+
+namespace {
+
+struct Model {
+    std::string_view name;
+    std::size_t parameters;
+};
+constexpr std::array<Model, 6> kRead{
+    {{"SIMPLE_PINHOLE", 3}, {"PINHOLE", 4}, {"SIMPLE_RADIAL", 4}, {"RADIAL", 5}, {"OPENCV", 8}, {"FULL_OPENCV", 12}}};
+constexpr std::array<std::string_view, 9> kNotRead{"OPENCV_FISHEYE",        "FOV",
+                                                   "SIMPLE_RADIAL_FISHEYE", "RADIAL_FISHEYE",
+                                                   "THIN_PRISM_FISHEYE",    "RAD_TAN_THIN_PRISM_FISHEYE",
+                                                   "SIMPLE_DIVISION",       "DIVISION",
+                                                   "SIMPLE_FISHEYE"};
+
+struct Line {
+    std::size_t number; ///< from 1
+    std::vector<std::string_view> words;
+    std::string_view text;
+};
+
+/// The lines of a text. Comments are left out; blank lines stay, because an image without 2-D
+/// points has one.
+std::vector<Line> linesOf(std::string_view text)
+{
+    std::vector<Line> lines;
+    std::size_t number = 0;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        Line line{++number, {}, text.substr(at, end - at)};
+        at = end + 1;
+        if (line.text.ends_with('\r'))
+            line.text.remove_suffix(1);
+        text::TextScanner scanner(line.text);
+        for (std::string_view word = scanner.nextWord(); !word.empty(); word = scanner.nextWord())
+            line.words.push_back(word);
+        if (line.words.empty() || !line.words.front().starts_with('#'))
+            lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+bool isModel(std::string_view word)
+{
+    return std::any_of(kRead.begin(), kRead.end(), [word](const Model &model) { return model.name == word; })
+           || std::find(kNotRead.begin(), kNotRead.end(), word) != kNotRead.end();
+}
+
+bool isCameraLine(const Line &line)
+{
+    return line.words.size() >= 5 && text::integerFromWord(line.words[0]) && isModel(line.words[1])
+           && text::integerFromWord(line.words[2]) && text::integerFromWord(line.words[3]);
+}
+
+bool isImageLine(const Line &line)
+{
+    if (line.words.size() < 10 || !text::integerFromWord(line.words[0]) || !text::integerFromWord(line.words[8]))
+        return false;
+    double squares = 0.0;
+    for (std::size_t i = 1; i < 8; ++i) {
+        const auto number = text::doubleFromWord(line.words[i]);
+        if (!number || !std::isfinite(*number))
+            return false;
+        if (i < 5)
+            squares += *number * *number;
+    }
+    constexpr double kUnit = 1e-2; // a quaternion printed with few digits
+    return std::abs(squares - 1.0) < kUnit;
+}
+
+/// A camera or an image: its line and the file that has it.
+struct Found {
+    const NamedText *file;
+    Line line;
+};
+
+/// The cameras by their ids, and the images in their order.
+struct Reconstruction {
+    std::map<long long, Found> cameras;
+    std::vector<Found> images;
+};
+
+Reconstruction reconstructionOf(std::span<const NamedText> texts)
+{
+    Reconstruction found;
+    for (const NamedText &file : texts) {
+        const std::vector<Line> lines = linesOf(file.text);
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            const Line &line = lines[i];
+            if (isCameraLine(line)) {
+                found.cameras.emplace(*text::integerFromWord(line.words[0]), Found{&file, line});
+            } else if (isImageLine(line)) {
+                found.images.push_back({&file, line});
+                const bool hasPoints = i + 1 < lines.size() && !isImageLine(lines[i + 1]);
+                i += hasPoints ? 1 : 0; // the line of its points
+            }
+        }
+    }
+    return found;
+}
+
+/// An image's name: the rest of the line, which may contain blanks.
+std::string nameIn(const Line &line)
+{
+    std::string_view name = line.text.substr(std::size_t(line.words[9].data() - line.text.data()));
+    while (name.ends_with(' ') || name.ends_with('\t'))
+        name.remove_suffix(1);
+    return std::string(name);
+}
+
+std::optional<CameraError> setLens(ForeignCamera &camera, const Found &found)
+{
+    const Line &line = found.line;
+    const auto fault = [&](std::string reason) {
+        return CameraError{found.file->name, line.number, std::move(reason)};
+    };
+    const std::string_view name = line.words[1];
+    const auto model = std::find_if(kRead.begin(), kRead.end(), [name](const Model &m) { return m.name == name; });
+    if (model == kRead.end())
+        return fault(tr("the camera model %1 is not read: it is no pinhole with the distortion of Brown and Conrady. "
+                        "Undistort the images with COLMAP's image_undistorter",
+                        name));
+    if (line.words.size() != 4 + model->parameters)
+        return fault(tr("%1 has %2 parameters; it needs %3", name, line.words.size() - 4, model->parameters));
+    std::vector<double> p;
+    for (std::size_t i = 4; i < line.words.size(); ++i) {
+        const auto number = text::doubleFromWord(line.words[i]);
+        if (!number || !std::isfinite(*number))
+            return fault(tr("%1 is not a finite number", text::quoted(line.words[i])));
+        p.push_back(*number);
+    }
+    camera.size = sizeOf(text::doubleFromWord(line.words[2]), text::doubleFromWord(line.words[3]));
+    if (!camera.size)
+        return fault(
+            tr("width and height are %1 and %2; they must be whole numbers above 0", line.words[2], line.words[3]));
+    const bool hasOneFocal = name.starts_with("SIMPLE_") || name == "RADIAL";
+    if (hasOneFocal)
+        p.insert(p.begin(), p.front()); // fx = fy
+    camera.intrinsics = Intrinsics{p[0], p[1], p[2], p[3], 0.0, PixelCentres::AtHalves};
+    p.resize(12, 0.0);
+    Distortion distortion{p[4], p[5], p[6], p[7], p[8]};
+    if (p[9] != 0.0 || p[10] != 0.0 || p[11] != 0.0)
+        return fault(tr("FULL_OPENCV's k4, k5 and k6 are not read; undistort the images with COLMAP's "
+                        "image_undistorter"));
+    if (!distortion.isNone())
+        camera.distortion = distortion;
+    return std::nullopt;
+}
+
+} // namespace
+
+CameraRead readColmap(std::span<const NamedText> texts, const CameraChoices &choices)
+{
+    for (const NamedText &text : texts) {
+        if (text.name.ends_with("cameras.bin") || text.name.ends_with("images.bin"))
+            return CameraError{text.name, 0,
+                               tr("COLMAP's binary files are not read; write text with 'colmap model_converter "
+                                  "--output_type TXT' and give cameras.txt and images.txt")};
+    }
+    const Reconstruction found = reconstructionOf(texts);
+    if (found.cameras.empty() && found.images.empty())
+        return std::nullopt;
+    if (found.images.empty())
+        return CameraError{found.cameras.begin()->second.file->name, 0,
+                           tr("COLMAP's cameras have no poses; give images.txt too")};
+    ForeignCamera camera;
+    camera.program = "COLMAP";
+    camera.axes = EyeAxes::RightDownAhead;
+    camera.isDirectionCertain = camera.areAxesCertain = true;
+    for (const Found &image : found.images)
+        camera.images.push_back(nameIn(image.line));
+    const std::string &file = found.images.front().file->name;
+    if (found.cameras.empty())
+        return CameraError{file, 0, tr("COLMAP's images have no focal lengths; give cameras.txt too")};
+    if (auto error = chooseImage(camera, choices, file))
+        return *error;
+    const Line &image = found.images[camera.image].line;
+    std::array<double, 7> v{};
+    for (std::size_t i = 0; i < v.size(); ++i)
+        v[i] = *text::doubleFromWord(image.words[i + 1]);
+    camera.pose = rigid(*rotationOf(v[0], v[1], v[2], v[3]), {v[4], v[5], v[6]});
+    const auto lens = found.cameras.find(*text::integerFromWord(image.words[8]));
+    if (lens == found.cameras.end())
+        return CameraError{file, image.number, tr("there is no camera %1 in cameras.txt", image.words[8])};
+    if (auto error = setLens(camera, lens->second))
+        return *error;
+    return camera;
+}
+
+} // namespace unprojector::cameras

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace unprojector::cameras {
+
+/// A name in a printed text with the values behind it.
+struct NamedValue {
+    std::vector<std::string> words; ///< of the name, letters and digits in lower case: {"near", "clipplane"}
+    std::string parent;             ///< the last name before it that has no values: "location" of "Location: X=1 Y=2"
+    std::string word;               ///< the value, if it is a word: "HORIZONTAL"
+    std::vector<double> numbers;    ///< the values up to the next name
+    std::size_t line = 0;           ///< of the name, from 1
+    bool isNamed(std::string_view name) const; ///< by all its words or by its last ones
+};
+
+/// The names and values of a printed text: "fov = 60", "near clip plane: 0.3", "lens 50 mm",
+/// "Location X=1 Y=2 Z=3", "matrix_world = Matrix(((…), (…)))", JSON and YAML of one level. Skips
+/// comments, and names of types before brackets.
+class NamedValues {
+public:
+    explicit NamedValues(std::string_view text);
+
+    /// The first value under a name, the names tried in order; null if there is none. Names are
+    /// letters and digits in lower case: "nearclipplane" finds near_clip_plane too.
+    const NamedValue *find(std::initializer_list<std::string_view> names) const;
+    bool has(std::initializer_list<std::string_view> names) const { return find(names) != nullptr; }
+    /// A value that is one number.
+    std::optional<double> number(std::initializer_list<std::string_view> names) const;
+    /// A value of at least `count` numbers under a name, or one number under each component of the
+    /// name: "position: {x: 1, y: 2, z: 3}". Empty if there is neither.
+    std::vector<double> numbers(std::initializer_list<std::string_view> names, std::size_t count,
+                                std::initializer_list<std::string_view> components = {}) const;
+
+    /// All values in their order. The first one has no name: the numbers before any name.
+    const std::vector<NamedValue> &all() const { return m_values; }
+
+private:
+    std::vector<NamedValue> m_values;
+};
+
+} // namespace unprojector::cameras

@@ -1,0 +1,354 @@
+// OpenCV's cameras and ROS's camera_info.
+
+#include "core/cameras/camera_matrices.h"
+#include "core/cameras/camera_reader.h"
+#include "core/cameras/lens.h"
+#include "core/cameras/opencv_values.h"
+#include "core/cameras/reader_parts.h"
+#include "core/text/number_text.h"
+#include "core/text/text_scanner.h"
+#include "core/text/translation.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <utility>
+
+namespace unprojector::cameras {
+using geometry::Result;
+using text::shortestText;
+using text::significantText;
+using text::tr;
+namespace {
+
+/// Thrown while reading; readOpenCv returns its error.
+struct Failure {
+    CameraError error;
+};
+
+[[noreturn]] void fail(const OpenCvValue &value, std::string reason)
+{
+    throw Failure{{value.file, value.line, value.name + ": " + std::move(reason)}};
+}
+
+/// The letters and digits of a text in lower case.
+std::string plain(std::string_view text)
+{
+    std::string result;
+    for (const char c : text) {
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+            result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return result;
+}
+
+bool isNear(double value, double wanted, double scale)
+{
+    return std::abs(value - wanted) <= 1e-9 * scale;
+}
+
+/// K by its nine numbers, or fx, fy, cx, cy.
+Intrinsics intrinsicsOf(const OpenCvValue &value, std::vector<std::string> &assumed)
+{
+    std::vector<double> k = value.numbers;
+    if (k.size() == 4) {
+        assumed.push_back(tr("The four numbers of %1 are read as fx, fy, cx, cy.", value.name));
+        return {k[0], k[1], k[2], k[3], 0.0, PixelCentres::AtIntegers};
+    }
+    const double scale = std::max(std::abs(k[0]), std::abs(k[4]));
+    const bool isTransposed = (k[6] != 0.0 || k[7] != 0.0) && k[2] == 0.0 && k[5] == 0.0;
+    if (isTransposed) {
+        std::swap(k[1], k[3]);
+        std::swap(k[2], k[6]);
+        std::swap(k[5], k[7]);
+        assumed.push_back(
+            tr("%1 is transposed, as MATLAB's IntrinsicMatrix is: its columns are read as rows.", value.name));
+    }
+    if (!isNear(k[3], 0.0, scale) || !isNear(k[6], 0.0, scale) || !isNear(k[7], 0.0, scale) || k[8] == 0.0)
+        fail(value, tr("this is no camera matrix; it must have the rows fx skew cx, 0 fy cy, 0 0 1"));
+    if (k[8] != 1.0) {
+        assumed.push_back(tr("The last number of %1 is %2 instead of 1; all its numbers are divided by it.", value.name,
+                             shortestText(k[8])));
+        for (double &number : k)
+            number /= k[8];
+    }
+    return {k[0], k[4], k[2], k[5], k[1], PixelCentres::AtIntegers};
+}
+
+class Reader {
+public:
+    Reader(std::span<const NamedText> texts, const CameraChoices &choices)
+        : m_values(texts), m_choices(choices), m_file(texts.empty() ? std::string() : texts.front().name)
+    {
+    }
+
+    bool isRecognised() const
+    {
+        const auto has = [this](OpenCvPart part) { return !m_values.all(part).empty(); };
+        const bool hasFocal = m_values.number({"fx"}) && m_values.number({"fy"});
+        const auto isNamed = [](const auto &value, const char *name) { return value && plain(value->name) == name; };
+        const bool hasVectors = !m_values.all(OpenCvPart::Rotation).empty()
+                                && plain(m_values.all(OpenCvPart::Rotation).front().name).starts_with("rvec");
+        return has(OpenCvPart::Intrinsics) || has(OpenCvPart::CameraMatrix) || hasFocal || hasVectors
+               || isNamed(m_values.unfit(OpenCvPart::Intrinsics), "k")
+               || isNamed(m_values.unfit(OpenCvPart::Intrinsics), "cameramatrix");
+    }
+
+    ForeignCamera read()
+    {
+        m_camera.program = m_values.isCameraInfo() ? "ROS camera_info" : "OpenCV";
+        m_camera.axes = EyeAxes::RightDownAhead;
+        m_camera.areAxesCertain = true;
+        m_camera.isDirectionCertain = true;
+        countImages();
+        readSize();
+        readIntrinsics();
+        readPose();
+        readDistortion();
+        readClipDistances();
+        return std::move(m_camera);
+    }
+
+private:
+    /// The value of the chosen image, or the one that all images share; null if there is none.
+    const OpenCvValue *valueOf(OpenCvPart part) const
+    {
+        const std::vector<OpenCvValue> &values = m_values.all(part);
+        if (values.empty())
+            return nullptr;
+        return &values[std::min(m_camera.image, values.size() - 1)];
+    }
+
+    /// Fails if the only values of a part have another count of numbers.
+    void refuseUnfit(OpenCvPart part, const std::string &wanted) const
+    {
+        const auto &unfit = m_values.unfit(part);
+        if (unfit && m_values.all(part).empty())
+            fail(*unfit, tr("it has %1 numbers; %2", unfit->numbers.size(), wanted));
+    }
+
+    void countImages()
+    {
+        std::size_t count = 1;
+        for (const OpenCvPart part :
+             {OpenCvPart::Rotation, OpenCvPart::Translation, OpenCvPart::Pose, OpenCvPart::CameraMatrix})
+            count = std::max(count, m_values.all(part).size());
+        if (m_values.isCameraInfo())
+            count = m_values.all(OpenCvPart::Intrinsics).size();
+        for (std::size_t i = 0; count > 1 && i < count; ++i)
+            m_camera.images.push_back(std::to_string(i));
+        if (count == 1 && (m_choices.image.empty() || m_choices.image == "0"))
+            return;
+        if (count == 1)
+            throw Failure{{m_file, 0, tr("there is one camera without a name; leave --image out")}};
+        if (auto error = chooseImage(m_camera, m_choices, m_file))
+            throw Failure{std::move(*error)};
+    }
+
+    void readSize()
+    {
+        if (const OpenCvValue *size = valueOf(OpenCvPart::Size))
+            m_camera.size = sizeOf(size->numbers[0], size->numbers[1]);
+        else
+            m_camera.size = sizeOf(m_values.number({"imagewidth", "imgwidth", "width", "w"}),
+                                   m_values.number({"imageheight", "imgheight", "height", "h"}));
+    }
+
+    void readIntrinsics()
+    {
+        refuseUnfit(OpenCvPart::Intrinsics, tr("a camera matrix has nine, by rows"));
+        if (const OpenCvValue *k = valueOf(OpenCvPart::Intrinsics)) {
+            m_camera.intrinsics = intrinsicsOf(*k, m_camera.assumed);
+        } else if (const auto fx = m_values.number({"fx"}), fy = m_values.number({"fy"}); fx && fy) {
+            const auto cx = m_values.number({"cx", "ppx"}), cy = m_values.number({"cy", "ppy"});
+            if (!cx || !cy)
+                throw Failure{{m_file, 0, tr("fx and fy are given without cx and cy; give all four")}};
+            m_camera.intrinsics =
+                Intrinsics{*fx, *fy, *cx, *cy, m_values.number({"skew"}).value_or(0.0), PixelCentres::AtIntegers};
+        } else if (m_values.all(OpenCvPart::CameraMatrix).empty()) {
+            throw Failure{{m_file, 0, tr("there is a pose, but no camera matrix; give K, nine numbers by rows")}};
+        }
+    }
+
+    void readPose()
+    {
+        const OpenCvValue *matrix = valueOf(OpenCvPart::CameraMatrix);
+        if (m_values.isCameraInfo())
+            readRectification(*matrix);
+        else if (matrix)
+            readCameraMatrix(*matrix);
+        else if (const OpenCvValue *pose = valueOf(OpenCvPart::Pose))
+            readPoseMatrix(*pose);
+        else
+            readParts();
+    }
+
+    /// P = K [R t].
+    void readCameraMatrix(const OpenCvValue &value)
+    {
+        const std::optional<CameraParts> parts = partsOf(value.numbers);
+        if (!parts)
+            fail(value, tr("its first three columns have no inverse; a camera's P has one"));
+        const bool hasOthers = m_camera.intrinsics || !m_values.all(OpenCvPart::Rotation).empty()
+                               || !m_values.all(OpenCvPart::Pose).empty();
+        if (hasOthers)
+            m_camera.assumed.push_back(
+                tr("%1 is K [R t]: it counts, and K, R and t beside it are ignored.", value.name));
+        m_camera.intrinsics = parts->intrinsics;
+        m_camera.pose = parts->cameraFromWorld;
+        // Rounding leaves a skew that no camera has.
+        double &skew = m_camera.intrinsics->skew;
+        if (skew != 0.0 && std::abs(skew) <= 1e-6 * m_camera.intrinsics->fx) {
+            if (std::abs(skew) > 1e-12 * m_camera.intrinsics->fx)
+                m_camera.assumed.push_back(
+                    tr("%1 has a skew of %2 pixels, as rounded numbers make it; it is taken as 0.", value.name,
+                       significantText(skew, 2)));
+            skew = 0.0;
+        }
+    }
+
+    void readPoseMatrix(const OpenCvValue &value)
+    {
+        m_camera.pose = *matrixByRows(value.numbers);
+        const std::string name = plain(value.name);
+        const auto ends = [&name](std::initializer_list<const char *> with) {
+            return std::any_of(with.begin(), with.end(), [&](const char *end) { return name.ends_with(end); });
+        };
+        const bool isToWorld = ends({"c2w", "cam2world", "cam2worldgl", "camtoworld", "cameratoworld", "twc"}),
+                   isToCamera = ends({"w2c", "world2cam", "worldtocam", "worldtocamera", "tcw"});
+        if (isToWorld || ends({"pose"}))
+            m_camera.direction = PoseDirection::CameraToWorld;
+        m_camera.isDirectionCertain = isToWorld || isToCamera;
+        m_camera.areAxesCertain = ends({"gl", "cv", "rt"});
+        if (ends({"gl"}))
+            m_camera.axes = EyeAxes::RightUpBack;
+        if (!m_values.all(OpenCvPart::Rotation).empty())
+            m_camera.assumed.push_back(tr("%1 counts; R and t beside it are ignored.", value.name));
+    }
+
+    void readParts()
+    {
+        refuseUnfit(OpenCvPart::Rotation, tr("a rotation has nine, by rows, or three of a rotation vector"));
+        refuseUnfit(OpenCvPart::Translation, tr("a translation has three"));
+        refuseUnfit(OpenCvPart::Pose, tr("a pose has twelve or sixteen, by rows"));
+        const OpenCvValue *rotation = valueOf(OpenCvPart::Rotation), *translation = valueOf(OpenCvPart::Translation);
+        if (!rotation && !translation)
+            return;
+        glm::dmat3 turn(1.0);
+        if (!rotation) {
+            m_camera.assumed.push_back(tr("There is no rotation beside %1: none is assumed.", translation->name));
+        } else if (rotation->numbers.size() == 3) {
+            turn = rotationOf(glm::dvec3(rotation->numbers[0], rotation->numbers[1], rotation->numbers[2]));
+        } else {
+            turn = glm::dmat3(*matrixByRows(rotation->numbers));
+            if (glm::determinant(turn) < 0.0)
+                fail(*rotation, tr("its determinant is %1: it mirrors. Check the sign of a row or a column",
+                                   significantText(glm::determinant(turn), 3)));
+            // solvePnP's vectors go from the world to the camera; R and t may be either.
+            m_camera.isDirectionCertain = false;
+        }
+        glm::dvec3 shift(0.0);
+        if (translation)
+            shift = {translation->numbers[0], translation->numbers[1], translation->numbers[2]};
+        else
+            m_camera.assumed.push_back(tr("There is no translation beside %1: it is taken as 0.", rotation->name));
+        m_camera.pose = rigid(turn, shift);
+    }
+
+    /// ROS: the raw picture is K's, with D; the rectified one is P's, turned by R.
+    void readRectification(const OpenCvValue &p)
+    {
+        const std::optional<CameraParts> parts = partsOf(p.numbers);
+        const std::optional<double> binning = m_values.number({"binningx"}), left = m_values.number({"xoffset"}),
+                                    top = m_values.number({"yoffset"});
+        if (binning.value_or(0.0) > 1.0 || left.value_or(0.0) != 0.0 || top.value_or(0.0) != 0.0)
+            m_camera.assumed.push_back(
+                tr("Binning and region of interest are not applied: pixels are those of the full "
+                   "picture."));
+        if (const OpenCvValue *pose = valueOf(OpenCvPart::Pose))
+            readPoseMatrix(*pose);
+        if (!m_choices.isUndistorted) {
+            m_camera.assumed.push_back(
+                tr("Pixels are those of the raw picture, so K counts; --undistorted takes P, for "
+                   "the rectified one."));
+            return;
+        }
+        if (!parts || m_camera.pose) {
+            m_camera.assumed.push_back(tr("P cannot be used here: K counts for the rectified picture."));
+            return;
+        }
+        m_camera.assumed.push_back(tr("Pixels are those of the rectified picture, so P and R count; K is ignored."));
+        m_camera.intrinsics = parts->intrinsics;
+        m_camera.intrinsics->skew = 0.0;
+        const OpenCvValue *rectification = valueOf(OpenCvPart::Rotation);
+        const bool hasTurn = rectification && rectification->numbers.size() == 9;
+        m_camera.pose = parts->cameraFromWorld * (hasTurn ? *matrixByRows(rectification->numbers) : glm::dmat4(1.0));
+    }
+
+    void readDistortion()
+    {
+        const OpenCvValue *model = valueOf(OpenCvPart::Model);
+        const std::string name = model ? plain(model->word) : std::string();
+        const bool isFisheye = std::any_of(kFisheyes.begin(), kFisheyes.end(),
+                                           [&name](std::string_view other) { return name.starts_with(other); });
+        if (isFisheye) {
+            if (!m_choices.isUndistorted)
+                fail(*model, tr("the distortion is %1; only k1, k2, p1, p2 and k3 of Brown and Conrady are known. "
+                                "Undistort the picture with its own program, then give --undistorted",
+                                model->word));
+            m_camera.assumed.push_back(
+                tr("The distortion %1 is dropped: pixels are those of the undistorted picture.", model->word));
+            return;
+        }
+        const auto k1 = m_values.number({"k1"}), k2 = m_values.number({"k2"}), p1 = m_values.number({"p1"}),
+                   p2 = m_values.number({"p2"}), k3 = m_values.number({"k3"});
+        const OpenCvValue *list = valueOf(OpenCvPart::Distortion);
+        if (list) {
+            const Result<Distortion, std::string> lens = distortionOf(list->numbers);
+            if (lens)
+                m_camera.distortion = *lens;
+            else if (!m_choices.isUndistorted)
+                fail(*list, lens.error());
+            else
+                m_camera.assumed.push_back(tr("The distortion coefficients are dropped: pixels are those of the "
+                                              "undistorted picture."));
+        } else if (k1 || k2 || p1 || p2 || k3) {
+            m_camera.distortion =
+                Distortion{k1.value_or(0.0), k2.value_or(0.0), p1.value_or(0.0), p2.value_or(0.0), k3.value_or(0.0)};
+        }
+    }
+
+    void readClipDistances()
+    {
+        m_camera.nearDistance = m_values.number({"znear", "nearplane", "nearclip", "nearclipplane"});
+        m_camera.farDistance = m_values.number({"zfar", "farplane", "farclip", "farclipplane"});
+    }
+
+    static constexpr std::array<std::string_view, 6> kFisheyes{"equidistant", "equi", "fisheye",
+                                                               "kannala",     "fov",  "omni"};
+
+    OpenCvValues m_values;
+    const CameraChoices &m_choices;
+    std::string m_file;
+    ForeignCamera m_camera;
+};
+
+} // namespace
+
+CameraRead readOpenCv(std::span<const NamedText> texts, const CameraChoices &choices)
+{
+    Reader reader(texts, choices);
+    if (!reader.isRecognised())
+        return std::nullopt;
+    try {
+        return reader.read();
+    } catch (Failure &failure) {
+        return Result<ForeignCamera, CameraError>(std::move(failure.error));
+    }
+}
+
+} // namespace unprojector::cameras

@@ -1,0 +1,233 @@
+#include "core/cameras/opencv_values.h"
+
+#include "core/cameras/named_values.h"
+#include "core/cameras/printed_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace unprojector::cameras {
+namespace {
+
+struct PartName {
+    OpenCvPart part;
+    std::string_view name;
+};
+
+/// Letters and digits in lower case, as in NamedValues.
+constexpr std::array kNames{
+    PartName{OpenCvPart::Intrinsics, "k"},
+    PartName{OpenCvPart::Intrinsics, "cameramatrix"},
+    PartName{OpenCvPart::Intrinsics, "cammatrix"},
+    PartName{OpenCvPart::Intrinsics, "cameramtx"},
+    PartName{OpenCvPart::Intrinsics, "mtx"},
+    PartName{OpenCvPart::Intrinsics, "intrinsic"},
+    PartName{OpenCvPart::Intrinsics, "intrinsics"},
+    PartName{OpenCvPart::Intrinsics, "intrinsicmatrix"},
+    PartName{OpenCvPart::Intrinsics, "intrinsicsmatrix"},
+    PartName{OpenCvPart::Intrinsics, "cameraintrinsics"},
+    PartName{OpenCvPart::Intrinsics, "camintr"},
+    PartName{OpenCvPart::Rotation, "r"},
+    PartName{OpenCvPart::Rotation, "rvec"},
+    PartName{OpenCvPart::Rotation, "rvecs"},
+    PartName{OpenCvPart::Rotation, "rot"},
+    PartName{OpenCvPart::Rotation, "rmat"},
+    PartName{OpenCvPart::Rotation, "rotation"},
+    PartName{OpenCvPart::Rotation, "rotationmatrix"},
+    PartName{OpenCvPart::Rotation, "rotationvector"},
+    PartName{OpenCvPart::Translation, "t"},
+    PartName{OpenCvPart::Translation, "tvec"},
+    PartName{OpenCvPart::Translation, "tvecs"},
+    PartName{OpenCvPart::Translation, "trans"},
+    PartName{OpenCvPart::Translation, "translation"},
+    PartName{OpenCvPart::Translation, "translationvector"},
+    PartName{OpenCvPart::Pose, "rt"},
+    PartName{OpenCvPart::Pose, "extrinsic"},
+    PartName{OpenCvPart::Pose, "extrinsics"},
+    PartName{OpenCvPart::Pose, "extrinsicmatrix"},
+    PartName{OpenCvPart::Pose, "extrinsicsmatrix"},
+    PartName{OpenCvPart::Pose, "extrinsicparameters"},
+    PartName{OpenCvPart::Pose, "extrinsiccv"},
+    PartName{OpenCvPart::Pose, "w2c"},
+    PartName{OpenCvPart::Pose, "world2cam"},
+    PartName{OpenCvPart::Pose, "worldtocam"},
+    PartName{OpenCvPart::Pose, "worldtocamera"},
+    PartName{OpenCvPart::Pose, "tcw"},
+    PartName{OpenCvPart::Pose, "c2w"},
+    PartName{OpenCvPart::Pose, "cam2world"},
+    PartName{OpenCvPart::Pose, "cam2worldgl"},
+    PartName{OpenCvPart::Pose, "camtoworld"},
+    PartName{OpenCvPart::Pose, "cameratoworld"},
+    PartName{OpenCvPart::Pose, "twc"},
+    PartName{OpenCvPart::Pose, "pose"},
+    PartName{OpenCvPart::Pose, "camerapose"},
+    PartName{OpenCvPart::Pose, "campose"},
+    PartName{OpenCvPart::CameraMatrix, "p"},
+    PartName{OpenCvPart::CameraMatrix, "projectionmatrix"},
+    PartName{OpenCvPart::CameraMatrix, "projmatrix"},
+    PartName{OpenCvPart::Distortion, "d"},
+    PartName{OpenCvPart::Distortion, "dist"},
+    PartName{OpenCvPart::Distortion, "distcoeffs"},
+    PartName{OpenCvPart::Distortion, "distcoeff"},
+    PartName{OpenCvPart::Distortion, "distcoefs"},
+    PartName{OpenCvPart::Distortion, "coeffs"},
+    PartName{OpenCvPart::Distortion, "distortion"},
+    PartName{OpenCvPart::Distortion, "distortioncoeffs"},
+    PartName{OpenCvPart::Distortion, "distortioncoefficients"},
+    PartName{OpenCvPart::Size, "size"},
+    PartName{OpenCvPart::Size, "imagesize"},
+    PartName{OpenCvPart::Size, "imgsize"},
+    PartName{OpenCvPart::Size, "resolution"},
+    PartName{OpenCvPart::Model, "distortionmodel"},
+    PartName{OpenCvPart::Model, "cameramodel"},
+    PartName{OpenCvPart::Model, "model"},
+};
+
+/// Members of a matrix in cv::FileStorage and in ROS's files.
+constexpr std::array<std::string_view, 6> kMembers{"typeid", "rows", "cols", "dt", "data", "dims"};
+
+std::optional<OpenCvPart> partOf(const NamedValue &value)
+{
+    for (const PartName &name : kNames) {
+        if (value.isNamed(name.name))
+            return name.part;
+    }
+    return std::nullopt;
+}
+
+bool fits(OpenCvPart part, std::size_t count)
+{
+    switch (part) {
+    case OpenCvPart::Intrinsics: return count == 9 || count == 4;
+    case OpenCvPart::Rotation: return count == 9 || count == 3;
+    case OpenCvPart::Translation: return count == 3;
+    case OpenCvPart::Pose: return count == 12 || count == 16;
+    case OpenCvPart::CameraMatrix: return count == 12;
+    case OpenCvPart::Distortion: return count >= 1;
+    case OpenCvPart::Size: return count == 2;
+    case OpenCvPart::Model: return true;
+    }
+    return false;
+}
+
+/// Applies the common factor that MATLAB prints before a matrix, "1.0e+03 *".
+void applyFactor(OpenCvPart part, std::vector<double> &numbers)
+{
+    if (fits(part, numbers.size()) || numbers.size() < 2 || !fits(part, numbers.size() - 1))
+        return;
+    const double power = std::log10(numbers[0]);
+    if (!(numbers[0] > 0.0) || power != std::round(power))
+        return;
+    const double factor = numbers[0];
+    numbers.erase(numbers.begin());
+    for (double &number : numbers)
+        number *= factor;
+}
+
+std::string joined(const std::vector<std::string> &words, const char *between)
+{
+    std::string text;
+    for (const std::string &word : words)
+        text += (text.empty() ? "" : between) + word;
+    return text;
+}
+
+} // namespace
+
+OpenCvValues::OpenCvValues(std::span<const NamedText> texts)
+{
+    for (const NamedText &text : texts) {
+        struct Owned {
+            OpenCvValue value;
+            std::optional<OpenCvPart> part;
+            std::size_t columns = 0;
+        };
+        std::vector<Owned> values;
+        const NamedValues named(withNames(text.text));
+        for (const NamedValue &value : named.all()) {
+            const auto member = std::find_if(kMembers.begin(), kMembers.end(),
+                                             [&](std::string_view name) { return value.isNamed(name); });
+            if (member != kMembers.end() && !values.empty()) {
+                if (*member == "data")
+                    values.back().value.numbers = value.numbers;
+                else if (*member == "cols" && value.numbers.size() == 1)
+                    values.back().columns = value.numbers[0] == 6.0 ? 6 : 0;
+                continue;
+            }
+            values.push_back(
+                {{joined(value.words, " "), value.word, value.numbers, value.line, text.name}, partOf(value), 0});
+        }
+        for (Owned &owned : values) {
+            OpenCvValue &value = owned.value;
+            if (owned.part == OpenCvPart::Pose && owned.columns == 6 && value.numbers.size() % 6 == 0) {
+                addPoses(std::move(value));
+                continue;
+            }
+            if (owned.part)
+                add(*owned.part, value);
+            if (value.numbers.size() == 1) {
+                std::erase(value.name, ' ');
+                m_numbers.push_back(std::move(value));
+            }
+        }
+    }
+    // Both ROS's messages and its calibration files have a model, K and P; R is then the
+    // rectification.
+    m_isCameraInfo = !all(OpenCvPart::Model).empty() && !all(OpenCvPart::CameraMatrix).empty()
+                     && !all(OpenCvPart::Intrinsics).empty();
+}
+
+void OpenCvValues::add(OpenCvPart part, OpenCvValue value)
+{
+    const bool isWord = part == OpenCvPart::Model;
+    if (isWord ? value.word.empty() : value.numbers.empty())
+        return;
+    std::vector<OpenCvValue> &values = m_parts[std::size_t(part)];
+    applyFactor(part, value.numbers);
+    // The vectors of several images: rvecs, tvecs.
+    const std::size_t count = value.numbers.size();
+    const bool isVectors = (part == OpenCvPart::Rotation || part == OpenCvPart::Translation) && count > 3
+                           && count % 3 == 0 && (count != 9 || value.name.ends_with("vecs"));
+    if (isVectors) {
+        const std::vector<double> numbers = std::move(value.numbers);
+        for (std::size_t i = 0; i + 3 <= count; i += 3) {
+            value.numbers = {numbers[i], numbers[i + 1], numbers[i + 2]};
+            values.push_back(value);
+        }
+    } else if (part == OpenCvPart::Translation && fits(OpenCvPart::Pose, count)) {
+        m_parts[std::size_t(OpenCvPart::Pose)].push_back(std::move(value)); // T = [R t; 0 0 0 1]
+    } else if (fits(part, count)) {
+        values.push_back(std::move(value));
+    } else if (!m_unfit[std::size_t(part)]) {
+        m_unfit[std::size_t(part)] = std::move(value);
+    }
+}
+
+/// Adds the poses of a table with a rotation vector and t in each row.
+void OpenCvValues::addPoses(OpenCvValue value)
+{
+    const std::vector<double> numbers = std::move(value.numbers);
+    for (std::size_t i = 0; i + 6 <= numbers.size(); i += 6) {
+        value.numbers = {numbers[i], numbers[i + 1], numbers[i + 2]};
+        value.name = "rvec";
+        m_parts[std::size_t(OpenCvPart::Rotation)].push_back(value);
+        value.numbers = {numbers[i + 3], numbers[i + 4], numbers[i + 5]};
+        value.name = "tvec";
+        m_parts[std::size_t(OpenCvPart::Translation)].push_back(value);
+    }
+}
+
+std::optional<double> OpenCvValues::number(std::initializer_list<std::string_view> names) const
+{
+    for (const std::string_view name : names) {
+        for (const OpenCvValue &value : m_numbers) {
+            if (value.name == name)
+                return value.numbers[0];
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace unprojector::cameras

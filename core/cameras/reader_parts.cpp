@@ -1,0 +1,209 @@
+#include "core/cameras/reader_parts.h"
+
+#include "core/geometry/angle.h"
+#include "core/text/number_text.h"
+#include "core/text/text_scanner.h"
+#include "core/text/translation.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace unprojector::cameras {
+using geometry::kPi;
+using text::shortestText;
+using text::tr;
+
+namespace {
+
+/// The file's name in a path, with or without its suffix.
+std::string_view fileName(std::string_view path, bool withSuffix)
+{
+    const std::size_t slash = path.find_last_of("/\\");
+    if (slash != path.npos)
+        path.remove_prefix(slash + 1);
+    return withSuffix ? path : path.substr(0, path.rfind('.'));
+}
+
+std::string firstNames(const std::vector<std::string> &images)
+{
+    constexpr std::size_t kMost = 3;
+    std::string list;
+    for (std::size_t i = 0; i < std::min(images.size(), kMost); ++i)
+        list += (i > 0 ? ", " : "") + images[i];
+    return images.size() > kMost ? list + ", …" : list;
+}
+
+std::string sizeText(const PictureSize &size)
+{
+    return std::to_string(size.width) + 'x' + std::to_string(size.height);
+}
+
+std::optional<CameraError> angleError(double radians, const std::string &file)
+{
+    if (radians > 0.0 && radians < kPi)
+        return std::nullopt;
+    return CameraError{file, 0,
+                       tr("the field of view is %1 degrees; it must be greater than 0 and smaller than 180",
+                          text::significantText(geometry::degreesFromRadians(radians), 6))};
+}
+
+} // namespace
+
+std::optional<std::size_t> imageIndex(const std::vector<std::string> &images, const std::string &choice)
+{
+    if (images.empty())
+        return std::nullopt;
+    if (choice.empty())
+        return 0;
+    const auto indexOf = [&](const auto &isIt) -> std::optional<std::size_t> {
+        const auto found = std::find_if(images.begin(), images.end(), isIt);
+        return found == images.end() ? std::nullopt : std::optional(std::size_t(found - images.begin()));
+    };
+    if (const auto exact = indexOf([&](const std::string &image) { return image == choice; }))
+        return exact;
+    for (const bool withSuffix : {true, false}) {
+        const std::string_view wanted = fileName(choice, withSuffix);
+        if (const auto index = indexOf([&](std::string_view image) { return fileName(image, withSuffix) == wanted; }))
+            return index;
+    }
+    const auto number = text::integerFromWord(choice);
+    if (number && *number >= 0 && *number < static_cast<long long>(images.size()))
+        return std::size_t(*number);
+    return std::nullopt;
+}
+
+std::optional<CameraError> chooseImage(ForeignCamera &camera, const CameraChoices &choices, const std::string &file)
+{
+    const auto index = imageIndex(camera.images, choices.image);
+    if (!index)
+        return CameraError{file, 0,
+                           tr("there is no image %1 among %2 (%3); give one of their names or an index from 0 with "
+                              "--image",
+                              text::quoted(choices.image), camera.images.size(), firstNames(camera.images))};
+    camera.image = *index;
+    if (choices.image.empty() && camera.images.size() > 1)
+        camera.assumed.push_back(tr("The first of %1 images is read, %2; --image NAME reads another.",
+                                    camera.images.size(), camera.images.front()));
+    return std::nullopt;
+}
+
+std::optional<PictureSize> sizeOf(const ForeignCamera &camera, const CameraChoices &choices)
+{
+    return choices.size ? choices.size : camera.size;
+}
+
+std::optional<PictureSize> sizeOf(std::optional<double> width, std::optional<double> height)
+{
+    constexpr double kMost = 1e6;
+    const auto isWhole = [](const std::optional<double> &side) {
+        return side && *side >= 1.0 && *side <= kMost && *side == std::floor(*side);
+    };
+    if (!isWhole(width) || !isWhole(height))
+        return std::nullopt;
+    return PictureSize{static_cast<int>(*width), static_cast<int>(*height)};
+}
+
+std::optional<PictureSize> sizeIn(const NamedValues &values)
+{
+    const auto width =
+        values.number({"pixelwidth", "viewportwidth", "imagewidth", "screenwidth", "width", "sizex", "w"});
+    const auto height =
+        values.number({"pixelheight", "viewportheight", "imageheight", "screenheight", "height", "sizey", "h"});
+    if (const auto size = sizeOf(width, height))
+        return size;
+    for (const char *name : {"resolution", "imagesize", "viewportsize", "size", "screen", "viewport"}) {
+        const NamedValue *value = values.find({name});
+        const std::size_t count = value ? value->numbers.size() : 0;
+        if (count == 2 || (count == 4 && std::string_view(name) == "viewport")) // x, y, width, height
+            return sizeOf(value->numbers[count - 2], value->numbers[count - 1]);
+    }
+    return std::nullopt;
+}
+
+std::optional<CameraError> setVerticalAngle(ForeignCamera &camera, const CameraChoices &choices, double radians,
+                                            const std::optional<double> &aspect, const std::string &file)
+{
+    if (auto error = angleError(radians, file))
+        return error;
+    const std::optional<PictureSize> size = sizeOf(camera, choices);
+    if (!size)
+        return CameraError{file, 0, tr("the size of the picture is not given; give it with --size 800x600")};
+    const double width = size->width, height = size->height, focal = height / (2.0 * std::tan(radians / 2.0));
+    camera.intrinsics = Intrinsics{focal, focal, width / 2.0, height / 2.0, 0.0, PixelCentres::AtHalves};
+    constexpr double kSame = 1e-3; // a printed aspect has few digits
+    if (aspect && !(*aspect > 0.0))
+        return CameraError{file, 0, tr("the aspect ratio is %1; it must be greater than 0", shortestText(*aspect))};
+    if (aspect && std::abs(*aspect * height / width - 1.0) > kSame) {
+        camera.intrinsics->fx = focal * width / (height * *aspect);
+        camera.assumed.push_back(tr("The aspect ratio is %1, but the picture is %2: pixels are not square. Check the "
+                                    "size; --size says another.",
+                                    shortestText(*aspect), sizeText(*size)));
+    }
+    return std::nullopt;
+}
+
+std::optional<CameraError> setHorizontalAngle(ForeignCamera &camera, const CameraChoices &choices, double radians,
+                                              const std::string &file)
+{
+    if (auto error = angleError(radians, file))
+        return error;
+    const std::optional<PictureSize> size = sizeOf(camera, choices);
+    if (!size)
+        return CameraError{file, 0, tr("the size of the picture is not given; give it with --size 800x600")};
+    const double focal = size->width / (2.0 * std::tan(radians / 2.0));
+    camera.intrinsics = Intrinsics{focal, focal, size->width / 2.0, size->height / 2.0, 0.0, PixelCentres::AtHalves};
+    return std::nullopt;
+}
+
+std::optional<glm::dmat4> matrixByRows(std::span<const double> numbers)
+{
+    const std::size_t count = numbers.size();
+    if (count != 9 && count != 12 && count != 16)
+        return std::nullopt;
+    const std::size_t columns = count == 9 ? 3 : 4;
+    glm::dmat4 m(1.0);
+    for (std::size_t i = 0; i < count; ++i)
+        m[int(i % columns)][int(i / columns)] = numbers[i];
+    return m;
+}
+
+std::optional<glm::dmat4> matrixByColumns(std::span<const double> numbers)
+{
+    const auto rows = numbers.size() == 16 ? matrixByRows(numbers) : std::nullopt;
+    return rows ? std::optional(glm::transpose(*rows)) : std::nullopt;
+}
+
+std::optional<glm::dmat3> rotationOf(double w, double x, double y, double z)
+{
+    const double length = std::sqrt(w * w + x * x + y * y + z * z);
+    if (!(length > 0.0) || !std::isfinite(length))
+        return std::nullopt;
+    w /= length;
+    x /= length;
+    y /= length;
+    z /= length;
+    return glm::dmat3(1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y), 2.0 * (x * y - w * z),
+                      1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x), 2.0 * (x * z + w * y), 2.0 * (y * z - w * x),
+                      1.0 - 2.0 * (x * x + y * y));
+}
+
+glm::dmat4 rigid(const glm::dmat3 &rotation, const glm::dvec3 &translation)
+{
+    glm::dmat4 m(rotation);
+    m[3] = glm::dvec4(translation, 1.0);
+    return m;
+}
+
+std::optional<glm::dmat4> looking(const glm::dvec3 &eye, const glm::dvec3 &back, const glm::dvec3 &up)
+{
+    const glm::dvec3 right = glm::cross(up, back);
+    if (!(glm::length(back) > 0.0) || !(glm::length(right) > 0.0))
+        return std::nullopt;
+    const glm::dvec3 x = glm::normalize(right), z = glm::normalize(back);
+    return rigid(glm::dmat3(x, glm::cross(z, x), z), eye);
+}
+
+} // namespace unprojector::cameras

@@ -1,0 +1,389 @@
+#include "core/cameras/foreign_camera.h"
+#include "core/cameras/seen_objects.h"
+#include "core/geometry/finite.h"
+#include "core/matrices/printed_digits.h"
+#include "core/text/number_text.h"
+#include "core/text/text_scanner.h"
+#include "core/text/translation.h"
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace unprojector::cameras {
+using namespace geometry;
+using text::shortestText;
+using text::significantText;
+using text::tr;
+namespace {
+
+constexpr int kMostPixels = 65536; // as for windows
+constexpr double kUsualNear = 0.1, kUsualFar = 1000.0;
+
+CameraError errorOf(std::string reason)
+{
+    return {{}, 0, std::move(reason)};
+}
+
+/// OpenGL's eye axes (right, up, back) from a camera's.
+glm::dmat4 eyeFromCamera(EyeAxes axes)
+{
+    glm::dmat4 m(0.0);
+    m[3][3] = 1.0;
+    switch (axes) {
+    case EyeAxes::RightUpBack: m[0][0] = m[1][1] = m[2][2] = 1.0; break;
+    case EyeAxes::RightDownAhead:
+        m[0][0] = 1.0;
+        m[1][1] = m[2][2] = -1.0;
+        break;
+    case EyeAxes::RightUpAhead:
+        m[0][0] = m[1][1] = 1.0;
+        m[2][2] = -1.0;
+        break;
+    case EyeAxes::AheadRightUp:
+        m[0][2] = -1.0;
+        m[1][0] = m[2][1] = 1.0;
+        break;
+    case EyeAxes::AheadLeftUp:
+        m[0][2] = m[1][0] = -1.0;
+        m[2][1] = 1.0;
+        break;
+    }
+    return m;
+}
+
+/// The inverse of a transform whose last row is 0 0 0 1.
+glm::dmat4 affineInverse(const glm::dmat4 &m)
+{
+    const glm::dmat3 turn = glm::inverse(glm::dmat3(m));
+    glm::dmat4 inverse(turn);
+    inverse[3] = glm::dvec4(-(turn * glm::dvec3(m[3])), 1.0);
+    return inverse;
+}
+
+/// The largest |entry| of R R^T - s^2, relative to s^2, with s the mean length of an axis.
+double skewnessOf(const glm::dmat3 &axes, double scale)
+{
+    const glm::dmat3 product = axes * glm::transpose(axes) / (scale * scale);
+    double largest = 0.0;
+    for (int i = 0; i < 9; ++i)
+        largest = std::max(largest, std::abs(product[i / 3][i % 3] - (i % 4 == 0 ? 1.0 : 0.0)));
+    return largest;
+}
+
+/// The pose with axes of length 1, perpendicular to each other.
+/// @param assumed  gets a sentence for each change
+Result<glm::dmat4, CameraError> rigidPose(const glm::dmat4 &pose, PoseDirection direction,
+                                          std::vector<std::string> &assumed)
+{
+    constexpr double kExact = 1e-9;   // what double precision leaves
+    constexpr double kPrinted = 0.02; // two printed decimals
+    if (!isFinite(pose))
+        return errorOf(tr("the pose has a number that is not finite; give the pose's twelve numbers"));
+    if (glm::length(glm::dvec3(pose[0][3], pose[1][3], pose[2][3])) > 1e-9 || std::abs(pose[3][3] - 1.0) > 1e-9)
+        return errorOf(tr("the pose's last row is not 0 0 0 1; give the matrix by rows"));
+    const glm::dmat3 axes(pose);
+    const double scale = std::cbrt(std::abs(glm::determinant(axes)));
+    if (!(scale > 0.0))
+        return errorOf(tr("the pose's axes lie in one plane; give a rotation"));
+    const double skewness = skewnessOf(axes, scale);
+    if (skewness > kPrinted)
+        return errorOf(tr("the pose's axes are not perpendicular and of equal length: off by %1; give a rotation",
+                          significantText(skewness, 2)));
+    glm::dmat4 rigid = pose;
+    const bool isScaled = std::abs(scale - 1.0) > std::max(kExact, 2.0 * skewness);
+    if (isScaled) {
+        // World-to-camera, the scale turns world units into camera units, and t is in camera units.
+        for (int column = 0; column < 3; ++column)
+            rigid[column] /= scale;
+        if (direction == PoseDirection::WorldToCamera)
+            rigid[3] = glm::dvec4(glm::dvec3(pose[3]) / scale, 1.0);
+        assumed.push_back(
+            tr("The pose scales by %1; the camera has no scale, so it is removed.", significantText(scale, 6)));
+    }
+    if (skewness > kExact) {
+        rigid = matrices::orthonormal(rigid);
+        if (skewness > 1e-5)
+            assumed.push_back(tr("The pose's axes are perpendicular only up to %1, as few printed digits make them; "
+                                 "the nearest rotation is used.",
+                                 significantText(skewness, 2)));
+    }
+    return rigid;
+}
+
+/// The position of the first pixel's centre from the picture's corner, pixels.
+double cornerToCentre(PixelCentres centres)
+{
+    return centres == PixelCentres::AtIntegers ? kHalfPixel : 0.0;
+}
+
+/// The projection matrix of a pinhole, for pixels counted from the picture's corner:
+///
+///   w x_n = 2 (fx X + s Y + cx Z) / width - Z,  w y_n = Z - 2 (fy Y + cy Z) / height,  w = Z
+glm::dmat4 clipFromEye(const Intrinsics &k, const PictureSize &size, double n, double f)
+{
+    const double width = size.width, height = size.height, toCorner = cornerToCentre(k.centres);
+    glm::dmat4 m(0.0);
+    m[0][0] = 2.0 * k.fx / width;
+    m[1][0] = k.skew == 0.0 ? 0.0 : -2.0 * k.skew / width;
+    m[2][0] = 1.0 - 2.0 * (k.cx + toCorner) / width;
+    m[1][1] = 2.0 * k.fy / height;
+    m[2][1] = 2.0 * (k.cy + toCorner) / height - 1.0;
+    m[2][2] = -(f + n) / (f - n);
+    m[3][2] = -2.0 * f * n / (f - n);
+    m[2][3] = -1.0;
+    return m;
+}
+
+double withTwoDigits(double value)
+{
+    return text::doubleFromWord(significantText(value, 2)).value_or(value);
+}
+
+std::string sizeText(const PictureSize &size)
+{
+    return std::to_string(size.width) + 'x' + std::to_string(size.height);
+}
+
+/// The picture's size: the choice, the file's, or twice the principal point.
+Result<PictureSize, CameraError> pictureSize(const ForeignCamera &camera, const CameraChoices &choices,
+                                             std::vector<std::string> &assumed)
+{
+    std::optional<PictureSize> size = choices.size ? choices.size : camera.size;
+    if (choices.size && camera.size && *choices.size != *camera.size)
+        assumed.push_back(tr("The picture is %1, as --size says; the file says %2.", sizeText(*choices.size),
+                             sizeText(*camera.size)));
+    if (!size) {
+        if (!camera.intrinsics)
+            return errorOf(tr("the size of the picture is not given; give it with --size 800x600"));
+        const Intrinsics &k = *camera.intrinsics;
+        const double toCorner = cornerToCentre(choices.centres.value_or(k.centres));
+        const double width = std::round(2.0 * (k.cx + toCorner)), height = std::round(2.0 * (k.cy + toCorner));
+        if (!(width >= 1.0 && height >= 1.0 && width <= kMostPixels && height <= kMostPixels))
+            return errorOf(tr("the principal point (%1, %2) gives no size of the picture; give it with --size 800x600",
+                              shortestText(k.cx), shortestText(k.cy)));
+        size = PictureSize{static_cast<int>(width), static_cast<int>(height)};
+        assumed.push_back(
+            tr("The picture is assumed to be %1, twice the principal point; --size says otherwise.", sizeText(*size)));
+    }
+    if (size->width < 1 || size->height < 1 || size->width > kMostPixels || size->height > kMostPixels)
+        return errorOf(tr("a picture of %1 pixels cannot be; each side must be 1 to %2", sizeText(*size), kMostPixels));
+    return *size;
+}
+
+/// Near and far: the choices, the file's, or around the objects.
+Result<std::pair<double, double>, CameraError> clipDistances(const ForeignCamera &camera, const CameraChoices &choices,
+                                                             const std::optional<Box> &objects,
+                                                             const glm::dmat4 &eyeFromWorld,
+                                                             std::vector<std::string> &assumed)
+{
+    const std::optional<double> givenNear = choices.nearDistance ? choices.nearDistance : camera.nearDistance,
+                                givenFar = choices.farDistance ? choices.farDistance : camera.farDistance;
+    const DepthExtent extent = objects && !objects->isEmpty() ? depthExtent(eyeFromWorld, *objects) : DepthExtent();
+    const bool isSeen = extent.farthest > 0.0;
+    double n = givenNear.value_or(0.0), f = givenFar.value_or(0.0);
+    if (!givenFar) {
+        f = isSeen ? 2.0 * extent.farthest : std::max(kUsualFar, 1e4 * n);
+        if (givenNear && !(f > n))
+            f = 1e4 * n;
+    }
+    if (!givenNear) {
+        n = isSeen ? std::max(extent.nearest / 2.0, extent.farthest / 1e4) : kUsualNear;
+        if (!(n < f))
+            n = f / 1e4;
+    }
+    // Assumed distances have two digits.
+    if (!givenFar)
+        f = withTwoDigits(f);
+    if (!givenNear)
+        n = withTwoDigits(n);
+    if (!(std::isfinite(n) && std::isfinite(f) && n > 0.0 && f > n))
+        return errorOf(tr("near is %1 and far is %2; near must be greater than 0 and smaller than far. Give --near and "
+                          "--far",
+                          shortestText(n), shortestText(f)));
+    if (!givenNear && !givenFar)
+        assumed.push_back(tr("Near %1 and far %2 are assumed, because the file has none; --near and --far say "
+                             "otherwise.",
+                             shortestText(n), shortestText(f)));
+    else if (!givenNear)
+        assumed.push_back(tr("Near %1 is assumed, because the file has none; --near says otherwise.", shortestText(n)));
+    else if (!givenFar)
+        assumed.push_back(tr("Far %1 is assumed, because the file has none; --far says otherwise.", shortestText(f)));
+    return std::pair(n, f);
+}
+
+/// A reading of a pose.
+struct Reading {
+    PoseDirection direction;
+    EyeAxes axes;
+    double seen = 0.0; ///< the part of the objects in the picture
+};
+
+/// All readings that neither the file nor the choices exclude; the program's usual one first.
+std::vector<Reading> possibleReadings(const ForeignCamera &camera, const CameraChoices &choices)
+{
+    std::vector<PoseDirection> directions{choices.direction.value_or(camera.direction)};
+    if (!choices.direction && !camera.isDirectionCertain)
+        directions.push_back(camera.direction == PoseDirection::WorldToCamera ? PoseDirection::CameraToWorld
+                                                                              : PoseDirection::WorldToCamera);
+    std::vector<EyeAxes> axes{choices.axes.value_or(camera.axes)};
+    if (!choices.axes && !camera.areAxesCertain) {
+        for (const EyeAxes other : {EyeAxes::RightDownAhead, EyeAxes::RightUpBack}) {
+            if (other != camera.axes)
+                axes.push_back(other);
+        }
+    }
+    std::vector<Reading> readings;
+    for (const PoseDirection direction : directions) {
+        for (const EyeAxes ofEye : axes)
+            readings.push_back({direction, ofEye});
+    }
+    return readings;
+}
+
+glm::dmat4 eyeFromWorldOf(const ForeignCamera &camera, const glm::dmat4 &pose, const Reading &reading)
+{
+    const glm::dmat4 cameraFromWorld = reading.direction == PoseDirection::WorldToCamera ? pose : affineInverse(pose);
+    return eyeFromCamera(reading.axes) * cameraFromWorld * affineInverse(camera.rightHandedFromWorld);
+}
+
+/// Says by which reading the pose was read, and why.
+void sayReading(const ForeignCamera &camera, const std::vector<Reading> &readings, const Reading &taken,
+                bool haveObjects, std::vector<std::string> &assumed)
+{
+    const bool isAnother = taken.direction != readings.front().direction || taken.axes != readings.front().axes;
+    const auto isOpen = [&](auto part) {
+        return std::any_of(readings.begin(), readings.end(), [&](const Reading &r) { return r.*part != taken.*part; });
+    };
+    const bool isDirectionOpen = isOpen(&Reading::direction), areAxesOpen = isOpen(&Reading::axes);
+    const auto others = std::count_if(readings.begin(), readings.end(), [&](const Reading &r) { return r.seen > 0.0; })
+                        - (taken.seen > 0.0 ? 1 : 0);
+    const std::string because =
+        !haveObjects ? tr("as %1 usually writes it. No objects decide it: give them with --objects", camera.program)
+        : taken.seen == 0.0 ? tr("as %1 usually writes it. No reading shows the objects", camera.program)
+        : others > 0        ? tr("which shows the objects best. Another reading shows them too")
+        : isAnother         ? tr("because only this reading shows the objects")
+                            : tr("as %1 usually writes it; the objects are in the picture", camera.program);
+    if (isDirectionOpen)
+        assumed.push_back(tr("The pose is read as %1, %2; --pose says otherwise.", keyOf(taken.direction), because));
+    if (areAxesOpen)
+        assumed.push_back(
+            tr("The camera's axes are read as those of %1, %2; --axes says otherwise.", keyOf(taken.axes), because));
+}
+
+} // namespace
+
+const char *keyOf(EyeAxes axes)
+{
+    switch (axes) {
+    case EyeAxes::RightUpBack: return "opengl";
+    case EyeAxes::RightDownAhead: return "opencv";
+    case EyeAxes::RightUpAhead: return "direct3d";
+    case EyeAxes::AheadRightUp: return "unreal";
+    case EyeAxes::AheadLeftUp: return "ros";
+    }
+    return "";
+}
+
+const char *keyOf(PoseDirection direction)
+{
+    return direction == PoseDirection::WorldToCamera ? "world-to-camera" : "camera-to-world";
+}
+
+Result<SceneCamera, CameraError> sceneCamera(const ForeignCamera &camera, const CameraChoices &choices,
+                                             const std::optional<Box> &objects)
+{
+    SceneCamera scene;
+    scene.assumed = camera.assumed;
+    if (!camera.intrinsics && !camera.projection)
+        return errorOf(tr("the camera has no projection: give its focal length, field of view, K or matrix"));
+    const auto size = pictureSize(camera, choices, scene.assumed);
+    if (!size)
+        return size.error();
+    scene.size = *size;
+    scene.intrinsics = camera.intrinsics;
+    if (scene.intrinsics && choices.centres)
+        scene.intrinsics->centres = *choices.centres;
+
+    if (!camera.pose)
+        scene.assumed.push_back(tr("The file has no pose: the camera stands in the world's origin and looks along its "
+                                   "own axis."));
+    const std::vector<Reading> all = possibleReadings(camera, choices);
+    std::vector<Reading> readings = camera.pose ? all : std::vector<Reading>{all.front()};
+    const bool haveObjects = objects && !objects->isEmpty();
+    std::optional<Reading> taken;
+    std::vector<std::string> said;
+    for (Reading &reading : readings) {
+        std::vector<std::string> changes;
+        const auto pose = rigidPose(camera.pose.value_or(glm::dmat4(1.0)), reading.direction, changes);
+        if (!pose)
+            return pose.error();
+        const glm::dmat4 eyeFromWorld = eyeFromWorldOf(camera, *pose, reading);
+        if (haveObjects) {
+            // Depths do not count here: any near and far will do.
+            const glm::dmat4 clip = camera.projection ? camera.projection->clipFromEye
+                                                      : clipFromEye(*scene.intrinsics, scene.size, 0.5, 1.0);
+            reading.seen = seenPart(clip, eyeFromWorld, *objects);
+        }
+        if (!taken || reading.seen > taken->seen) {
+            taken = reading;
+            scene.eyeFromWorld = eyeFromWorld;
+            said = changes;
+        }
+    }
+    scene.direction = taken->direction;
+    scene.axes = taken->axes;
+    if (camera.pose) {
+        scene.assumed.insert(scene.assumed.end(), said.begin(), said.end());
+        sayReading(camera, readings, *taken, haveObjects, scene.assumed);
+    }
+    if (glm::determinant(glm::dmat3(scene.eyeFromWorld)) < 0.0)
+        scene.assumed.push_back(tr("The pose mirrors the picture: its axes are left-handed in a right-handed world. "
+                                   "Check a row's or column's sign."));
+    if (haveObjects && taken->seen == 0.0)
+        scene.assumed.push_back(tr("The camera sees none of the objects: check the pose, its units, and whether t is "
+                                   "the camera's position instead of -R C."));
+
+    if (camera.projection) {
+        scene.projection = *camera.projection;
+        if (choices.nearDistance || choices.farDistance)
+            scene.assumed.push_back(tr("The file's projection matrix has near and far; --near and --far are ignored."));
+    } else {
+        const auto distances = clipDistances(camera, choices, objects, scene.eyeFromWorld, scene.assumed);
+        if (!distances)
+            return distances.error();
+        scene.nearDistance = distances->first;
+        scene.farDistance = distances->second;
+        const Intrinsics &k = *scene.intrinsics;
+        if (!isFinite({k.fx, k.fy, k.cx, k.cy, k.skew}) || k.fx == 0.0 || k.fy == 0.0)
+            return errorOf(tr("the focal lengths are %1 and %2; they must be finite and not 0", shortestText(k.fx),
+                              shortestText(k.fy)));
+        scene.projection = {clipFromEye(k, scene.size, distances->first, distances->second), NdcDepth::MinusOneToOne};
+        if (k.skew != 0.0)
+            scene.assumed.push_back(tr("The skew is %1: the formulas know no skew, so only the inverted matrix "
+                                       "answers.",
+                                       shortestText(k.skew)));
+        if (!(k.cx >= 0.0 && k.cx <= scene.size.width && k.cy >= 0.0 && k.cy <= scene.size.height))
+            scene.assumed.push_back(tr("The principal point (%1, %2) lies outside the picture of %3: check the size.",
+                                       shortestText(k.cx), shortestText(k.cy), sizeText(scene.size)));
+        if (k.centres == PixelCentres::AtIntegers && !choices.centres && (choices.size || camera.size)
+            && k.cx == scene.size.width / 2.0 && k.cy == scene.size.height / 2.0)
+            scene.assumed.push_back(tr("Pixel centres are at whole numbers, as in %1. The principal point is half the "
+                                       "size, so they may be at halves; --pixel-centers half says so.",
+                                       camera.program));
+    }
+    if (camera.distortion && !camera.distortion->isNone()) {
+        if (choices.isUndistorted)
+            scene.assumed.push_back(tr("The distortion coefficients are dropped: pixels are those of the undistorted "
+                                       "picture."));
+        else
+            scene.distortion = camera.distortion;
+    }
+    return scene;
+}
+
+} // namespace unprojector::cameras

@@ -1,0 +1,304 @@
+// The cameras of other programs: each camera projects points to the pixels to which its program
+// projects them.
+
+#include "core/cameras/camera_reader.h"
+#include "core/cameras/named_values.h"
+#include "tests/core/foreign_camera_texts.h"
+
+#include <QTest>
+
+#include <glm/vec4.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace unprojector;
+using namespace unprojector::cameras;
+using foreign_cameras::CameraExample;
+using foreign_cameras::kExamples;
+using foreign_cameras::ProjectedPoint;
+
+namespace {
+
+std::vector<NamedText> textsOf(const CameraExample &example)
+{
+    std::vector<NamedText> texts;
+    for (const CameraExample::Text &text : example.texts)
+        texts.push_back({text.name, text.text});
+    return texts;
+}
+
+CameraChoices choicesOf(const CameraExample &example)
+{
+    CameraChoices choices;
+    choices.image = example.image;
+    if (example.size.width > 0)
+        choices.size = PictureSize{example.size.width, example.size.height};
+    return choices;
+}
+
+const CameraExample &exampleOf(const char *name)
+{
+    return *std::find_if(kExamples.begin(), kExamples.end(),
+                         [name](const CameraExample &one) { return std::string(one.name) == name; });
+}
+
+/// An example's texts with a part replaced.
+std::vector<NamedText> changed(const char *name, const std::string &from, const std::string &to)
+{
+    std::vector<NamedText> texts = textsOf(exampleOf(name));
+    for (NamedText &text : texts) {
+        if (const std::size_t at = text.text.find(from); at != text.text.npos)
+            text.text.replace(at, from.size(), to);
+    }
+    return texts;
+}
+
+QString reasonOf(const std::vector<NamedText> &texts, const CameraChoices &choices)
+{
+    const auto read = readCamera(texts, choices);
+    if (!read)
+        return QStringLiteral("not recognised");
+    return *read ? QStringLiteral("read") : QString::fromStdString(read->error().reason);
+}
+
+QString assumedOf(const std::vector<NamedText> &texts, const CameraChoices &choices)
+{
+    QStringList said;
+    const auto read = readCamera(texts, choices);
+    if (read && *read) {
+        for (const std::string &one : (*read)->assumed)
+            said << QString::fromStdString(one);
+    }
+    return said.join(QLatin1Char('\n'));
+}
+
+/// The pixel of a point, from the picture's top-left corner.
+glm::dvec2 pixelOf(const SceneCamera &camera, const ProjectedPoint &point)
+{
+    const glm::dvec4 clip = camera.projection.clipFromEye * camera.eyeFromWorld
+                            * glm::dvec4(point.world[0], point.world[1], point.world[2], 1.0);
+    return {(clip.x / clip.w + 1.0) / 2.0 * camera.size.width, (1.0 - clip.y / clip.w) / 2.0 * camera.size.height};
+}
+
+} // namespace
+
+class TestCameraReaders : public QObject {
+    Q_OBJECT
+
+private slots:
+    void pixelsAreTheProgramsOwn_data();
+    void pixelsAreTheProgramsOwn();
+    void otherTextsAreNotTaken_data();
+    void otherTextsAreNotTaken();
+    void faultsAreNamed_data();
+    void faultsAreNamed();
+    void assumptionsAreSaid_data();
+    void assumptionsAreSaid();
+    void imagesAreChosen();
+    void colmapsModelsAreRead();
+    void namesAndValuesAreFound();
+};
+
+void TestCameraReaders::pixelsAreTheProgramsOwn_data()
+{
+    QTest::addColumn<int>("index");
+    for (int i = 0; i < int(kExamples.size()); ++i)
+        QTest::newRow(kExamples[std::size_t(i)].name) << i;
+}
+
+void TestCameraReaders::pixelsAreTheProgramsOwn()
+{
+    QFETCH(int, index);
+    const CameraExample &example = kExamples[std::size_t(index)];
+    const auto read = readCamera(textsOf(example), choicesOf(example));
+    QVERIFY(read);
+    QVERIFY2(*read, *read ? "" : (*read).error().reason.c_str());
+    QVERIFY(QString(QLatin1String(example.name)).startsWith(QString::fromStdString((*read)->program)));
+    const auto scene = sceneCamera(**read, choicesOf(example), std::nullopt);
+    QVERIFY2(scene, scene ? "" : scene.error().reason.c_str());
+    double worst = 0.0;
+    for (const ProjectedPoint &point : example.points) {
+        const glm::dvec2 pixel = pixelOf(*scene, point);
+        worst = std::max({worst, std::abs(pixel.x - point.pixel[0] - example.corner),
+                          std::abs(pixel.y - point.pixel[1] - example.corner)});
+    }
+    worst /= std::max(scene->size.width, scene->size.height);
+    qInfo("off by %g of the picture", worst);
+    QVERIFY2(worst <= example.tolerance, qPrintable(QString::number(worst)));
+}
+
+void TestCameraReaders::otherTextsAreNotTaken_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::newRow("matrices of OpenGL") << "view: 1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1\nprojection: 1 0 0 0 0 1 0 0 0 0 -1 "
+                                           "-1 0 0 -2 0\nviewport 0 0 800 600";
+    QTest::newRow("three.js") << "{\"matrixWorld\":{\"elements\":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,5,1]},\"fov\":50}";
+    QTest::newRow("calls") << "gluLookAt(0, 0, 5, 0, 0, 0, 0, 1, 0);\ngluPerspective(45, 1.33, 0.1, 100);";
+    QTest::newRow("a glTF model without camera") << "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}]}";
+    QTest::newRow("an angle in a text") << "The fov = 60 and the position (1, 2, 3) are given.";
+    QTest::newRow("nothing") << "";
+    QTest::newRow("points with names") << "pitch 3, yaw 4, roll 5\nx 1 y 2 z 3";
+}
+
+void TestCameraReaders::otherTextsAreNotTaken()
+{
+    QFETCH(QString, text);
+    const NamedText given{"paste", text.toStdString()};
+    QCOMPARE(reasonOf({given}, {}), QStringLiteral("not recognised"));
+}
+
+void TestCameraReaders::faultsAreNamed_data()
+{
+    QTest::addColumn<QString>("program");
+    QTest::addColumn<QString>("from");
+    QTest::addColumn<QString>("to");
+    QTest::addColumn<QString>("reason");
+    const auto row = [](const char *name, const char *program, const char *from, const char *to, const char *reason) {
+        QTest::newRow(name) << program << from << to << reason;
+    };
+    row("fisheye", "COLMAP", "2 PINHOLE 3072 2304 2559.81 2561.25 1536.5 1151.75",
+        "2 OPENCV_FISHEYE 3072 2304 2559.81 2561.25 1536.5 1151.75 0 0 0 0", "the camera model OPENCV_FISHEYE is not");
+    row("too few parameters", "COLMAP", "2559.81 2561.25 1536.5 1151.75", "2559.81 1536.5 1151.75",
+        "PINHOLE has 3 parameters; it needs 4");
+    row("no such camera", "COLMAP", "4.75 2 left", "4.75 5 left", "there is no camera 5 in cameras.txt");
+    row("a short matrix", "NeRF", "[0.0, 0.0, 0.0, 1.0]", "[0.0, 0.0, 1.0]",
+        "transform_matrix needs 16 numbers; it has 15");
+    row("no angle", "NeRF, made with Blender", "camera_angle_x", "angle", "there is neither fl_x nor camera_angle_x");
+    row("a fisheye of Nerfstudio", "NeRF", "\"k1\"", "\"camera_model\": \"OPENCV_FISHEYE\", \"k1\"",
+        "the camera model OPENCV_FISHEYE is not read");
+    row("k4", "NeRF", "\"k1\": 0.0", "\"k4\": 0.1", "k4 is of a distortion that is not read");
+    row("a short extrinsic", "Open3D, parameters", "\"extrinsic\": [", "\"extrinsic\": [0.5, ",
+        "extrinsic needs 16 numbers; it has 17");
+    row("an angle of 180", "MuJoCo, data", "45.5", "180", "the field of view is 180 degrees");
+    row("no position", "Unity, transform", "position: (1.50, 2.25, -6.00)", "position: (1.50, 2.25)",
+        "the camera's position is missing");
+    row("no lens", "Blender", "lens = 50.0", "", "the focal length is missing");
+    row("another order", "Blender", "matrix_world", "rotation_euler = Euler((1, 2, 3), 'ZXY')\nlocation = 1, 2, 3\nm",
+        "Euler angles in the order ZXY are not read");
+    row("a node in itself", "glTF", "\"children\":[0,2]", "\"children\":[0,1]", "is its own parent");
+    row("no yfov", "pyrender", "np.pi / 3.0", "fov", "yfov has no number");
+}
+
+void TestCameraReaders::faultsAreNamed()
+{
+    QFETCH(QString, program);
+    QFETCH(QString, from);
+    QFETCH(QString, to);
+    QFETCH(QString, reason);
+    const QByteArray name = program.toUtf8();
+    const auto texts = changed(name.constData(), from.toStdString(), to.toStdString());
+    const QString found = reasonOf(texts, choicesOf(exampleOf(name.constData())));
+    QVERIFY2(found.contains(reason), qPrintable(found));
+}
+
+void TestCameraReaders::assumptionsAreSaid_data()
+{
+    QTest::addColumn<QString>("program");
+    QTest::addColumn<QString>("said");
+    QTest::newRow("NeRF's centre") << "NeRF, made with Blender"
+                                   << "in the picture's centre, because cx and cy";
+    QTest::newRow("NeRF's halves") << "NeRF"
+                                   << "Pixel centres are read at halves";
+    QTest::newRow("what Instant-NGP adds") << "NeRF"
+                                           << "aabb_scale: not applied";
+    QTest::newRow("another angle") << "NeRF"
+                                   << "fl_x is 1375.52, but camera_angle_x gives 1479.34";
+    QTest::newRow("Unity's world") << "Unity, transform"
+                                   << "(x, y, -z) here";
+    QTest::newRow("Unreal's world") << "Unreal"
+                                    << "(x, -y, z) here, in centimetres";
+    QTest::newRow("Unreal's angle") << "Unreal, BugItGo"
+                                    << "assumed to be 90 degrees";
+    QTest::newRow("pixels not square") << "trimesh"
+                                       << "pixels are not square";
+}
+
+void TestCameraReaders::assumptionsAreSaid()
+{
+    QFETCH(QString, program);
+    QFETCH(QString, said);
+    const CameraExample &example = exampleOf(program.toUtf8().constData());
+    const QString all = assumedOf(textsOf(example), choicesOf(example));
+    QVERIFY2(all.contains(said), qPrintable(all));
+}
+
+void TestCameraReaders::imagesAreChosen()
+{
+    const auto texts = textsOf(exampleOf("COLMAP"));
+    CameraChoices choices;
+    const auto imageOf = [&](const char *image) {
+        choices.image = image;
+        const auto read = readCamera(texts, choices);
+        return read && *read ? int((*read)->image) : -1;
+    };
+    QCOMPARE(imageOf(""), 0);
+    QCOMPARE(imageOf("left/P1180141.JPG"), 1);
+    QCOMPARE(imageOf("P1180141.JPG"), 1);
+    QCOMPARE(imageOf("P1180141"), 1);
+    QCOMPARE(imageOf("without points.jpg"), 2);
+    QCOMPARE(imageOf("2"), 2);
+    QCOMPARE(imageOf("3"), -1);
+    QCOMPARE(imageOf("P118"), -1);
+    QVERIFY(assumedOf(texts, {}).contains("The first of 3 images is read, first.jpg"));
+    choices.image = "P118";
+    QVERIFY(reasonOf(texts, choices).contains("there is no image \"P118\" among 3 (first.jpg, left/P1180141.JPG, "));
+    // A file alone names the other.
+    QVERIFY(reasonOf({texts[0]}, {}).contains("give images.txt too"));
+    QVERIFY(reasonOf({texts[1]}, {}).contains("give cameras.txt too"));
+    // The order of the files and their line ends do not count.
+    std::vector<NamedText> turned{texts[1], texts[0]};
+    for (NamedText &text : turned)
+        text.text = QString::fromStdString(text.text).replace("\n", "\r\n").toStdString();
+    choices.image = "without points.jpg";
+    QCOMPARE(reasonOf(turned, choices), QStringLiteral("read"));
+    const NamedText binary{"sparse/0/cameras.bin", std::string("\1\0\0\0", 4)};
+    QVERIFY(reasonOf({binary}, {}).contains("--output_type TXT"));
+}
+
+void TestCameraReaders::colmapsModelsAreRead()
+{
+    const auto read = [](const char *camera) {
+        const std::vector<NamedText> texts{{"cameras.txt", std::string("1 ") + camera + "\n"},
+                                           {"images.txt", "1 1 0 0 0 0 0 0 1 a.png\n\n"}};
+        return readCamera(texts, {})->value();
+    };
+    const ForeignCamera radial = read("RADIAL 640 480 500 320 240 -0.1 0.02");
+    QCOMPARE(radial.intrinsics->fx, 500.0);
+    QCOMPARE(radial.intrinsics->fy, 500.0);
+    QCOMPARE(radial.intrinsics->cy, 240.0);
+    QVERIFY(radial.distortion == (Distortion{-0.1, 0.02, 0.0, 0.0, 0.0}));
+    QVERIFY(read("SIMPLE_RADIAL 640 480 500 320 240 0.3").distortion == (Distortion{0.3, 0.0, 0.0, 0.0, 0.0}));
+    const ForeignCamera opencv = read("OPENCV 640 480 500 510 320 240 0.1 0.2 0.3 0.4");
+    QCOMPARE(opencv.intrinsics->fy, 510.0);
+    QVERIFY(opencv.distortion == (Distortion{0.1, 0.2, 0.3, 0.4, 0.0}));
+    QVERIFY(read("FULL_OPENCV 640 480 500 510 320 240 0.1 0.2 0.3 0.4 0.5 0 0 0").distortion
+            == (Distortion{0.1, 0.2, 0.3, 0.4, 0.5}));
+    QVERIFY(!read("PINHOLE 640 480 500 510 320 240").distortion);
+}
+
+void TestCameraReaders::namesAndValuesAreFound()
+{
+    const NamedValues values("near clip plane: 0.3\n\"far\": 50,\nsize 800 x 600\nLocation X=1 Y=-2.5 Z=3\n"
+                             "rotation:\n  x: 0.1\n  w: 0.9\ncam.data.lens = 35.0 mm\nfit = 'AUTO'\n"
+                             "m = np.array([[1., 2.],\n [3e1, 4]], dtype=float32)\nyfov=np.pi / 3.0, n=2\n"
+                             "angle = math.radians(90)\n# fov = 12\npose\n[[1 2]\n [3 4]]\n");
+    QCOMPARE(values.number({"nearclipplane"}).value_or(0), 0.3);
+    QCOMPARE(values.number({"clipplane"}).value_or(0), 0.3);
+    QCOMPARE(values.number({"far"}).value_or(0), 50.0);
+    QCOMPARE(values.numbers({"size"}, 2), (std::vector<double>{800, 600}));
+    QCOMPARE(values.numbers({"location"}, 3, {"x", "y", "z"}), (std::vector<double>{1, -2.5, 3}));
+    QCOMPARE(values.numbers({"rotation"}, 2, {"x", "w"}), (std::vector<double>{0.1, 0.9}));
+    QCOMPARE(values.number({"lens"}).value_or(0), 35.0);
+    QCOMPARE(QByteArray::fromStdString(values.find({"fit"})->word), QByteArray("AUTO"));
+    QCOMPARE(values.numbers({"m"}, 4), (std::vector<double>{1, 2, 30, 4}));
+    QCOMPARE(values.number({"yfov"}).value_or(0), std::acos(-1.0) / 3.0);
+    QCOMPARE(values.number({"n"}).value_or(0), 2.0);
+    QCOMPARE(values.number({"angle"}).value_or(0), std::acos(-1.0) / 2.0);
+    QVERIFY(!values.has({"fov"}));
+    QCOMPARE(values.numbers({"pose"}, 4), (std::vector<double>{1, 2, 3, 4}));
+    QCOMPARE(values.find({"lens"})->line, std::size_t(8));
+}
+
+QTEST_GUILESS_MAIN(TestCameraReaders)
+#include "test_camera_readers.moc"
