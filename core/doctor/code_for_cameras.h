@@ -95,6 +95,11 @@ inline constexpr CodeChange kDistortionAdded[] = {
     {"Qt", "x *= 1 + k1 * r2 + k2 * r2 * r2;", "// solve x * (1 + k1 * r2 + k2 * r2 * r2) = x of the pixel"},
     {"NumPy", "x = x * (1 + k1 * r2 + k2 * r2**2)", "x, y = cv2.undistortPoints(np.array([[[u, v]]]), K, dist)[0, 0]"},
 };
+inline constexpr CodeChange kWOfAnotherPoint[] = {
+    {"GLM", "b.x /= b.w; b.y /= b.w; b.z = a.z / b.w;", "a /= a.w; b /= b.w;"},
+    {"Qt", "b = QVector3D(b.x() / b.w(), b.y() / b.w(), a.z() / b.w());", "b = b.toVector3DAffine();"},
+    {"NumPy", "b[:2] /= b[3]; b[2] = a[2] / b[3]", "a, b = a / a[3], b / b[3]"},
+};
 inline constexpr CodeChange kNearFarDiffer[] = {
     {"GLU", "gluPerspective(fovy, aspect, otherNear, otherFar);",
      "gluPerspective(fovy, aspect, n, f); // as the picture was drawn"},

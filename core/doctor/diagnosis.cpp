@@ -4,6 +4,7 @@
 #include "core/doctor/known_points.h"
 #include "core/doctor/next_click.h"
 #include "core/doctor/ranking.h"
+#include "core/doctor/solved_mistakes.h"
 #include "core/doctor/ties.h"
 #include "core/geometry/finite.h"
 
@@ -342,7 +343,8 @@ std::string verdictOf(const Hypothesis &best, std::span<const Hypothesis> list, 
     // All depth mistakes are alike with rays alone.
     const bool isByRay = std::any_of(points.begin(), points.end(), [](const Prepared &p) { return p.target.isLine; });
     const auto next = std::find_if(list.begin() + 1, list.end(), [&](const Hypothesis &other) {
-        return other.worst > kCutOff || !isSameHere(given, targets, best, other);
+        const bool isFitted = other.isSolved() && !best.isSolved();
+        return !isFitted && (other.worst > kCutOff || !isSameHere(given, targets, best, other));
     });
     if (isByRay && next != list.end() && next->worst <= kCutOff && !saysDepth(best, given, points.front()))
         return "unknown";
@@ -435,6 +437,8 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
     diagnosis.verdict = verdictOf(best.front(), best, diagnosis.chance, *input, points, targets);
     const bool hasTies = diagnosis.namesMistake();
     lookAtKnown(diagnosis, best.front(), *input, scene, targets);
+    if (diagnosis.verdict == "unknown")
+        diagnosis.lacking = lackOf(*input, targets);
     std::vector<Hypothesis> told, others;
     for (const Hypothesis &hypothesis : best) {
         const bool explains = hypothesis.worst <= kCutOff;

@@ -55,14 +55,14 @@ struct Case {
     /// Another size that the program may still use: a former size of the window, or another
     /// framebuffer's.
     std::optional<geometry::Surface> otherSize;
-    /// The distortion of the picture's pixels. K's centre and focal lengths are those of the setup.
-    std::optional<cameras::Distortion> distortion;
     /// The depth of the surface at a position, in the setup's depth range; no value on the
     /// background. Null if the scene has no mesh.
     std::function<std::optional<double>(const geometry::DevicePoint &)> depthOnMesh;
     /// The meshes' vertices in a box of world space, or a few of them where there are many. Null if
     /// the scene has no mesh.
     std::function<std::vector<KnownPoint>(const geometry::Box &)> verticesIn;
+    /// The distortion of the pixels, of a perspective. K's centre and focal lengths are the setup's.
+    std::optional<cameras::Distortion> distortion{};
 };
 
 /// A program's answer, as the user gave it.
@@ -108,6 +108,12 @@ enum class Alike {
 
 /// The first quantity in which two mistakes agree with each other but not with the right program.
 enum class Shared { Window, Depth, Projection, View, Ndc, Matrix, Point };
+
+/// The lack of several points that keeps values from being solved.
+enum class Lack {
+    OtherDepth, ///< all have one depth: near and far cannot be solved
+    Plane       ///< they lie on a line: another frame cannot be solved
+};
 
 /// One or two mistakes, and their answer.
 struct Candidate {
@@ -168,7 +174,8 @@ struct Diagnosis {
     /// True if more digits were given than single precision holds, and the verdict holds only
     /// within that precision.
     bool isSinglePrecision = false;
-    double chance = 0.0; ///< chance that an unrelated point is explained as well as by the first candidate
+    std::vector<Lack> lacking; ///< of several points, if the verdict is "unknown"
+    double chance = 0.0;       ///< chance that an unrelated point is explained as well as by the first candidate
 
     /// True if the verdict is one mistake or two.
     bool namesMistake() const { return verdict != "right" && verdict != "unknown" && verdict != "known-point"; }

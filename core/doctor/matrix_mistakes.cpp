@@ -4,6 +4,8 @@
 
 #include <glm/matrix.hpp>
 
+#include <array>
+#include <cstddef>
 #include <utility>
 
 namespace unprojector::doctor {
@@ -48,6 +50,30 @@ void addAxes(VariantList &list)
     }
 }
 
+/// The ends of the pixel's ray, on the near and the far plane, before the division by w.
+std::array<glm::dvec4, 2> undividedEnds(const Run &run)
+{
+    const double nearest = run.given.ndcDepth == geometry::NdcDepth::ZeroToOne ? 0.0 : -1.0;
+    return {run.spaceFromClip * glm::dvec4(run.ndc.x, run.ndc.y, nearest, 1.0),
+            run.spaceFromClip * glm::dvec4(run.ndc.x, run.ndc.y, 1.0, 1.0)};
+}
+
+/// Mixes the ends: x and y of one end, and the other's z divided by its w.
+template <std::size_t Own>
+void mixEnds(Run &run, const Variant &)
+{
+    run.isLost = run.isLost || run.isClosedForm;
+    const std::array<glm::dvec4, 2> ends = undividedEnds(run);
+    const glm::dvec4 &own = ends[Own], &other = ends[1 - Own];
+    run.point = glm::dvec3(own.x, own.y, other.z) / own.w;
+}
+
+void addEnds(VariantList &list)
+{
+    list.addAlone("w-of-another-point", Stage::Point, mixEnds<1>, marked("z of the near end with the far end's w"));
+    list.addAlone("w-of-another-point", Stage::Point, mixEnds<0>, marked("z of the far end with the near end's w"));
+}
+
 } // namespace
 
 void addMatrixMistakes(VariantList &list)
@@ -87,6 +113,7 @@ void addPointMistakes(VariantList &list, std::span<const PlacedModel> models)
     list.add("eye-added", Stage::Point, [](Run &run, const Variant &) { run.point += run.given.eyePosition; });
     list.add("eye-subtracted", Stage::Point, [](Run &run, const Variant &) { run.point -= run.given.eyePosition; });
     addAxes(list);
+    addEnds(list);
 }
 
 } // namespace unprojector::doctor

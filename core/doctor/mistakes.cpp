@@ -87,6 +87,7 @@ constexpr Mistake kMistakes[] = {
     {"half-pixel-twice", 3},
     {"distortion-ignored", 8},
     {"distortion-added", 1},
+    {"w-of-another-point", 1},
     {"y-is-depth", 1},
     {"pixel-in-size-minus-one", 1},
     {"focal-length-not-in-pixels", 1},

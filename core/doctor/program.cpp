@@ -1,6 +1,6 @@
 #include "core/doctor/program.h"
 
-#include "core/doctor/lens_distortion.h"
+#include "core/cameras/lens.h"
 #include "core/geometry/finite.h"
 
 #include <glm/matrix.hpp>
@@ -213,25 +213,37 @@ glm::dmat4 worldFromSpace(const Given &given, const Click &click)
     return click.space == PointSpace::Eye ? glm::inverse(given.eyeFromWorld) : click.worldFromObject;
 }
 
+cameras::Intrinsics intrinsicsOf(const Given &given)
+{
+    const glm::dmat4 &m = given.clipFromEye;
+    const Viewport &v = given.viewport;
+    const double w = given.side * m[2][3]; // of a point at distance 1
+    const glm::dvec2 middle = given.side * glm::dvec2(m[2]) / w;
+    cameras::Intrinsics k;
+    k.fx = m[0][0] / w * v.width / 2.0;
+    k.fy = m[1][1] / w * v.height / 2.0;
+    k.cx = v.x + (middle.x + 1.0) / 2.0 * v.width;
+    k.cy = flippedY(given.surface, v.y + (middle.y + 1.0) / 2.0 * v.height);
+    k.centres = cameras::PixelCentres::AtHalves;
+    return k;
+}
+
 glm::dvec2 distorted(const Given &given, const glm::dvec2 &position)
 {
-    if (given.distortion.isNone())
-        return position;
-    const Pinhole pinhole = pinholeOf(given.clipFromEye, given.side, given.viewport, given.surface);
-    return pinhole.pixel(distorted(given.distortion, pinhole.direction(position)));
+    return given.distortion.isNone() ? position
+                                     : cameras::distortedPixel(given.distortion, intrinsicsOf(given), position);
 }
 
 void setPixel(const Given &given, Click &click, const DevicePoint &inPicture)
 {
-    click.pixel = inPicture;
-    if (!given.distortion.isNone()) {
-        const Pinhole pinhole = pinholeOf(given.clipFromEye, given.side, given.viewport, given.surface);
-        if (const auto straight = undistorted(given.distortion, pinhole.direction(inPicture.coordinates()))) {
-            const glm::dvec2 pixel = pinhole.pixel(*straight);
-            click.pixel = DevicePoint(pixel.x, pixel.y);
-        }
-    }
-    click.distortedBy = inPicture.coordinates() - click.pixel.coordinates();
+    const glm::dvec2 at = inPicture.coordinates();
+    const std::optional<glm::dvec2> straight =
+        given.distortion.isNone() ? at : cameras::undistortedPixel(given.distortion, intrinsicsOf(given), at);
+    if (straight)
+        click.pixel = DevicePoint(straight->x, straight->y);
+    else
+        click.pixel = inPicture;
+    click.distortedBy = at - click.pixel.coordinates();
     setRightEye(given, click);
 }
 

@@ -129,6 +129,8 @@ std::optional<glm::dvec3> answer(const Given &given, const Click &click, std::sp
 /// The transform from the space of a click's answer to world space.
 glm::dmat4 worldFromSpace(const Given &given, const Click &click);
 
+/// K: focal lengths and centre in device pixels from the top-left corner. @pre isPerspective
+cameras::Intrinsics intrinsicsOf(const Given &given);
 /// The position in the picture that shows an undistorted position, both in device pixels.
 glm::dvec2 distorted(const Given &given, const glm::dvec2 &position);
 /// Sets a click's pixel, and its right eye point.

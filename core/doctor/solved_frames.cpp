@@ -59,7 +59,8 @@ bool explains(const FrameFit &frame, const Points &points, double most)
 void roundOff(double &value, const FrameFit &frame, const Points &points)
 {
     const double exact = value;
-    if (exact == 0.0)
+    value = 0.0;
+    if (exact == 0.0 || explains(frame, points, kRounded))
         return;
     const int first = int(std::floor(std::log10(std::abs(exact)))) + 1;
     for (int exponent = first; exponent > first - 12; --exponent) {

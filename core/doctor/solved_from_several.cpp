@@ -1,6 +1,5 @@
 #include "core/doctor/frame_fit.h"
 #include "core/doctor/lens_changes.h"
-#include "core/doctor/lens_distortion.h"
 #include "core/doctor/solved_mistakes.h"
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
@@ -200,45 +199,42 @@ void addShiftAndScale(VariantList &list, const Given &given, std::span<const Tar
     });
 }
 
-/// Another centre of K. It moves all pixels alike, so the answers are those of a shift.
+/// Another centre of K. It moves all pixels alike, so the values are those of a shift.
 void addCentre(VariantList &list, const Given &given, std::span<const Target> points)
 {
-    const Pinhole pinhole = pinholeOf(given.clipFromEye, given.side, given.viewport, given.surface);
-    const std::vector<Solution> centre =
-        solved(given, points, [&](const Pairs &pairs) -> std::optional<std::vector<double>> {
-            const auto there = positionsOf(given, pairs);
-            if (!there)
-                return std::nullopt;
-            glm::dvec2 sum(0.0);
-            for (std::size_t i = 0; i < there->size(); ++i)
-                sum += pairs.clicks[i].pixel.coordinates() - (*there)[i];
-            const glm::dvec2 moved = pinhole.centre + sum / double(there->size());
-            return std::vector{moved.x, moved.y};
-        });
-    if (centre.empty())
-        return;
+    std::array<Solution, 2> shift;
+    for (int axis = 0; axis < 2; ++axis) {
+        const std::optional<Solution> solved =
+            solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
+                const std::optional<glm::dvec3> there = projected(given, click, got);
+                return there ? std::optional((*there)[axis] - click.pixel.coordinates()[axis]) : std::nullopt;
+            });
+        if (!solved)
+            return;
+        shift[std::size_t(axis)] = *solved;
+    }
+    const cameras::Intrinsics k = intrinsicsOf(given);
     const Viewport &own = given.viewport;
-    const glm::dvec2 middle(own.x + own.width / 2.0, given.surface.heightPixels - own.y - own.height / 2.0);
-    const bool isMiddle = mayBe(centre[0], middle.x) && mayBe(centre[1], middle.y);
-    const std::array values{isMiddle ? middle.x : asDetermined(centre[0]).value,
-                            isMiddle ? middle.y : asDetermined(centre[1]).value};
-    Variant variant;
-    variant.stage = Stage::Pixel;
-    variant.apply = [](Run &run, const Variant &v) { run.position += glm::dvec2(v.parameter, v.second); };
-    variant.parameter = pinhole.centre.x - values[0];
-    variant.second = pinhole.centre.y - values[1];
-    variant.name = {marked("the centre is %1"), valueText(values[0]) + ", " + valueText(values[1])};
-    variant.values = {{"x", {values[0]}, {}}, {"y", {values[1]}, {}}};
-    variant.unknowns = 2;
-    variant.isExpected = isMiddle;
-    variant.coincidence = isMiddle ? 4.0 * centre[0].unsure * centre[1].unsure / (own.width * own.height) : 1.0;
-    list.add("principal-point-differs", std::move(variant));
+    const double middleX = own.x + own.width / 2.0, middleY = flippedY(given.surface, own.y + own.height / 2.0);
+    const std::array known{0.0, k.cx - middleX, k.cy - middleY};
+    addSolved(list, "principal-point-differs", shift, known, [&k](std::span<const double> values) {
+        Variant variant;
+        variant.stage = Stage::Pixel;
+        variant.apply = [](Run &run, const Variant &v) { run.position += glm::dvec2(v.parameter, v.second); };
+        variant.parameter = values[0];
+        variant.second = values[1];
+        const double x = k.cx - values[0], y = k.cy - values[1];
+        variant.name = {marked("the centre is %1"), valueText(x) + ", " + valueText(y)};
+        variant.values = {{"x", {x}, {}}, {"y", {y}, {}}};
+        return variant;
+    });
 }
 
 /// Another focal length for each axis, or another aspect of the lens.
 void addFocalLengths(VariantList &list, const Given &given, std::span<const Target> points)
 {
-    const Pinhole pinhole = pinholeOf(given.clipFromEye, given.side, given.viewport, given.surface);
+    const cameras::Intrinsics k = intrinsicsOf(given);
+    const glm::dvec2 focalOfView(k.fx, k.fy), centreOfView(k.cx, k.cy);
     const std::vector<Solution> focal =
         solved(given, points, [&](const Pairs &pairs) -> std::optional<std::vector<double>> {
             const auto there = positionsOf(given, pairs);
@@ -246,19 +242,19 @@ void addFocalLengths(VariantList &list, const Given &given, std::span<const Targ
                 return std::nullopt;
             glm::dvec2 squares(0.0), products(0.0);
             for (std::size_t i = 0; i < there->size(); ++i) {
-                const glm::dvec2 from = pairs.clicks[i].pixel.coordinates() - pinhole.centre;
+                const glm::dvec2 from = pairs.clicks[i].pixel.coordinates() - centreOfView;
                 squares += from * from;
-                products += from * ((*there)[i] - pinhole.centre);
+                products += from * ((*there)[i] - centreOfView);
             }
-            const glm::dvec2 lengths = pinhole.focal * squares / products;
+            const glm::dvec2 lengths = focalOfView * squares / products;
             return std::vector{lengths.x, lengths.y};
         });
-    if (focal.empty() || !(focal[0].value * pinhole.focal.x > 0.0) || !(focal[1].value * pinhole.focal.y > 0.0))
+    if (focal.empty() || !(focal[0].value * focalOfView.x > 0.0) || !(focal[1].value * focalOfView.y > 0.0))
         return;
-    const double x = focal[0].value / pinhole.focal.x, y = focal[1].value / pinhole.focal.y;
-    if (std::abs(x - y) <= std::abs(focal[0].unsure / pinhole.focal.x) + std::abs(focal[1].unsure / pinhole.focal.y))
+    const double x = focal[0].value / focalOfView.x, y = focal[1].value / focalOfView.y;
+    if (std::abs(x - y) <= std::abs(focal[0].unsure / focalOfView.x) + std::abs(focal[1].unsure / focalOfView.y))
         return; // one angle
-    const std::array known{pinhole.focal.x, pinhole.focal.y};
+    const std::array known{focalOfView.x, focalOfView.y};
     addSolved(list, "focal-lengths-differ", focal, known, [&](std::span<const double> values) {
         Variant variant;
         variant.stage = Stage::Lens;
@@ -266,8 +262,8 @@ void addFocalLengths(VariantList &list, const Given &given, std::span<const Targ
             run.clipFromEye[0][0] *= v.parameter;
             run.clipFromEye[1][1] *= v.second;
         };
-        variant.parameter = values[0] / pinhole.focal.x;
-        variant.second = values[1] / pinhole.focal.y;
+        variant.parameter = values[0] / focalOfView.x;
+        variant.second = values[1] / focalOfView.y;
         variant.name = {marked("fx is %1, fy is %2"), valueText(values[0]), valueText(values[1])};
         variant.values = {{"fx", {values[0]}, {}}, {"fy", {values[1]}, {}}};
         return variant;
@@ -336,6 +332,28 @@ void addRectangle(VariantList &list, const Given &given, std::span<const Target>
 }
 
 } // namespace
+
+std::vector<Lack> lackOf(const Given &given, std::span<const Target> points)
+{
+    std::vector<Lack> lacks;
+    if (points.size() < 2 || !areDepthsKnown(points))
+        return lacks;
+    std::vector<glm::dvec3> right;
+    double low = 1.0, high = 0.0;
+    for (const Target &point : points) {
+        const Click click = middleOf(given, point);
+        if (const auto answered = answer(given, click, {}))
+            right.push_back(*answered);
+        low = std::min(low, shareFromNear(given, click));
+        high = std::max(high, shareFromNear(given, click));
+    }
+    constexpr double kOneDepth = 1e-6;
+    if (high - low < kOneDepth)
+        lacks.push_back(Lack::OtherDepth);
+    if (extentOf(right) < Extent::Plane)
+        lacks.push_back(Lack::Plane);
+    return lacks;
+}
 
 void addSolvedFromSeveral(VariantList &list, const Given &given, std::span<const Target> points)
 {

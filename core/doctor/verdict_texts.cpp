@@ -23,6 +23,24 @@ std::string rightnessText(const Diagnosis &diagnosis)
     return {};
 }
 
+std::string lackSentence(Lack lack)
+{
+    switch (lack) {
+    case Lack::OtherDepth:
+        return tr("All points have one depth, so near and far cannot be solved: give a point at another depth.");
+    case Lack::Plane:
+        return tr("The points lie on a line, so another frame cannot be solved: give a third point beside the line.");
+    }
+    return {};
+}
+
+std::string withLacks(std::string sentences, const std::vector<Lack> &lacks)
+{
+    for (const Lack lack : lacks)
+        sentences = tr("%1 %2|sentences", sentences, lackSentence(lack));
+    return sentences;
+}
+
 } // namespace
 
 std::string candidateName(const Candidate &candidate)
@@ -51,7 +69,9 @@ std::string verdictSentence(const Diagnosis &diagnosis)
                             "known: give the depth."
                           : "The point is right to the digits given.");
     if (!first.explains)
-        return tr("No known mistake explains this point: %1 mistakes and pairs of them were tried.", diagnosis.tried);
+        return withLacks(
+            tr("No known mistake explains this point: %1 mistakes and pairs of them were tried.", diagnosis.tried),
+            diagnosis.lacking);
     if (isByRay && diagnosis.wrong == ErrorKind::Depth)
         return tr("The pixel is right, and the depth is not. The ray alone cannot separate mistakes of the depth: give "
                   "the depth.");

@@ -478,11 +478,12 @@ void TestDoctor::everyMistakeHasItsIdOnce()
         if (!isPerspective)
             of.setup.lens = Projection(Ortho{});
         of.setup.depthRange = {0.1, 0.9};
-        for (const Variant &variant : variants(Given::of(of.setup).value(), of))
+        for (const Variant &variant : variants(Given::of(of.setup, {0.1, 0.0, 0.0, 0.0, 0.0}).value(), of))
             made.push_back(variant.mistake);
     }
     for (std::size_t i = 0; i < mistakes().size(); ++i)
-        QVERIFY2(std::find(made.begin(), made.end(), i) != made.end(), mistakes()[i].id.data());
+        QVERIFY2(mistakes()[i].isOnlySolved || std::find(made.begin(), made.end(), i) != made.end(),
+                 mistakes()[i].id.data());
 }
 
 namespace {

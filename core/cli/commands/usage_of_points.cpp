@@ -251,6 +251,10 @@ void addDoctor(CLI::App &app, Run &run)
                      tr("A size in device pixels that the program may use by mistake: an earlier size of the\nwindow, "
                         "or another framebuffer's"))
         ->type_name("WxH");
+    command
+        ->add_option("--distortion", options->distortion,
+                     tr("The lens's coefficients in OpenCV's order. The pixels are those of the distorted image"))
+        ->type_name("K1,K2,P1,P2,K3");
     command->add_flag("--json", options->isJson, tr("Write one JSON object"));
     command->footer(
         tr("Every known mistake, and every pair of them, is applied to the click. The result names the mistake whose "
