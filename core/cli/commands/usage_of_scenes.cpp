@@ -172,7 +172,8 @@ void addScene(CLI::App &app, Run &run)
            "are reported and the matrix is not changed: an inverse, depths from 0 to 1 or reversed, y\nflipped, a "
            "scale.")
         + "\n\n" + tr("Examples:")
-        + "\n  unproject scene camera.yml -o scene.json --objects scan.ply\n  unproject scene --from-matrices "
+        + "\n  unproject scene camera.yml --near 0.1 --far 100 -o scene.json --objects scan.ply\n  unproject scene "
+          "--from-matrices "
           "matrices.txt -o scene.json\n  unproject scene --from-matrices "
           "\"modelview 1 0 0 0  0 1 0 0  0 0 1 0  0 0 -5 1\n      projection 1 0 0 0  0 1 0 0  0 0 -1.2 -1  0 0 -2.2 0 "
           " viewport 0 0 800 600\"");
