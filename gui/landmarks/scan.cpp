@@ -3,6 +3,7 @@
 #include "core/files/path_text.h"
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmark_files/landmark_folder.h"
+#include "core/landmarks/name_key.h"
 #include "core/landmarks/point_template.h"
 #include "gui/landmarks/scan_series.h"
 #include "gui/text/error_text.h"
@@ -140,8 +141,7 @@ std::optional<std::size_t> indexOf(const std::vector<Landmark> &landmarks, const
 
 bool has(const std::vector<Landmark> &landmarks, const std::string &name)
 {
-    return std::any_of(landmarks.begin(), landmarks.end(),
-                       [key = nameKey(name)](const Landmark &each) { return nameKey(each.name) == key; });
+    return indexOfName(landmarks, name).has_value();
 }
 
 void withoutUnwanted(std::vector<Landmark> &landmarks, const std::vector<Landmark> &wanted)

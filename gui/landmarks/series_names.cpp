@@ -1,8 +1,10 @@
 #include "gui/landmarks/series_names.h"
 
+#include "core/landmarks/name_key.h"
 #include "core/landmarks/point_template.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -41,13 +43,16 @@ std::vector<Landmark> SeriesNames::with(const Scan *shown) const
 QStringList SeriesNames::namesOn(const std::vector<Scan> &scans) const
 {
     QStringList names;
-    for (const Landmark &name : m_all)
+    std::set<std::string> known; // keys
+    for (const Landmark &name : m_all) {
         names << QString::fromStdString(name.name);
+        known.insert(nameKey(name.name));
+    }
     for (const Scan &scan : scans) {
         for (std::size_t i = 0; i < scan.points.landmarks.size(); ++i) {
-            const QString name = QString::fromStdString(nameOrNumber(scan.points, i));
-            if (!names.contains(name, Qt::CaseInsensitive))
-                names << name;
+            const std::string name = nameOrNumber(scan.points, i);
+            if (const auto [key, isNew] = known.insert(nameKey(name)); isNew || key->empty())
+                names << QString::fromStdString(name);
         }
     }
     return names;
