@@ -26,7 +26,8 @@ double chanceOf(std::span<const Hypothesis> all, const Hypothesis &best, double 
     std::vector<double> distances;
     distances.reserve(all.size());
     for (const Hypothesis &other : all) {
-        if (other.count > best.count || isSameMistakes(other, best) || isSameAnswer(other.point, best.point))
+        if (other.count > best.count || other.isSolved() || isSameMistakes(other, best)
+            || isSameAnswer(other.point, best.point))
             continue;
         distances.push_back(other.distance);
     }
@@ -37,6 +38,14 @@ double chanceOf(std::span<const Hypothesis> all, const Hypothesis &best, double 
         chance = std::max(chance, double(m) * std::pow(share, agreeing));
     }
     return std::min(chance, 1.0);
+}
+
+double chanceOfSolved(const Hypothesis &best, std::size_t families, double apart, double within, int agreeing)
+{
+    const Variant &solved = *best.parts[0];
+    const double share = std::min(1.0, 2.0 * within / apart);
+    const int left = std::max(0, agreeing - solved.unknowns);
+    return std::min(1.0, double(families) * solved.coincidence * std::pow(share, left));
 }
 
 } // namespace unprojector::doctor

@@ -47,6 +47,7 @@ inline constexpr CodeChange kPixelCorner[] = {
      "p = QVector3D(i + 0.5, H - j - 0.5, d).unproject(view, projection, viewport);"},
     {"three.js", "ndc.x = 2 * i / W - 1;", "ndc.x = 2 * (i + 0.5) / W - 1;"},
     {"NumPy", "x_w, y_w = i, H - 1 - j", "x_w, y_w = i + 0.5, H - j - 0.5"},
+    {"NumPy", "cx, cy = w / 2, h / 2  # for pixels i, j counted from 0", "cx, cy = (w - 1) / 2, (h - 1) / 2"},
 };
 inline constexpr CodeChange kRatioLogicalInDevice[] = {
     {"GLU", "glfwGetCursorPos(window, &x, &y);", "glfwGetCursorPos(window, &x, &y); x *= ratio; y *= ratio;"},
@@ -216,6 +217,61 @@ inline constexpr CodeChange kFrustumCentred[] = {
     {"Qt", "projection.perspective(fovy, aspect, n, f);", "projection.frustum(l, r, b, t, n, f);"},
     {"three.js", "x_e = ndc.x * r * z / n;", "x_e = (l + (ndc.x + 1) * (r - l) / 2) * z / n;"},
     {"NumPy", "x_e = x_n * r * z / n", "x_e = (l + (x_n + 1) * (r - l) / 2) * z / n"},
+};
+
+inline constexpr CodeChange kYIsDepth[] = {
+    {"GLU", "gluUnProject(p[0], p[2], p[2], modelview, projection, viewport, &X, &Y, &Z);",
+     "gluUnProject(p[0], p[1], p[2], modelview, projection, viewport, &X, &Y, &Z);"},
+    {"GLM", "glm::unProject(glm::dvec3(w.x, w.z, w.z), view, projection, viewport)",
+     "glm::unProject(glm::dvec3(w.x, w.y, w.z), view, projection, viewport)"},
+    {"Qt", "QVector3D(w.x(), w.z(), w.z()).unproject(view, projection, viewport)",
+     "QVector3D(w.x(), w.y(), w.z()).unproject(view, projection, viewport)"},
+    {"NumPy", "x_w, y_w = window[0], window[2]", "x_w, y_w = window[0], window[1]"},
+};
+inline constexpr CodeChange kPixelInSizeMinusOne[] = {
+    {"GLM", "x_n = 2.0 * i / (W - 1) - 1.0;", "x_n = 2.0 * (i + 0.5) / W - 1.0;"},
+    {"three.js", "ndc.x = 2 * i / (W - 1) - 1;", "ndc.x = 2 * (i + 0.5) / W - 1;"},
+    {"NumPy", "x_n = np.linspace(-1, 1, W)", "x_n = 2 * (np.arange(W) + 0.5) / W - 1"},
+};
+inline constexpr CodeChange kFocalLengthNotInPixels[] = {
+    {"GLM", "focal = projection[0][0];", "focal = projection[1][1] * h / 2;"},
+    {"three.js", "focal = camera.projectionMatrix.elements[0];",
+     "focal = camera.projectionMatrix.elements[5] * h / 2;"},
+    {"NumPy", "fx = fy = projection[0, 0]", "fx, fy = projection[0, 0] * w / 2, projection[1, 1] * h / 2"},
+};
+inline constexpr CodeChange kFovyDiffers[] = {
+    {"GLU", "gluPerspective(otherFovy, aspect, n, f);", "gluPerspective(fovy, aspect, n, f); // as the view was drawn"},
+    {"GLM", "glm::perspective(glm::radians(otherFovy), aspect, n, f)",
+     "glm::perspective(glm::radians(fovy), aspect, n, f) // as the view was drawn"},
+    {"Qt", "projection.perspective(otherFovy, aspect, n, f);",
+     "projection.perspective(fovy, aspect, n, f); // as the view was drawn"},
+    {"three.js", "camera.fov = otherFovy;",
+     "camera.fov = fovy; camera.updateProjectionMatrix(); // zoom changes it too"},
+    {"NumPy", "focal = h / 2  # 90 degrees", "focal = h / 2 / np.tan(np.radians(fovy) / 2)"},
+};
+inline constexpr CodeChange kPixelShifted[] = {
+    {"GLU", "GetCursorPos(&at); // in the screen", "GetCursorPos(&at); ScreenToClient(window, &at);"},
+    {"GLM", "SDL_GetGlobalMouseState(&x, &y); // in the screen", "SDL_GetMouseState(&x, &y);"},
+    {"Qt", "const QPointF at = event->globalPosition();", "const QPointF at = event->position();"},
+    {"three.js", "x = event.clientX;", "x = event.clientX - canvas.getBoundingClientRect().left;"},
+    {"NumPy", "x, y = pyautogui.position()", "x, y = x - window_left, y - window_top  # without frame and title bar"},
+};
+inline constexpr CodeChange kViewportSizeDiffers[] = {
+    {"GLU", "GLint viewport[4] = {0, 0, 800, 600};", "GLint viewport[4]; glGetIntegerv(GL_VIEWPORT, viewport);"},
+    {"GLM", "const glm::dvec4 viewport(0, 0, 800, 600);", "const glm::dvec4 viewport(vx, vy, w, h);"},
+    {"Qt", "const QRect viewport(0, 0, 800, 600);", "const QRect viewport(vx, vy, w, h);"},
+    {"three.js", "ndc.x = 2 * x / 800 - 1;", "ndc.x = 2 * x / canvas.clientWidth - 1;"},
+    {"NumPy", "w, h = 800, 600", "w, h = image.shape[1], image.shape[0]"},
+};
+inline constexpr CodeChange kRatioDiffers[] = {
+    {"GLU", "glfwGetCursorPos(window, &x, &y);",
+     "glfwGetCursorPos(window, &x, &y); x *= ratio; y *= ratio; // W / logical width"},
+    {"GLM", "p = glm::unProject(glm::dvec3(x, H - y, d), view, projection, viewport);",
+     "p = glm::unProject(glm::dvec3(x * ratio, H - y * ratio, d), view, projection, viewport);"},
+    {"Qt", "const QPointF at = event->position();", "const QPointF at = event->position() * devicePixelRatioF();"},
+    {"three.js", "ndc.x = 2 * event.offsetX / canvas.width - 1;",
+     "ndc.x = 2 * event.offsetX / canvas.clientWidth - 1;"},
+    {"NumPy", "x_w, y_w = x, H - y", "x_w, y_w = x * ratio, H - y * ratio"},
 };
 
 } // namespace unprojector::doctor

@@ -315,10 +315,24 @@ inline constexpr CodeChange kEyeXyMirrored[] = {
     {"three.js", "x_e = x_n * r * z_eye / n", "x_e = x_n * r * -z_eye / n"},
     {"NumPy", "x_e = x_n * r * z_eye / n", "x_e = x_n * r * -z_eye / n"},
 };
-inline constexpr CodeChange kAxesSwapped[] = {
-    {"GLU", "p = (p.x, p.z, p.y)", "p = (p.x, p.y, p.z)"},   {"GLM", "p = (p.x, p.z, p.y)", "p = (p.x, p.y, p.z)"},
-    {"Qt", "p = (p.x, p.z, p.y)", "p = (p.x, p.y, p.z)"},    {"three.js", "p = (p.x, p.z, p.y)", "p = (p.x, p.y, p.z)"},
-    {"NumPy", "p = (p.x, p.z, p.y)", "p = (p.x, p.y, p.z)"},
+
+inline constexpr CodeChange kScaled[] = {
+    {"GLU", "X *= factor; Y *= factor; Z *= factor;", "// X, Y, Z are in the scene's unit already"},
+    {"GLM", "p = factor * glm::unProject(w, view, projection, viewport);",
+     "p = glm::unProject(w, view, projection, viewport); // in the scene's unit"},
+    {"Qt", "p = factor * w.unproject(view, projection, viewport);",
+     "p = w.unproject(view, projection, viewport); // in the scene's unit"},
+    {"three.js", "p.unproject(camera).multiplyScalar(factor);", "p.unproject(camera); // in the scene's unit"},
+    {"NumPy", "z = depth_image[j, i]  # in millimetres", "z = depth_image[j, i] * scene_units_per_millimetre"},
+};
+inline constexpr CodeChange kDepthScaled[] = {
+    {"GLU",
+     "GLushort d16; glReadPixels(i, H - 1 - j, 1, 1, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, &d16); d = d16 / "
+     "65536.0;",
+     "GLfloat d; glReadPixels(i, H - 1 - j, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &d);"},
+    {"GLM", "d = d16 / 65536.0;", "d = d16 / 65535.0;"},
+    {"Qt", "d = d16 / 65536.0f;", "d = d16 / 65535.0f;"},
+    {"NumPy", "d = depth[j, i] / 256", "d = depth[j, i] / 255"},
 };
 
 } // namespace unprojector::doctor

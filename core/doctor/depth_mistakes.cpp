@@ -1,3 +1,4 @@
+#include "core/doctor/lens_changes.h"
 #include "core/doctor/variant_list.h"
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
@@ -67,52 +68,13 @@ void addMeaningOfDepth(VariantList &list)
     });
 }
 
-/// Sets the depth entries of the projection matrix for other clip distances; both planes keep their
-/// NDC depths.
-void setClipDistances(Run &run, double nearDistance, double farDistance)
-{
-    glm::dmat4 &m = run.clipFromEye;
-    const double z0 = run.given.side * nearDistance, z1 = run.given.side * farDistance;
-    const double old0 = run.given.side * run.nearDistance, old1 = run.given.side * run.farDistance;
-    run.nearDistance = nearDistance;
-    run.farDistance = farDistance;
-    if (!(nearDistance < farDistance)) {
-        run.isLost = true;
-        return;
-    }
-    if (run.given.isPerspective) {
-        const double w = m[2][3];
-        const double atNear = m[2][2] + m[3][2] / old0, atFar = m[2][2] + m[3][2] / old1; // w z_n
-        m[3][2] = (atNear - atFar) / (1.0 / z0 - 1.0 / z1);
-        m[2][2] = atNear - m[3][2] / z0;
-        run.isLost = run.isLost || w == 0.0;
-    } else {
-        const double atNear = m[2][2] * old0 + m[3][2], atFar = m[2][2] * old1 + m[3][2];
-        m[2][2] = (atNear - atFar) / (z0 - z1);
-        m[3][2] = atNear - m[2][2] * z0;
-    }
-}
-
 void addClipDistances(VariantList &list, const Given &given)
 {
     for (const double factor : kClipFactors) {
-        const std::string times = text::shortestText(factor);
-        list.add(
-            "near-differs", Stage::Lens,
-            [](Run &run, const Variant &v) { setClipDistances(run, run.nearDistance * v.parameter, run.farDistance); },
-            factor, {marked("near times %1"), times});
-        list.add(
-            "far-differs", Stage::Lens,
-            [](Run &run, const Variant &v) { setClipDistances(run, run.nearDistance, run.farDistance * v.parameter); },
-            factor, {marked("far times %1"), times});
+        list.add("near-differs", withOtherNear(given, factor * given.nearDistance));
+        list.add("far-differs", withOtherFar(given, factor * given.farDistance));
         if (given.isFrustum)
-            list.add("near-differs", Stage::Lens,
-                     [](Run &run, const Variant &v) {
-                         run.clipFromEye[0][0] *= v.parameter;
-                         run.clipFromEye[1][1] *= v.parameter;
-                         setClipDistances(run, run.nearDistance * v.parameter, run.farDistance);
-                     },
-                     factor, {marked("near times %1, the window of glFrustum as it was"), times});
+            list.add("near-differs", withOtherNearOfFrustum(given, factor * given.nearDistance));
     }
 }
 

@@ -59,15 +59,14 @@ struct Prepared {
 Click clickOf(const Case &scene, const Given &given, const WrongPoint &point, double depth)
 {
     Click click;
-    click.pixel = point.pixel;
     click.depth = depth;
     click.space = point.space;
     if (point.space == PointSpace::Object && point.model < scene.models.size())
         click.worldFromObject = scene.models[point.model].worldFromObject;
-    setRightEye(given, click);
+    setPixel(given, click, point.pixel);
     if (scene.depthOnMesh) {
-        click.depthAbove = scene.depthOnMesh(DevicePoint(point.pixel.x, point.pixel.y - 1.0));
-        click.depthBelow = scene.depthOnMesh(DevicePoint(point.pixel.x, point.pixel.y + 1.0));
+        click.depthAbove = scene.depthOnMesh(DevicePoint(click.pixel.x, click.pixel.y - 1.0));
+        click.depthBelow = scene.depthOnMesh(DevicePoint(click.pixel.x, click.pixel.y + 1.0));
     }
     return click;
 }
@@ -126,7 +125,7 @@ Prepared prepared(const Case &scene, const Given &given, const WrongPoint &point
     std::optional<double> depth = point.depth;
     double step = point.depthLastDigit;
     if (!depth && scene.depthOnMesh) {
-        depth = scene.depthOnMesh(point.pixel);
+        depth = scene.depthOnMesh(clickOf(scene, given, point, low).pixel);
         step = kDepthBufferStep;
         result.depthKnown = DepthKnown::FromMesh;
     }
@@ -239,11 +238,58 @@ int agreeing(std::span<const Prepared> points, std::span<const ErrorKind> wrongs
     return sum;
 }
 
+/// What the chance of an explanation follows from.
+struct Evidence {
+    std::span<const Hypothesis> all;
+    double apart = 0.0; ///< see chanceOfSolved
+    int agreeing = 0;
+};
+
+/// The number of mistakes whose values are solved for.
+std::size_t solvedFamilies()
+{
+    constexpr std::size_t kClipPlanes = 2; // near and far, which have a fixed form besides
+    return kClipPlanes + std::size_t(std::count_if(mistakes().begin(), mistakes().end(), [](const Mistake &mistake) {
+               return mistake.isOnlySolved;
+           }));
+}
+
+double chanceOf(const Evidence &evidence, const Hypothesis &best)
+{
+    const double within = best.worst <= kRounded ? kRounded : kCutOff;
+    return best.isSolved() ? chanceOfSolved(best, solvedFamilies(), evidence.apart, within, evidence.agreeing)
+                           : chanceOf(evidence.all, best, within, evidence.agreeing);
+}
+
+/// Orders solved values and a pair that both explain the points. Two solved mistakes come first if
+/// the pair may well be chance, or if their values are round and less probably so by chance.
+void orderSolvedAndPair(std::vector<Hypothesis> &best, const Evidence &evidence)
+{
+    const auto firstOf = [&](const auto &is) { return std::find_if(best.begin(), best.end(), is); };
+    const auto isPair = [](const Hypothesis &each) { return each.count == 2 && each.worst <= kCutOff; };
+    const auto isSolved = [](const Hypothesis &each) { return each.isSolved(); };
+    if (!isPair(best.front()) && !isSolved(best.front()))
+        return;
+    const auto pair = firstOf(isPair), solved = firstOf(isSolved);
+    if (pair == best.end() || solved == best.end())
+        return;
+    const double chanceOfPair = chanceOf(evidence, *pair);
+    const bool areValuesBetter =
+        chanceOfPair > kChanceOfTwo || (solved->isExpected() && chanceOf(evidence, *solved) < chanceOfPair);
+    const Hypothesis two = *pair;
+    best.erase(pair);
+    std::stable_partition(best.begin(), best.end(), isSolved);
+    const auto count = std::count_if(best.begin(), best.end(), isSolved);
+    const std::ptrdiff_t place = areValuesBetter ? 2 : 0;
+    best.insert(best.begin() + std::min<std::ptrdiff_t>(place, count), two);
+}
+
 Candidate candidateOf(const Hypothesis &hypothesis, const Given &given, std::span<const Prepared> points)
 {
     Candidate candidate;
     candidate.id = idOf(hypothesis);
     candidate.ways = waysOf(hypothesis);
+    candidate.values = valuesOf(hypothesis);
     candidate.point = hypothesis.point;
     candidate.distance = hypothesis.distance;
     candidate.explains = hypothesis.worst <= kCutOff;
@@ -296,7 +342,8 @@ std::string verdictOf(const Hypothesis &best, std::span<const Hypothesis> list, 
     // All depth mistakes are alike with rays alone.
     const bool isByRay = std::any_of(points.begin(), points.end(), [](const Prepared &p) { return p.target.isLine; });
     const auto next = std::find_if(list.begin() + 1, list.end(), [&](const Hypothesis &other) {
-        return other.worst > kCutOff || !isSameHere(given, targets, best, other);
+        const bool isFitted = other.isSolved() && !best.isSolved();
+        return !isFitted && (other.worst > kCutOff || !isSameHere(given, targets, best, other));
     });
     if (isByRay && next != list.end() && next->worst <= kCutOff && !saysDepth(best, given, points.front()))
         return "unknown";
@@ -306,7 +353,8 @@ std::string verdictOf(const Hypothesis &best, std::span<const Hypothesis> list, 
 /// True if no mistake, or a single one, explains the points better than a point of the scene.
 bool explainsAsWell(const Hypothesis &best, const Diagnosis &diagnosis)
 {
-    return diagnosis.verdict == "right" || (diagnosis.namesMistake() && best.count == 1 && best.worst <= kRounded);
+    return diagnosis.verdict == "right"
+           || (diagnosis.namesMistake() && best.count == 1 && !best.isSolved() && best.worst <= kRounded);
 }
 
 /// Sets the known points, and the verdict if no mistake explains the points as well.
@@ -330,7 +378,7 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
         if (const Check valid = check(*scene.otherSize); !valid)
             return valid.error();
     }
-    const Result<Given> input = Given::of(scene.setup);
+    const Result<Given> input = Given::of(scene.setup, scene.distortion.value_or(cameras::Distortion{}));
     if (!input)
         return input.error();
     std::vector<Prepared> points;
@@ -343,22 +391,29 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
         targets.push_back(points.back().target);
         wrongs.push_back(wrongOf(*input, points.back()));
     }
-    const std::vector<Variant> list = variants(*input, scene);
+    const Hypothesis right = rightHypothesis(*input, points);
+    const bool isRight = right.worst <= kCutOff;
+    const std::vector<Variant> list = variants(*input, scene, isRight ? std::span<const Target>() : targets);
     std::vector<Hypothesis> all = hypotheses(*input, targets, list);
-    all.push_back(rightHypothesis(*input, points));
+    all.push_back(right);
     std::vector<Hypothesis> best = ranked(all);
+    Evidence evidence{all, right.distance, agreeing(points, wrongs)};
+    orderSolvedAndPair(best, evidence);
     putDepthFirst(best, *input, points);
     std::erase_if(best, [&, first = best.front()](const Hypothesis &other) {
         return other.worst <= kCutOff && isRestated(*input, targets, first, other);
     });
 
     Diagnosis diagnosis;
-    diagnosis.projected = points.front().projected;
+    if (diagnosis.projected = points.front().projected; diagnosis.projected) {
+        const glm::dvec2 inPicture = distorted(*input, glm::dvec2(*diagnosis.projected));
+        diagnosis.projected = glm::dvec3(inPicture, diagnosis.projected->z);
+    }
     if (const auto unsure = diagnosis.projected ? unsureOf(*input, points.front()) : std::nullopt)
         diagnosis.depthUnsure = unsure->z;
-    if (const auto right = Hypothesis().nearest(*input, points.front().right)) {
-        diagnosis.right = right->point;
-        diagnosis.rightLastDigit = rightLastDigit(*input, points.front(), right->point, given.front().lastDigit);
+    if (const auto found = Hypothesis().nearest(*input, points.front().right)) {
+        diagnosis.right = found->point;
+        diagnosis.rightLastDigit = rightLastDigit(*input, points.front(), found->point, given.front().lastDigit);
     }
     diagnosis.wrong = wrongs.front();
     diagnosis.tried = all.size();
@@ -373,10 +428,11 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
     }
     // Compare only with others that determine the depth, if the best hypothesis does. The rest
     // match any point of the ray.
-    if (points.front().target.isLine && best.front().count > 0 && saysDepth(best.front(), *input, points.front()))
+    if (points.front().target.isLine && best.front().count > 0 && saysDepth(best.front(), *input, points.front())) {
         std::erase_if(all, [&](const Hypothesis &each) { return !saysDepth(each, *input, points.front()); });
-    diagnosis.chance =
-        chanceOf(all, best.front(), best.front().worst <= kRounded ? kRounded : kCutOff, agreeing(points, wrongs));
+        evidence.all = all;
+    }
+    diagnosis.chance = chanceOf(evidence, best.front());
     diagnosis.verdict = verdictOf(best.front(), best, diagnosis.chance, *input, points, targets);
     const bool hasTies = diagnosis.namesMistake();
     lookAtKnown(diagnosis, best.front(), *input, scene, targets);

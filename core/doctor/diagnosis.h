@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/cameras/foreign_camera.h"
 #include "core/geometry/box.h"
 #include "core/geometry/result.h"
 #include "core/geometry/setup.h"
@@ -54,6 +55,8 @@ struct Case {
     /// Another size that the program may still use: a former size of the window, or another
     /// framebuffer's.
     std::optional<geometry::Surface> otherSize;
+    /// The distortion of the picture's pixels. K's centre and focal lengths are those of the setup.
+    std::optional<cameras::Distortion> distortion;
     /// The depth of the surface at a position, in the setup's depth range; no value on the
     /// background. Null if the scene has no mesh.
     std::function<std::optional<double>(const geometry::DevicePoint &)> depthOnMesh;
@@ -75,11 +78,15 @@ struct WrongPoint {
 
 /// The variant of a mistake that has several.
 struct VariantName {
-    const char *words = nullptr; ///< marked for text::tr, %1 is the value: "ratio %1"; null: the value alone
-    std::string value;
+    /// Marked for text::tr, %1 and %2 are the values: "ratio %1"; null: the first value alone.
+    const char *words = nullptr;
+    std::string value, second;
 
     VariantName() = default;
-    VariantName(const char *marked, std::string ofIt = {}) : words(marked), value(std::move(ofIt)) {}
+    VariantName(const char *marked, std::string ofIt = {}, std::string other = {})
+        : words(marked), value(std::move(ofIt)), second(std::move(other))
+    {
+    }
     bool isEmpty() const { return words == nullptr && value.empty(); } ///< the mistake has no other variant
 };
 

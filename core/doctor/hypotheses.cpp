@@ -75,6 +75,16 @@ double unitsOff(const Target &target, int axis, const glm::dvec3 &answer)
     return isAllThatWasGiven && isNearerToZero ? std::max(2.0, std::abs(off)) : std::abs(off);
 }
 
+bool Hypothesis::isSolved() const
+{
+    return count == 1 && parts[0]->unknowns > 0;
+}
+
+bool Hypothesis::isExpected() const
+{
+    return isSolved() && parts[0]->isExpected;
+}
+
 std::optional<Run> Hypothesis::ranFor(const Given &given, const Click &click) const
 {
     const bool isSameStage = count == 2 && parts[0]->stage == parts[1]->stage;
@@ -125,8 +135,12 @@ std::vector<Hypothesis> hypotheses(const Given &given, std::span<const Target> p
     for (const Variant &variant : list) {
         if (isWithoutEffect(given, points, variant))
             continue;
-        effective.push_back(&variant);
-        if (const auto one = tried(given, points, {{&variant, nullptr}, 1}))
+        const auto one = tried(given, points, {{&variant, nullptr}, 1});
+        // Solved values are right only if they explain all points without another mistake.
+        const bool isSolved = variant.unknowns > 0;
+        if (!isSolved && !variant.isAlone)
+            effective.push_back(&variant);
+        if (one && (!isSolved || one->worst <= kCutOff))
             result.push_back(*one);
     }
     for (std::size_t i = 0; i < effective.size(); ++i) {

@@ -49,6 +49,10 @@ struct Hypothesis {
     double distance = 0.0; ///< mean over the points
     double worst = 0.0;    ///< the greatest of the points
 
+    /// True if values were solved from the points.
+    bool isSolved() const;
+    /// True if such values are round, or stand in the scene.
+    bool isExpected() const;
     /// The program after its last stage; empty if it has no answer.
     std::optional<Run> ranFor(const Given &given, const Click &click) const;
     /// The program's answer; empty if it has none.
@@ -61,7 +65,7 @@ struct Hypothesis {
 bool isSameAnswer(const glm::dvec3 &a, const glm::dvec3 &b);
 
 /// The variants of one mistake, and of two different ones. Mistakes without effect on all of the
-/// points are omitted.
+/// points are omitted, and solved values that do not explain all points. Pairs have no solved values.
 /// @param list  must outlive the result
 std::vector<Hypothesis> hypotheses(const Given &given, std::span<const Target> points, std::span<const Variant> list);
 

@@ -1,3 +1,4 @@
+#include "core/doctor/lens_changes.h"
 #include "core/doctor/variant_list.h"
 #include "core/geometry/angle.h"
 #include "core/text/translation.h"
@@ -9,40 +10,6 @@ namespace unprojector::doctor {
 using namespace geometry;
 using text::marked;
 namespace {
-
-/// The tangent of half the vertical angle of a symmetric frustum.
-double tangentOf(const Run &run)
-{
-    return 1.0 / run.clipFromEye[1][1];
-}
-
-double verticalFov(const Run &run)
-{
-    return 2.0 * std::atan(tangentOf(run));
-}
-
-double aspectOf(const Run &run)
-{
-    return run.clipFromEye[1][1] / run.clipFromEye[0][0];
-}
-
-/// Widens both axes by a factor.
-void widen(Run &run, double factor)
-{
-    run.clipFromEye[0][0] /= factor;
-    run.clipFromEye[1][1] /= factor;
-}
-
-void setTangent(Run &run, double tangent)
-{
-    widen(run, tangent / tangentOf(run));
-}
-
-void setAspect(Run &run, double aspect)
-{
-    run.isLost = run.isLost || aspect == 0.0;
-    run.clipFromEye[0][0] = run.clipFromEye[1][1] / aspect;
-}
 
 /// The usual aspects of windows and images, and of a program's initial window.
 constexpr Surface kUsualSizes[] = {{4, 3}, {16, 9}, {16, 10}, {3, 2}, {5, 4}, {21, 9}};
@@ -62,6 +29,21 @@ void addPerspective(VariantList &list)
     list.add(
         "fov-horizontal", Stage::Lens, [](Run &run, const Variant &) { widen(run, aspectOf(run)); }, 0.0,
         marked("the horizontal angle spans the height"));
+    // A focal length in pixels is P[1][1] times half the height.
+    list.add(
+        "focal-length-not-in-pixels", Stage::Lens,
+        [](Run &run, const Variant &) {
+            run.clipFromEye[1][1] = run.clipFromEye[0][0] * 2.0 / run.viewport.height;
+            run.clipFromEye[0][0] *= 2.0 / run.viewport.width;
+        },
+        0.0, marked("P[0][0] for both axes"));
+    list.add(
+        "focal-length-not-in-pixels", Stage::Lens,
+        [](Run &run, const Variant &) {
+            run.clipFromEye[0][0] *= 2.0 / run.viewport.width;
+            run.clipFromEye[1][1] *= 2.0 / run.viewport.height;
+        },
+        0.0, marked("P[0][0] and P[1][1]"));
     list.add("frustum-centred", Stage::Lens,
              [](Run &run, const Variant &) { run.clipFromEye[2][0] = run.clipFromEye[2][1] = 0.0; });
     list.add("ortho-formula", Stage::Eye, [](Run &run, const Variant &) {

@@ -1,7 +1,10 @@
+#include "core/doctor/frame_fit.h"
 #include "core/doctor/variant_list.h"
 #include "core/text/translation.h"
 
 #include <glm/matrix.hpp>
+
+#include <utility>
 
 namespace unprojector::doctor {
 using text::marked;
@@ -11,6 +14,38 @@ glm::dvec3 transformed(const glm::dmat4 &m, const glm::dvec3 &point)
 {
     const glm::dvec4 result = m * glm::dvec4(point, 1.0);
     return glm::dvec3(result) / result.w;
+}
+
+/// The words for a permutation: its axes, and what it comes from.
+VariantName nameOf(const AxisPermutation &permutation)
+{
+    const std::string &axes = permutation.axes;
+    if (axes == "x,-z,y")
+        return {marked("%1: z up given for y up"), axes};
+    if (axes == "x,z,-y")
+        return {marked("%1: y up given for z up"), axes};
+    if (axes == "x,z,y")
+        return {marked("%1: y and z exchanged"), axes};
+    if (axes == "x,-y,-z")
+        return {marked("%1: OpenCV's axes for OpenGL's, or the reverse"), axes};
+    const bool isMirrored = glm::determinant(permutation.matrix) < 0.0;
+    return isMirrored ? VariantName(marked("%1, mirrored"), axes) : VariantName(nullptr, axes);
+}
+
+void addAxes(VariantList &list)
+{
+    for (const AxisPermutation &permutation : axisPermutations().subspan(1)) {
+        Variant variant;
+        variant.stage = Stage::Point;
+        variant.apply = [](Run &run, const Variant &v) { run.point = transformed(v.matrix, run.point); };
+        variant.matrix = glm::dmat4(permutation.matrix);
+        variant.name = nameOf(permutation);
+        variant.values = {{"axes", {}, permutation.axes}};
+        const bool isUsual =
+            permutation.axes == "x,-z,y" || permutation.axes == "x,z,-y" || permutation.axes == "x,z,y";
+        variant.isAlone = !isUsual;
+        list.add("axes-differ", std::move(variant));
+    }
 }
 
 } // namespace
@@ -51,24 +86,7 @@ void addPointMistakes(VariantList &list, std::span<const PlacedModel> models)
     }
     list.add("eye-added", Stage::Point, [](Run &run, const Variant &) { run.point += run.given.eyePosition; });
     list.add("eye-subtracted", Stage::Point, [](Run &run, const Variant &) { run.point -= run.given.eyePosition; });
-    list.add(
-        "axes-swapped", Stage::Point,
-        [](Run &run, const Variant &) {
-            run.point = {run.point.x, -run.point.z, run.point.y};
-        },
-        0.0, marked("z up given for y up"));
-    list.add(
-        "axes-swapped", Stage::Point,
-        [](Run &run, const Variant &) {
-            run.point = {run.point.x, run.point.z, -run.point.y};
-        },
-        0.0, marked("y up given for z up"));
-    list.add(
-        "axes-swapped", Stage::Point,
-        [](Run &run, const Variant &) {
-            run.point = {run.point.x, run.point.z, run.point.y};
-        },
-        0.0, marked("y and z exchanged"));
+    addAxes(list);
 }
 
 } // namespace unprojector::doctor

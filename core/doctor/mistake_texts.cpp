@@ -92,7 +92,7 @@ std::string waysText(const std::vector<VariantName> &ways)
 {
     std::string text;
     for (const VariantName &way : ways) {
-        const std::string next = way.words == nullptr ? way.value : tr(way.words, way.value);
+        const std::string next = way.words == nullptr ? way.value : tr(way.words, way.value, way.second);
         text = text.empty() ? next : tr("%1; %2|ways", text, next);
     }
     return text;
@@ -119,7 +119,10 @@ std::string alikeSentence(const Candidate &candidate)
     const std::string shared = candidate.shared ? sharedSentence(*candidate.shared) : std::string();
     switch (candidate.alike) {
     case Alike::No: break;
-    case Alike::InDigits: return tr("These digits cannot separate them: give more digits, or another click.");
+    case Alike::InDigits:
+        return !candidate.values.empty()
+                   ? tr("Both have a value that explains these points: another click separates them.")
+                   : tr("These digits cannot separate them: give more digits, or another click.");
     case Alike::Here:
         return tr("%1 %2|sentences", shared, tr("They give the same point here: another click separates them."));
     case Alike::Always:

@@ -1,5 +1,6 @@
 #include "core/doctor/mistakes.h"
 
+#include "core/doctor/solved_mistakes.h"
 #include "core/doctor/variant_list.h"
 #include "core/text/translation.h"
 
@@ -74,7 +75,31 @@ constexpr Mistake kMistakes[] = {
     {"w-divided-twice", 4},
     {"projection-left-out", 1},
     {"eye-subtracted", 1},
-    {"axes-swapped", 3},
+    {"axes-differ", 3},
+    {"opencv-axes", 8},
+    {"translation-not-inverted", 3},
+    {"quaternion-order", 3},
+    {"euler-order", 1},
+    {"euler-degrees", 1},
+    {"focal-lengths-swapped", 1},
+    {"centre-swapped", 1},
+    {"intrinsics-of-another-size", 3},
+    {"half-pixel-twice", 3},
+    {"distortion-ignored", 8},
+    {"distortion-added", 1},
+    {"y-is-depth", 1},
+    {"pixel-in-size-minus-one", 1},
+    {"focal-length-not-in-pixels", 1},
+    {"fovy-differs", 9, true},
+    {"pixel-shifted", 6, true},
+    {"viewport-size-differs", 8, true},
+    {"ratio-differs", 18, true},
+    {"scaled", 3, true},
+    {"depth-scaled", 1, true},
+    {"near-far-differ", 13, true},
+    {"principal-point-differs", 3, true},
+    {"focal-lengths-differ", 3, true},
+    {"frame-differs", 3, true},
 };
 
 } // namespace
@@ -84,19 +109,37 @@ std::span<const Mistake> mistakes()
     return kMistakes;
 }
 
-void VariantList::add(std::string_view id, Stage stage, Apply apply, double parameter, VariantName name)
+void VariantList::add(std::string_view id, Variant variant)
 {
     const auto *place = std::find_if(std::begin(kMistakes), std::end(kMistakes),
                                      [&](const Mistake &mistake) { return mistake.id == id; });
     assert(place != std::end(kMistakes));
-    m_variants.push_back(
-        {std::size_t(place - kMistakes), stage, apply, parameter, 0.0, glm::dmat4(1.0), std::move(name)});
+    variant.mistake = std::size_t(place - kMistakes);
+    m_variants.push_back(std::move(variant));
+}
+
+void VariantList::add(std::string_view id, Stage stage, Apply apply, double parameter, VariantName name)
+{
+    Variant variant;
+    variant.stage = stage;
+    variant.apply = apply;
+    variant.parameter = parameter;
+    variant.name = std::move(name);
+    add(id, std::move(variant));
 }
 
 void VariantList::add(std::string_view id, Stage stage, Apply apply, const Surface &size, VariantName name)
 {
     add(id, stage, apply, double(size.widthPixels), std::move(name));
     m_variants.back().second = size.heightPixels;
+}
+
+void VariantList::addAlone(std::string_view id, Stage stage, Apply apply, VariantName name, double parameter,
+                           double second)
+{
+    add(id, stage, apply, parameter, std::move(name));
+    m_variants.back().second = second;
+    m_variants.back().isAlone = true;
 }
 
 void VariantList::add(std::string_view id, Apply apply, const PlacedModel &model)
@@ -112,14 +155,17 @@ std::vector<Variant> VariantList::sorted() &&
     return std::move(m_variants);
 }
 
-std::vector<Variant> variants(const Given &given, const Case &scene)
+std::vector<Variant> variants(const Given &given, const Case &scene, std::span<const Target> points)
 {
     VariantList list;
     addPixelMistakes(list, given, scene.otherSize);
     addDepthMistakes(list, given);
     addLensMistakes(list, given, scene.otherSize);
     addMatrixMistakes(list);
+    addCameraMistakes(list, given, scene.otherSize);
     addPointMistakes(list, scene.models);
+    if (!points.empty())
+        addSolvedMistakes(list, given, scene, points);
     return std::move(list).sorted();
 }
 

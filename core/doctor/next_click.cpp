@@ -52,9 +52,8 @@ std::vector<Click> clicksOverViewport(const Given &given, const Click &like,
             if (!depth)
                 continue;
             Click click = like;
-            click.pixel = *pixel;
             click.depth = *depth;
-            setRightEye(given, click);
+            setPixel(given, click, *pixel);
             clicks.push_back(click);
         }
     }
@@ -79,7 +78,8 @@ std::optional<NextClick> nextClick(const Given &given, const Click &like, std::s
     if (!isTold)
         return std::nullopt;
     const auto best = std::max_element(least.begin(), least.end());
-    return NextClick{clicks[std::size_t(best - least.begin())].pixel, *best};
+    const Click &click = clicks[std::size_t(best - least.begin())];
+    return NextClick{DevicePoint(click.pixel.x + click.distortedBy.x, click.pixel.y + click.distortedBy.y), *best};
 }
 
 } // namespace unprojector::doctor

@@ -124,6 +124,38 @@ void addPixelMistakes(VariantList &list, const Given &given, const std::optional
     list.add("pixel-corner", Stage::Pixel, shift<0, 1>, 0.0, marked("y only, upper edge"));
     list.add("pixel-corner", Stage::Pixel, toCorner<1>, 0.0, marked("lower left corner of the whole pixel"));
     list.add("pixel-corner", Stage::Pixel, toCorner<0>, 0.0, marked("upper left corner of the whole pixel"));
+    list.add("half-pixel-twice", Stage::Pixel, shift<1, -1>, 0.0, marked("to the right and down"));
+    list.add("half-pixel-twice", Stage::Pixel, shift<1, 1>, 0.0, marked("to the right and up"));
+    // The first and the last pixel's centres lie on the edges: linspace(-1, 1, W).
+    list.add(
+        "pixel-in-size-minus-one", Stage::Window,
+        [](Run &run, const Variant &) {
+            const Viewport &v = run.viewport;
+            run.window.x = v.x + (run.window.x - v.x - kHalfPixel) * v.width / (v.width - 1.0);
+            run.window.y = v.y + (run.window.y - v.y - kHalfPixel) * v.height / (v.height - 1.0);
+        },
+        0.0, marked("from the pixel's centre"));
+    list.add(
+        "pixel-in-size-minus-one", Stage::Window,
+        [](Run &run, const Variant &) {
+            const Viewport &v = run.viewport;
+            const double top = v.y + v.height;
+            run.window.x = v.x + (run.window.x - v.x) * v.width / (v.width - 1.0);
+            run.window.y = top - (top - run.window.y) * v.height / (v.height - 1.0);
+        },
+        0.0, marked("from the pixel's corner"));
+    list.add(
+        "y-is-depth", Stage::Window, [](Run &run, const Variant &) { run.window.y = run.click.depth; }, 0.0,
+        marked("in the window"));
+    list.add(
+        "y-is-depth", Stage::Window,
+        [](Run &run, const Variant &) {
+            const auto &[atNear, atFar] = run.given.depthRange;
+            const double depth = (run.click.depth - atNear) / (atFar - atNear);
+            const double share = run.given.ndcDepth == NdcDepth::ZeroToOne ? (depth + 1.0) / 2.0 : depth;
+            run.window.y = run.viewport.y + share * run.viewport.height;
+        },
+        0.0, marked("in NDC"));
     list.add("row-above", Stage::Pixel, shift<0, 2>);
     list.add("row-below", Stage::Pixel, shift<0, -2>);
     list.add("xy-swapped", Stage::Window, [](Run &run, const Variant &) { run.window = {run.window.y, run.window.x}; });

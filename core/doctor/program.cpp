@@ -1,5 +1,6 @@
 #include "core/doctor/program.h"
 
+#include "core/doctor/lens_distortion.h"
 #include "core/geometry/finite.h"
 
 #include <glm/matrix.hpp>
@@ -120,7 +121,7 @@ void throughEye(Run &run, Mistakes &mistakes)
 
 } // namespace
 
-Result<Given> Given::of(const Setup &setup)
+Result<Given> Given::of(const Setup &setup, const cameras::Distortion &distortion)
 {
     if (const Check valid = check(setup); !valid)
         return valid.error();
@@ -137,6 +138,8 @@ Result<Given> Given::of(const Setup &setup)
     given.clipFromEye = *projection;
     given.eyeFromWorld = *view;
     readLens(given, setup.lens);
+    if (given.isPerspective)
+        given.distortion = distortion;
     const glm::dmat4 worldFromEye = glm::inverse(*view);
     given.eyePosition = glm::dvec3(worldFromEye[3]) / worldFromEye[3].w;
     if (!checkFinite(glm::inverse(*projection)) || !checkFinite(worldFromEye))
@@ -208,6 +211,28 @@ std::optional<glm::dvec3> answer(const Given &given, const Click &click, std::sp
 glm::dmat4 worldFromSpace(const Given &given, const Click &click)
 {
     return click.space == PointSpace::Eye ? glm::inverse(given.eyeFromWorld) : click.worldFromObject;
+}
+
+glm::dvec2 distorted(const Given &given, const glm::dvec2 &position)
+{
+    if (given.distortion.isNone())
+        return position;
+    const Pinhole pinhole = pinholeOf(given.clipFromEye, given.side, given.viewport, given.surface);
+    return pinhole.pixel(distorted(given.distortion, pinhole.direction(position)));
+}
+
+void setPixel(const Given &given, Click &click, const DevicePoint &inPicture)
+{
+    click.pixel = inPicture;
+    if (!given.distortion.isNone()) {
+        const Pinhole pinhole = pinholeOf(given.clipFromEye, given.side, given.viewport, given.surface);
+        if (const auto straight = undistorted(given.distortion, pinhole.direction(inPicture.coordinates()))) {
+            const glm::dvec2 pixel = pinhole.pixel(*straight);
+            click.pixel = DevicePoint(pixel.x, pixel.y);
+        }
+    }
+    click.distortedBy = inPicture.coordinates() - click.pixel.coordinates();
+    setRightEye(given, click);
 }
 
 void setRightEye(const Given &given, Click &click)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/cameras/foreign_camera.h"
 #include "core/doctor/diagnosis.h"
 
 #include <glm/mat4x4.hpp>
@@ -26,15 +27,17 @@ struct Given {
     double nearDistance = 1.0, farDistance = 100.0;
     glm::dmat4 clipFromEye{1.0};
     glm::dmat4 eyeFromWorld{1.0};
-    glm::dvec3 eyePosition{0.0}; ///< world space
+    glm::dvec3 eyePosition{0.0};    ///< world space
+    cameras::Distortion distortion; ///< of the pixels; only a perspective has it
 
     /// @return the errors of check(setup), clipFromEye and eyeFromWorld; SingularMatrix
-    static geometry::Result<Given> of(const geometry::Setup &setup);
+    static geometry::Result<Given> of(const geometry::Setup &setup, const cameras::Distortion &distortion = {});
 };
 
 /// One click of the program, and its right answer.
 struct Click {
-    geometry::DevicePoint pixel;
+    geometry::DevicePoint pixel; ///< undistorted
+    glm::dvec2 distortedBy{0.0}; ///< from there to the pixel in the picture
     double depth = 0.0;
     PointSpace space = PointSpace::World;
     glm::dmat4 worldFromObject{1.0}; ///< of the object in whose space the answer is; the identity for other spaces
@@ -101,12 +104,15 @@ struct Variant {
     Stage stage = Stage::Pixel;
     void (*apply)(Run &, const Variant &) = nullptr;
     double parameter = 0.0, second = 0.0;
-    glm::dmat4 matrix{1.0}; ///< of a model
-    VariantName name;       ///< empty if the mistake has one variant
-    /// Solved from the given points; empty for a mistake of fixed form. `unknowns` is their number.
-    std::vector<SolvedValue> values{};
+    glm::dmat4 matrix{1.0};            ///< of a model, or of another frame
+    VariantName name;                  ///< empty if the mistake has one variant
+    std::vector<SolvedValue> values{}; ///< see Candidate::values
+    /// The number of values that were solved from the given points; 0 for a mistake of fixed form.
     int unknowns = 0;
-    bool isExpected = false; ///< the values are round, or stand in the scene
+    bool isAlone = false;    ///< of fixed form, but not tried in pairs
+    bool isExpected = false; ///< the solved values are round, or stand in the scene
+    /// The chance that arbitrary values are as round as the solved ones, see WrittenValue.
+    double coincidence = 1.0;
 };
 
 /// The program with these mistakes after its last stage, with each stage's result; empty if it has
@@ -122,6 +128,12 @@ std::optional<glm::dvec3> answer(const Given &given, const Click &click, std::sp
 
 /// The transform from the space of a click's answer to world space.
 glm::dmat4 worldFromSpace(const Given &given, const Click &click);
+
+/// The position in the picture that shows an undistorted position, both in device pixels.
+glm::dvec2 distorted(const Given &given, const glm::dvec2 &position);
+/// Sets a click's pixel, and its right eye point.
+/// @param inPicture  a position outside the range of the distortion's inverse stays as it is
+void setPixel(const Given &given, Click &click, const geometry::DevicePoint &inPicture);
 
 /// Sets the right eye point of a click's pixel and depth.
 void setRightEye(const Given &given, Click &click);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace unprojector::doctor {
@@ -35,14 +37,38 @@ Key keyOf(const Hypothesis &hypothesis)
     return key;
 }
 
+/// The groups of ranked(), the best first. The first two tiers have three groups each.
+constexpr int kOfTier = 3, kExpected = 2 * kOfTier, kUnexpected = kExpected + 1, kOther = kExpected + 2;
+
+int rankOf(const Hypothesis &hypothesis)
+{
+    const int tier = tierOf(hypothesis);
+    if (tier == 2)
+        return kOther;
+    if (hypothesis.isSolved())
+        return hypothesis.isExpected() ? kExpected : kUnexpected;
+    return kOfTier * tier + int(hypothesis.count);
+}
+
+/// True if solved values are fewer, fit better or are rounder. Equal ones stay in their order: the
+/// first are written with fewer digits.
+bool isBetterSolved(const Hypothesis &a, const Hypothesis &b)
+{
+    const auto keyOfSolved = [](const Hypothesis &each) {
+        const Variant &solved = *each.parts[0];
+        return std::tuple(solved.unknowns, tierOf(each), solved.coincidence, -reportsOf(each));
+    };
+    return keyOfSolved(a) < keyOfSolved(b);
+}
+
 bool isBetter(const Hypothesis &a, const Hypothesis &b)
 {
-    const int tierA = tierOf(a), tierB = tierOf(b);
-    if (tierA != tierB)
-        return tierA < tierB;
-    if (tierA < 2) {
-        if (a.count != b.count)
-            return a.count < b.count;
+    const int rank = rankOf(a), rankB = rankOf(b);
+    if (rank != rankB)
+        return rank < rankB;
+    if (a.isSolved() && b.isSolved())
+        return isBetterSolved(a, b);
+    if (tierOf(a) < 2) {
         if (const double reportsA = reportsOf(a), reportsB = reportsOf(b); reportsA != reportsB)
             return reportsA > reportsB;
     }
@@ -71,6 +97,14 @@ std::vector<VariantName> waysOf(const Hypothesis &hypothesis)
     return ways;
 }
 
+std::vector<SolvedValue> valuesOf(const Hypothesis &hypothesis)
+{
+    std::vector<SolvedValue> values;
+    for (std::size_t i = 0; i < hypothesis.count; ++i)
+        values.insert(values.end(), hypothesis.parts[i]->values.begin(), hypothesis.parts[i]->values.end());
+    return values;
+}
+
 std::vector<Hypothesis> ranked(std::span<const Hypothesis> all)
 {
     std::map<Key, const Hypothesis *> best;
@@ -81,8 +115,17 @@ std::vector<Hypothesis> ranked(std::span<const Hypothesis> all)
     }
     const auto explainsAsWell = [&](const Key &key, int tier) {
         const auto found = best.find(key);
-        return found != best.end() && tierOf(*found->second) < 2 && tierOf(*found->second) <= tier;
+        return found != best.end() && tierOf(*found->second) < 2 && tierOf(*found->second) <= tier
+               && rankOf(*found->second) != kUnexpected;
     };
+    const bool isFixedForm = std::any_of(all.begin(), all.end(), [](const Hypothesis &hypothesis) {
+        return hypothesis.count < 2 && !hypothesis.isSolved() && tierOf(hypothesis) < 2;
+    });
+    int fewestValues = std::numeric_limits<int>::max();
+    for (const Hypothesis &hypothesis : all) {
+        if (hypothesis.isSolved() && tierOf(hypothesis) < 2)
+            fewestValues = std::min(fewestValues, hypothesis.parts[0]->unknowns);
+    }
     std::vector<Hypothesis> result;
     for (const auto &[key, hypothesis] : best) {
         const int tier = tierOf(*hypothesis);
@@ -90,9 +133,13 @@ std::vector<Hypothesis> ranked(std::span<const Hypothesis> all)
             && (explainsAsWell({key[0], kNone}, tier) || explainsAsWell({key[1], kNone}, tier)
                 || explainsAsWell({kNone, kNone}, tier)))
             continue;
+        if (isFixedForm && rankOf(*hypothesis) == kUnexpected)
+            continue;
+        if (hypothesis->isSolved() && hypothesis->parts[0]->unknowns > fewestValues)
+            continue;
         result.push_back(*hypothesis);
     }
-    std::sort(result.begin(), result.end(), isBetter);
+    std::stable_sort(result.begin(), result.end(), isBetter);
     return result;
 }
 

@@ -12,17 +12,22 @@ namespace unprojector::doctor {
 std::string idOf(const Hypothesis &hypothesis);
 /// The variants of its mistakes that have several.
 std::vector<VariantName> waysOf(const Hypothesis &hypothesis);
+/// The values of its mistakes.
+std::vector<SolvedValue> valuesOf(const Hypothesis &hypothesis);
 
 /// Hypotheses ranked by how well they explain the points, the best first. Each pair of mistakes
 /// occurs once, with its best variant.
 ///
 /// The order is:
-/// - hypotheses that explain all digits as rounded,
-/// - hypotheses that explain all digits as truncated,
+/// - hypotheses of fixed form that explain all digits as rounded: no mistake, a mistake, a pair,
+/// - hypotheses of fixed form that explain all digits as truncated, in the same order,
+/// - mistakes with expected values, and then with other solved values,
 /// - the others by their distance.
 ///
-/// The first two groups are sorted by simplicity and then by the number of reports of such
-/// mistakes. A pair is omitted if one of its mistakes, or none at all, explains the points as well.
+/// Equal hypotheses are sorted by the number of reports of such mistakes, solved ones by roundness
+/// first. A pair is omitted if one of its mistakes, or none at all, explains the points as well.
+/// Solved values are omitted if fewer values explain the points; and ones that are not expected, if
+/// one mistake of fixed form, or none, does.
 std::vector<Hypothesis> ranked(std::span<const Hypothesis> hypotheses);
 
 /// The number of digits of a given coordinate, without leading zeros; at least 1.

@@ -1,5 +1,6 @@
 #include "core/doctor/remedies.h"
 
+#include "core/doctor/code_for_cameras.h"
 #include "core/doctor/code_for_pixels.h"
 #include "core/doctor/code_for_points.h"
 #include "core/text/translation.h"
@@ -135,7 +136,70 @@ constexpr Remedy kRemedies[] = {
      marked("z of the eye point has the wrong sign: an eye looks down -z."), kEyeZPositive},
     {"eye-xy-mirrored", marked("eye point mirrored"),
      marked("x and y of the eye point are mirrored: the formulas want z as a distance, above 0."), kEyeXyMirrored},
-    {"axes-swapped", marked("axes swapped"), marked("Axes are exchanged, as between y up and z up."), kAxesSwapped},
+    {"axes-differ", marked("other axes"),
+     marked("The axes are exchanged or reversed: the program's world has other axes than the scene's."), kAxesDiffer},
+    {"opencv-axes", marked("OpenCV's axes for OpenGL's"),
+     marked(
+         "The point in front of the camera has OpenCV's axes, x right, y down, z ahead. The matrix expects OpenGL's, "
+         "y up, z back; or the reverse."),
+     kOpenCvAxes},
+    {"translation-not-inverted", marked("translation not inverted"),
+     marked(
+         "Only the pose's rotation is inverted: t is taken for the eye, or the eye for t. The eye is -transpose(R) t."),
+     kTranslationNotInverted},
+    {"quaternion-order", marked("quaternion's order"),
+     marked("The quaternion's numbers are in another order: w comes first in one program and last in the other."),
+     kQuaternionOrder},
+    {"euler-order", marked("order of Euler angles"),
+     marked("The rotations about x, y and z are multiplied in another order."), kEulerOrder},
+    {"euler-degrees", marked("unit of Euler angles"),
+     marked("The camera's Euler angles are in degrees where radians are meant, or the reverse."), kEulerDegrees},
+    {"focal-lengths-swapped", marked("fx and fy exchanged"), marked("The focal lengths fx and fy are exchanged."),
+     kFocalLengthsSwapped},
+    {"centre-swapped", marked("cx and cy exchanged"), marked("The numbers cx and cy of the centre are exchanged."),
+     kCentreSwapped},
+    {"intrinsics-of-another-size", marked("K of another picture size"),
+     marked("The matrix K belongs to the picture in another size: fx, fy, cx and cy grow with the picture."),
+     kIntrinsicsOfAnotherSize},
+    {"half-pixel-twice", marked("half a pixel too much"),
+     marked("Half a pixel is added twice. Or the centre of K is (w - 1) / 2, which counts pixels from their centres."),
+     kHalfPixelTwice},
+    {"distortion-ignored", marked("distortion ignored"),
+     marked("The pixel's distortion is not undone before the ray is computed."), kDistortionIgnored},
+    {"distortion-added", marked("distortion applied again"),
+     marked("The distortion is applied to the pixel instead of being undone."), kDistortionAdded},
+    {"y-is-depth", marked("depth taken for y"),
+     marked("The depth is passed for y: the index of the coordinate is wrong."), kYIsDepth},
+    {"pixel-in-size-minus-one", marked("size minus 1"),
+     marked(
+         "The pixel is divided by the width minus 1, as linspace(-1, 1, W) does: -1 and 1 are the edges of the first "
+         "and last pixel, not their centres."),
+     kPixelInSizeMinusOne},
+    {"focal-length-not-in-pixels", marked("focal length not in pixels"),
+     marked("An entry of the projection matrix is taken for the focal length in pixels."), kFocalLengthNotInPixels},
+    {"fovy-differs", marked("another field of view"), marked("The field of view is not that of the view."),
+     kFovyDiffers},
+    {"pixel-shifted", marked("pixel shifted"),
+     marked("The pixel is shifted: it is counted from another corner, as that of the screen or of the window's frame."),
+     kPixelShifted},
+    {"viewport-size-differs", marked("another viewport size"), marked("The viewport's size is not that of the view."),
+     kViewportSizeDiffers},
+    {"ratio-differs", marked("another pixel ratio"),
+     marked("The pixel and the viewport are in different pixels: one of them is scaled by a pixel ratio."),
+     kRatioDiffers},
+    {"scaled", marked("scaled"),
+     marked("The result is scaled: another unit of length, or depths in another unit than the scene."), kScaled},
+    {"depth-scaled", marked("depth scaled"),
+     marked("The depth is multiplied by a factor: it was read in another format."), kDepthScaled},
+    {"near-far-differ", marked("other near and far planes"),
+     marked("The near and the far plane are not those of the view."), kNearFarDiffer},
+    {"principal-point-differs", marked("another centre of K"),
+     marked("The centre cx, cy of K, which is the principal point, is not that of the view."), kPrincipalPointDiffers},
+    {"focal-lengths-differ", marked("other focal lengths"),
+     marked("The focal lengths fx, fy of K are not those of the view."), kFocalLengthsDiffer},
+    {"frame-differs", marked("another frame"),
+     marked("The points are in another frame: it is turned, moved or scaled against the scene's world."),
+     kFrameDiffers},
 };
 
 } // namespace

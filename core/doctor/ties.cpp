@@ -71,7 +71,9 @@ Alike alikeOf(const Given &given, std::span<const Target> points, const Hypothes
     if (std::any_of(points.begin(), points.end(), [](const Target &target) { return target.isLine; }))
         return Alike::No;
     const double allowed = best.worst <= kRounded ? kRounded : kCutOff;
-    return other.count == best.count && other.worst <= allowed ? Alike::InDigits : Alike::No;
+    const bool isAsSimple =
+        other.count == best.count && other.isSolved() == best.isSolved() && other.isExpected() == best.isExpected();
+    return isAsSimple && other.worst <= allowed ? Alike::InDigits : Alike::No;
 }
 
 bool isRestated(const Given &given, std::span<const Target> points, const Hypothesis &best, const Hypothesis &pair)

@@ -19,6 +19,11 @@ public:
     void add(std::string_view id, Stage stage, Apply apply, double parameter = 0.0, VariantName name = {});
     /// Adds a variant with another size of the window; its parameters are width and height.
     void add(std::string_view id, Stage stage, Apply apply, const geometry::Surface &size, VariantName name = {});
+    /// Adds a variant with its values; sets its mistake.
+    void add(std::string_view id, Variant variant);
+    /// Adds a variant that is not tried in pairs.
+    void addAlone(std::string_view id, Stage stage, Apply apply, VariantName name, double parameter = 0.0,
+                  double second = 0.0);
     /// Adds a variant with a model's matrix.
     void add(std::string_view id, Apply apply, const PlacedModel &model);
 
@@ -34,6 +39,7 @@ void addPixelMistakes(VariantList &list, const Given &given, const std::optional
 void addDepthMistakes(VariantList &list, const Given &given);
 void addLensMistakes(VariantList &list, const Given &given, const std::optional<geometry::Surface> &otherSize);
 void addMatrixMistakes(VariantList &list);
+void addCameraMistakes(VariantList &list, const Given &given, const std::optional<geometry::Surface> &otherSize);
 void addPointMistakes(VariantList &list, std::span<const PlacedModel> models);
 
 } // namespace unprojector::doctor

@@ -482,7 +482,8 @@ void TestDoctor::everyMistakeHasItsIdOnce()
             made.push_back(variant.mistake);
     }
     for (std::size_t i = 0; i < mistakes().size(); ++i)
-        QVERIFY2(std::find(made.begin(), made.end(), i) != made.end(), mistakes()[i].id.data());
+        QVERIFY2(mistakes()[i].isOnlySolved || std::find(made.begin(), made.end(), i) != made.end(),
+                 mistakes()[i].id.data());
 }
 
 namespace {

@@ -114,6 +114,97 @@ double trueDistance(Program &p)
 
 const double kNoNumber = std::nan("");
 
+/// A rotation by rows.
+using Turn = std::array<std::array<double, 3>, 3>;
+
+Turn operator*(const Turn &a, const Turn &b)
+{
+    Turn product{};
+    for (std::size_t row = 0; row < 3; ++row) {
+        for (std::size_t column = 0; column < 3; ++column) {
+            for (std::size_t k = 0; k < 3; ++k)
+                product[row][column] += a[row][k] * b[k][column];
+        }
+    }
+    return product;
+}
+
+Turn transposed(const Turn &m)
+{
+    return {{{m[0][0], m[1][0], m[2][0]}, {m[0][1], m[1][1], m[2][1]}, {m[0][2], m[1][2], m[2][2]}}};
+}
+
+Turn turnOf(const dmat4 &view)
+{
+    return {{{view[0][0], view[1][0], view[2][0]},
+             {view[0][1], view[1][1], view[2][1]},
+             {view[0][2], view[1][2], view[2][2]}}};
+}
+
+dvec3 turned(const Turn &m, const dvec3 &p)
+{
+    return {m[0][0] * p.x + m[0][1] * p.y + m[0][2] * p.z, m[1][0] * p.x + m[1][1] * p.y + m[1][2] * p.z,
+            m[2][0] * p.x + m[2][1] * p.y + m[2][2] * p.z};
+}
+
+dmat4 poseOf(const Turn &m, const dvec3 &moved)
+{
+    return {dvec4(m[0][0], m[1][0], m[2][0], 0.0), dvec4(m[0][1], m[1][1], m[2][1], 0.0),
+            dvec4(m[0][2], m[1][2], m[2][2], 0.0), dvec4(moved, 1.0)};
+}
+
+/// Turns the view about the eye.
+void setCamera(Program &p, const Turn &view)
+{
+    p.view = poseOf(view, -turned(view, p.scene.eye));
+}
+
+/// A rotation about x, y or z: 0, 1, 2.
+Turn about(std::size_t axis, double angle)
+{
+    const std::size_t b = (axis + 1) % 3, c = (axis + 2) % 3;
+    Turn m{};
+    m[axis][axis] = 1.0;
+    m[b][b] = m[c][c] = std::cos(angle);
+    m[c][b] = std::sin(angle);
+    m[b][c] = -std::sin(angle);
+    return m;
+}
+
+/// The angles whose product Rx Ry Rz is the rotation; Rz Ry Rx; Ry Rx Rz.
+dvec3 anglesOfXyz(const Turn &m)
+{
+    return {std::atan2(-m[1][2], m[2][2]), std::asin(m[0][2]), std::atan2(-m[0][1], m[0][0])};
+}
+
+dvec3 anglesOfZyx(const Turn &m)
+{
+    return {std::atan2(m[2][1], m[2][2]), std::asin(-m[2][0]), std::atan2(m[1][0], m[0][0])};
+}
+
+dvec3 anglesOfYxz(const Turn &m)
+{
+    return {std::asin(-m[1][2]), std::atan2(m[0][2], m[2][2]), std::atan2(m[1][0], m[1][1])};
+}
+
+/// w, x, y, z, by the axis and the angle.
+std::array<double, 4> quaternionOf(const Turn &m)
+{
+    const double trace = m[0][0] + m[1][1] + m[2][2], w = std::sqrt(std::max(0.0, 1.0 + trace)) / 2.0;
+    const auto part = [&m, trace](std::size_t i) {
+        return std::sqrt(std::max(0.0, 1.0 + 2.0 * m[i][i] - trace)) / 2.0;
+    };
+    return {w, std::copysign(part(0), m[2][1] - m[1][2]), std::copysign(part(1), m[0][2] - m[2][0]),
+            std::copysign(part(2), m[1][0] - m[0][1])};
+}
+
+Turn turnBy(double w, double x, double y, double z)
+{
+    return {{{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
+             {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
+             {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}}};
+}
+
 /// Only a perspective can have the mistake.
 void inPerspective(Program &p)
 {
@@ -282,7 +373,98 @@ const std::vector<Wrong> &wrongs()
              p.divide(v);
          }},
         {"view-left-out", 1, Step::Matrices, [](Program &p, int) { p.view = dmat4(1.0); }},
+        // The camera of a vision program: its axes, its pose, its K
+        {"opencv-axes", 1, Step::Unproject,
+         [](Program &p, int) {
+             // The point by K, in the camera's axes of OpenCV, through OpenGL's pose
+             const dvec3 eye = p.eyePoint();
+             p.fromEye({eye.x, -eye.y, -eye.z});
+         }},
+        // R^T p + t; or a view with R^T and the camera's position
+        {"translation-not-inverted", 2, Step::Matrices,
+         [](Program &p, int variant) {
+             const Turn r = turnOf(p.view);
+             const dvec3 t(p.view[3]);
+             p.view = variant == 0 ? glm::inverse(poseOf(transposed(r), t)) : poseOf(r, p.scene.eye);
+         }},
+        // COLMAP's w x y z of OpenCV's view read as x y z w, and the reverse; the same of a camera's pose
+        // in OpenGL's axes
+        {"quaternion-order", 4, Step::Matrices,
+         [](Program &p, int variant) {
+             const bool isView = variant < 2;
+             Turn r = turnOf(p.view);
+             if (isView) {
+                 for (int i = 0; i < 3; ++i) {
+                     r[1][i] = -r[1][i];
+                     r[2][i] = -r[2][i];
+                 }
+             } else {
+                 r = transposed(r);
+             }
+             const std::array<double, 4> q = quaternionOf(r); // w x y z
+             const bool isScalarFirst = variant % 2 == 0;
+             Turn wrong = isScalarFirst ? turnBy(q[3], q[0], q[1], q[2]) : turnBy(q[1], q[2], q[3], q[0]);
+             if (!isView)
+                 return setCamera(p, transposed(wrong));
+             for (int i = 0; i < 3; ++i) {
+                 wrong[1][i] = -wrong[1][i];
+                 wrong[2][i] = -wrong[2][i];
+             }
+             p.view = poseOf(wrong, dvec3(p.view[3]));
+         }},
+        // Angles of Rx Ry Rz multiplied as Rz Ry Rx; of Rz Ry Rx as Rx Ry Rz; of Ry Rx Rz as Rz Ry Rx
+        {"euler-order", 3, Step::Matrices,
+         [](Program &p, int variant) {
+             const Turn r = transposed(turnOf(p.view));
+             if (variant == 0) {
+                 const dvec3 a = anglesOfXyz(r);
+                 setCamera(p, transposed(about(2, a.z) * about(1, a.y) * about(0, a.x)));
+             } else if (variant == 1) {
+                 const dvec3 a = anglesOfZyx(r);
+                 setCamera(p, transposed(about(0, a.x) * about(1, a.y) * about(2, a.z)));
+             } else {
+                 const dvec3 a = anglesOfYxz(r);
+                 setCamera(p, transposed(about(2, a.z) * about(1, a.y) * about(0, a.x)));
+             }
+         }},
+        {"euler-degrees", 2, Step::Matrices,
+         [](Program &p, int variant) {
+             const double factor = variant == 0 ? 180.0 / std::numbers::pi : std::numbers::pi / 180.0;
+             const dvec3 a = factor * anglesOfZyx(transposed(turnOf(p.view)));
+             setCamera(p, transposed(about(2, a.z) * about(1, a.y) * about(0, a.x)));
+         }},
+        // x = (u - cx) / fx z, with u from the picture's left edge: cx and cy exchanged
+        {"centre-swapped", 1, Step::Unproject,
+         [](Program &p, int) {
+             const double w = p.viewport.z, h = p.viewport.w, focal = h / 2.0 / p.halfHeight, z = p.distance();
+             const double u = p.window.x - p.viewport.x, v = p.viewport.y + h - p.window.y;
+             p.fromEye({(u - h / 2.0) / focal * z, -(v - w / 2.0) / focal * z, -z});
+             inPerspective(p);
+         }},
+        // K of half and of twice the size of the viewport's picture
+        {"intrinsics-of-another-size", 2, Step::Unproject,
+         [](Program &p, int variant) {
+             const double s = variant == 0 ? 0.5 : 2.0, w = p.viewport.z, h = p.viewport.w;
+             const double focal = s * h / 2.0 / p.halfHeight, z = p.distance();
+             const double u = p.window.x - p.viewport.x, v = p.viewport.y + h - p.window.y;
+             p.fromEye({(u - s * w / 2.0) / focal * z, -(v - s * h / 2.0) / focal * z, -z});
+             inPerspective(p);
+         }},
+        // The half added to a position that has it; to the row that counts from the bottom
+        {"half-pixel-twice", 2, Step::Window,
+         [](Program &p, int variant) {
+             p.window.x += 0.5;
+             p.window.y += variant == 0 ? -0.5 : 0.5;
+         }},
         // The point
+        {"axes-differ", 4, Step::Point,
+         [](Program &p, int variant) {
+             const dvec3 w = p.world;
+             p.world = variant == 0   ? dvec3(w.x, -w.z, w.y)
+                       : variant == 1 ? dvec3(w.x, w.z, -w.y)
+                       : variant == 2 ? dvec3(-w.y, w.z, w.x)
+                                      : dvec3(w.x, w.y, -w.z);
+         }},
         {"model-left-in", 1, Step::Point,
          [](Program &p, int) { p.world = dvec3(glm::inverse(p.scene.worldFromObject) * dvec4(p.world, 1.0)); }},
         {"model-left-out", 1, Step::Point,

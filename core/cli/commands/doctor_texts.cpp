@@ -30,6 +30,19 @@ Json jsonOf(const glm::dvec3 &v)
     return Json::array({jsonNumber(v.x), jsonNumber(v.y), jsonNumber(v.z)});
 }
 
+/// One number, an array of several, or a word under each name.
+Json jsonOf(const std::vector<SolvedValue> &values)
+{
+    Json json = Json::object();
+    for (const SolvedValue &value : values) {
+        Json numbers = Json::array();
+        for (const double number : value.numbers)
+            numbers.push_back(jsonNumber(number));
+        json[value.name] = !value.word.empty() ? Json(value.word) : numbers.size() == 1 ? numbers.front() : numbers;
+    }
+    return json;
+}
+
 std::string_view errorKindName(ErrorKind kind)
 {
     switch (kind) {
@@ -189,6 +202,8 @@ std::string doctorJson(const Diagnosis &diagnosis)
                  {"distance", jsonNumber(candidate.distance)},
                  {"digits", candidate.digits},
                  {"explains", candidate.explains}};
+        if (!candidate.values.empty())
+            one["values"] = jsonOf(candidate.values);
         if (!candidate.ways.empty())
             one["variant"] = waysText(candidate.ways);
         if (candidate.alike != Alike::No)

@@ -1,0 +1,102 @@
+#include "core/doctor/lens_changes.h"
+
+#include "core/doctor/written_value.h"
+#include "core/text/translation.h"
+
+#include <cmath>
+
+namespace unprojector::doctor {
+using text::marked;
+
+double tangentOf(const Run &run)
+{
+    return 1.0 / run.clipFromEye[1][1];
+}
+
+double verticalFov(const Run &run)
+{
+    return 2.0 * std::atan(tangentOf(run));
+}
+
+double aspectOf(const Run &run)
+{
+    return run.clipFromEye[1][1] / run.clipFromEye[0][0];
+}
+
+void widen(Run &run, double factor)
+{
+    run.clipFromEye[0][0] /= factor;
+    run.clipFromEye[1][1] /= factor;
+}
+
+void setTangent(Run &run, double tangent)
+{
+    widen(run, tangent / tangentOf(run));
+}
+
+void setAspect(Run &run, double aspect)
+{
+    run.isLost = run.isLost || aspect == 0.0;
+    run.clipFromEye[0][0] = run.clipFromEye[1][1] / aspect;
+}
+
+/// Sets the depth entries of the projection matrix for other clip distances; both planes keep their
+/// NDC depths.
+void setClipDistances(Run &run, double nearDistance, double farDistance)
+{
+    glm::dmat4 &m = run.clipFromEye;
+    const double z0 = run.given.side * nearDistance, z1 = run.given.side * farDistance;
+    const double old0 = run.given.side * run.nearDistance, old1 = run.given.side * run.farDistance;
+    run.nearDistance = nearDistance;
+    run.farDistance = farDistance;
+    if (!(nearDistance < farDistance)) {
+        run.isLost = true;
+        return;
+    }
+    if (run.given.isPerspective) {
+        const double w = m[2][3];
+        const double atNear = m[2][2] + m[3][2] / old0, atFar = m[2][2] + m[3][2] / old1; // w z_n
+        m[3][2] = (atNear - atFar) / (1.0 / z0 - 1.0 / z1);
+        m[2][2] = atNear - m[3][2] / z0;
+        run.isLost = run.isLost || w == 0.0;
+    } else {
+        const double atNear = m[2][2] * old0 + m[3][2], atFar = m[2][2] * old1 + m[3][2];
+        m[2][2] = (atNear - atFar) / (z0 - z1);
+        m[3][2] = atNear - m[2][2] * z0;
+    }
+}
+
+Variant withOtherNear(const Given &given, double nearDistance)
+{
+    Variant variant;
+    variant.stage = Stage::Lens;
+    variant.apply = [](Run &run, const Variant &v) { setClipDistances(run, v.parameter, run.farDistance); };
+    variant.parameter = nearDistance;
+    variant.name = {marked("near is %1, the scene has %2"), valueText(nearDistance), valueText(given.nearDistance)};
+    variant.values = {{"near", {nearDistance}, {}}};
+    return variant;
+}
+
+Variant withOtherNearOfFrustum(const Given &given, double nearDistance)
+{
+    Variant variant = withOtherNear(given, nearDistance);
+    variant.apply = [](Run &run, const Variant &v) {
+        widen(run, run.nearDistance / v.parameter);
+        setClipDistances(run, v.parameter, run.farDistance);
+    };
+    variant.name.words = marked("near is %1, the scene has %2; the window of glFrustum is as it was");
+    return variant;
+}
+
+Variant withOtherFar(const Given &given, double farDistance)
+{
+    Variant variant;
+    variant.stage = Stage::Lens;
+    variant.apply = [](Run &run, const Variant &v) { setClipDistances(run, run.nearDistance, v.parameter); };
+    variant.parameter = farDistance;
+    variant.name = {marked("far is %1, the scene has %2"), valueText(farDistance), valueText(given.farDistance)};
+    variant.values = {{"far", {farDistance}, {}}};
+    return variant;
+}
+
+} // namespace unprojector::doctor

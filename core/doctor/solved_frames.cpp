@@ -1,0 +1,198 @@
+#include "core/doctor/frame_fit.h"
+#include "core/doctor/solved_mistakes.h"
+#include "core/text/number_text.h"
+#include "core/text/translation.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Another frame of the program's points: turned, moved, scaled, or with other axes.
+namespace unprojector::doctor {
+using text::marked;
+namespace {
+
+/// The right points and the program's.
+struct Points {
+    std::vector<glm::dvec3> right, got;
+    glm::dvec3 lastDigit{0.0}; ///< the greatest of all points
+};
+
+std::optional<Points> pointsOf(const Given &given, std::span<const Target> targets)
+{
+    Points points;
+    for (const Target &target : targets) {
+        const std::optional<glm::dvec3> right = answer(given, middleOf(given, target), {});
+        if (!right)
+            return std::nullopt;
+        points.right.push_back(*right);
+        points.got.push_back(target.got);
+        points.lastDigit = glm::max(points.lastDigit, target.lastDigit);
+    }
+    return points;
+}
+
+/// A frame, and the number of its values that were solved for.
+struct Solved {
+    FrameFit frame;
+    int unknowns = 0;
+};
+
+bool explains(const FrameFit &frame, const Points &points, double most)
+{
+    for (std::size_t i = 0; i < points.right.size(); ++i) {
+        const glm::dvec3 off = glm::abs(frame.mapped(points.right[i]) - points.got[i]) / points.lastDigit;
+        if (!(std::max({off.x, off.y, off.z}) <= most))
+            return false;
+    }
+    return true;
+}
+
+/// The roundest number that leaves the points explained as well.
+void roundOff(double &value, const FrameFit &frame, const Points &points)
+{
+    const double exact = value;
+    if (exact == 0.0)
+        return;
+    const int first = int(std::floor(std::log10(std::abs(exact)))) + 1;
+    for (int exponent = first; exponent > first - 12; --exponent) {
+        const double scale = std::pow(10.0, -exponent);
+        value = std::round(exact * scale) / scale;
+        if (explains(frame, points, kRounded))
+            return;
+    }
+    value = exact;
+}
+
+/// The frames whose axes are the right ones in another order, or reversed.
+void addPermutations(std::vector<Solved> &all, const Points &points)
+{
+    const double count = double(points.right.size());
+    glm::dvec3 from(0.0), to(0.0);
+    for (std::size_t i = 0; i < points.right.size(); ++i) {
+        from += points.right[i] / count;
+        to += points.got[i] / count;
+    }
+    for (const AxisPermutation &permutation : axisPermutations()) {
+        const auto scaleAbout = [&](const glm::dvec3 &a, const glm::dvec3 &b) {
+            double squares = 0.0, products = 0.0;
+            for (std::size_t i = 0; i < points.right.size(); ++i) {
+                squares += glm::dot(points.right[i] - a, points.right[i] - a);
+                products += glm::dot(permutation.matrix * (points.right[i] - a), points.got[i] - b);
+            }
+            return products / squares;
+        };
+        const auto offer = [&](double scale, bool isMoved, int unknowns) {
+            FrameFit frame{permutation.matrix};
+            frame.scale = scale;
+            if (isMoved)
+                frame.translation = to - scale * (permutation.matrix * from);
+            frame.isHandednessKnown = true;
+            if (scale > 0.0 && explains(frame, points, kCutOff))
+                all.push_back({frame, unknowns});
+        };
+        const bool isIdentity = &permutation == &axisPermutations().front();
+        if (!isIdentity) // a factor alone is "scaled"
+            offer(scaleAbout(glm::dvec3(0.0), glm::dvec3(0.0)), false, 1);
+        offer(1.0, true, 3);
+        offer(scaleAbout(from, to), true, 4);
+    }
+}
+
+std::string textOf(const glm::dvec3 &v)
+{
+    return valueText(v.x) + ", " + valueText(v.y) + ", " + valueText(v.z);
+}
+
+/// The angle of a rotation, or of the rotation that follows a reflection through the origin, degrees.
+double angleOf(const FrameFit &frame)
+{
+    const glm::dmat3 turn = frame.isMirrored() ? -frame.rotation : frame.rotation;
+    const double cosine = (turn[0][0] + turn[1][1] + turn[2][2] - 1.0) / 2.0;
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi;
+}
+
+VariantName nameOf(const FrameFit &frame, const AxisPermutation *permutation)
+{
+    const std::string scale = valueText(frame.scale), moved = textOf(frame.translation);
+    const bool isMoved = frame.translation != glm::dvec3(0.0);
+    if (permutation && permutation != &axisPermutations().front()) {
+        if (!isMoved)
+            return {marked("%1, scaled by %2"), permutation->axes, scale};
+        return frame.scale == 1.0
+                   ? VariantName(marked("%1, then moved by %2"), permutation->axes, moved)
+                   : VariantName(marked("%1, then scaled by %2"), permutation->axes, scale + "; " + moved);
+    }
+    if (permutation)
+        return frame.scale == 1.0 ? VariantName(marked("moved by %1"), moved)
+                                  : VariantName(marked("scaled by %1, then moved by %2"), scale, moved);
+    const std::string angle = text::significantText(angleOf(frame), 4);
+    if (!frame.isHandednessKnown)
+        return {
+            marked("turned by %1 degrees, scaled by %2; the points lie in a plane, so that a mirror image fits too"),
+            angle, scale};
+    return frame.isMirrored() ? VariantName(marked("mirrored, turned by %1 degrees, scaled by %2"), angle, scale)
+                              : VariantName(marked("turned by %1 degrees, scaled by %2"), angle, scale);
+}
+
+void add(VariantList &list, const Solved &solved, const Points &points)
+{
+    FrameFit frame = solved.frame;
+    roundOff(frame.scale, frame, points);
+    for (int axis = 0; axis < 3; ++axis)
+        roundOff(frame.translation[axis], frame, points);
+    const AxisPermutation *permutation = axisPermutationOf(frame.rotation, 0.0);
+    const bool isOtherAxes = permutation && permutation != &axisPermutations().front();
+    Variant variant;
+    variant.stage = Stage::Point;
+    variant.apply = [](Run &run, const Variant &v) { run.point = glm::dvec3(v.matrix * glm::dvec4(run.point, 1.0)); };
+    variant.matrix = glm::dmat4(frame.scale * frame.rotation);
+    variant.matrix[3] = glm::dvec4(frame.translation, 1.0);
+    variant.name = nameOf(frame, permutation);
+    const SolvedValue moved{"translation", {frame.translation.x, frame.translation.y, frame.translation.z}, {}};
+    const SolvedValue scaled{"scale", {frame.scale}, {}};
+    if (isOtherAxes) {
+        variant.values = {{"axes", {}, permutation->axes}};
+        if (solved.unknowns != 3)
+            variant.values.push_back(scaled);
+        if (solved.unknowns > 1)
+            variant.values.push_back(moved);
+    } else {
+        SolvedValue rotation{"rotation", {}, {}};
+        for (int row = 0; row < 3; ++row) {
+            for (int column = 0; column < 3; ++column)
+                rotation.numbers.push_back(frame.rotation[column][row]);
+        }
+        variant.values = {rotation, moved, scaled};
+    }
+    variant.unknowns = solved.unknowns;
+    list.add(isOtherAxes ? "axes-differ" : "frame-differs", std::move(variant));
+}
+
+} // namespace
+
+void addSolvedFrames(VariantList &list, const Given &given, std::span<const Target> targets)
+{
+    const std::optional<Points> points = pointsOf(given, targets);
+    if (!points || extentOf(points->right) == Extent::Point)
+        return;
+    std::vector<Solved> all;
+    addPermutations(all, *points);
+    if (all.empty()) {
+        for (const bool hasScale : {false, true}) {
+            if (const auto frame = fittedFrame(points->right, points->got, hasScale))
+                all.push_back({*frame, hasScale ? 7 : 6});
+        }
+    }
+    for (const Solved &solved : all)
+        add(list, solved, *points);
+}
+
+} // namespace unprojector::doctor

@@ -1,0 +1,379 @@
+#include "core/doctor/lens_changes.h"
+#include "core/doctor/solved_mistakes.h"
+#include "core/geometry/angle.h"
+#include "core/text/number_text.h"
+#include "core/text/translation.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace unprojector::doctor {
+using namespace geometry;
+using text::marked;
+namespace {
+
+bool isAhead(double distance)
+{
+    return std::isfinite(distance) && distance > 0.0;
+}
+
+/// Another far plane: 1/z is linear in the depth in a perspective, z in a box.
+void addFar(VariantList &list, const Given &given, std::span<const Target> points)
+{
+    const double n = given.nearDistance;
+    const std::optional<Solution> solved =
+        solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
+            const double share = shareFromNear(given, click), z = given.side * eyeFromGot(given, click, got).z;
+            if (share == 0.0)
+                return std::nullopt;
+            return given.isPerspective ? share / (1.0 / z - (1.0 - share) / n) : n + (z - n) / share;
+        });
+    if (!solved || !(solved->value > n))
+        return;
+    const std::array known{given.nearDistance, given.farDistance};
+    addSolved(list, "far-differs", {&*solved, 1}, known,
+              [&](std::span<const double> values) { return withOtherFar(given, values[0]); });
+}
+
+void addNear(VariantList &list, const Given &given, std::span<const Target> points)
+{
+    const double f = given.farDistance;
+    const std::optional<Solution> solved =
+        solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
+            const double share = shareFromNear(given, click), z = given.side * eyeFromGot(given, click, got).z;
+            if (share == 1.0)
+                return std::nullopt;
+            return given.isPerspective ? (1.0 - share) / (1.0 / z - share / f) : (z - share * f) / (1.0 - share);
+        });
+    const std::array known{given.nearDistance, given.farDistance};
+    if (!solved || !(solved->value < f) || (given.isPerspective && !isAhead(solved->value)))
+        return;
+    addSolved(list, "near-differs", {&*solved, 1}, known,
+              [&](std::span<const double> values) { return withOtherNear(given, values[0]); });
+    if (given.isFrustum)
+        addSolved(list, "near-differs", {&*solved, 1}, known,
+                  [&](std::span<const double> values) { return withOtherNearOfFrustum(given, values[0]); });
+}
+
+/// Another vertical angle: both axes are widened by the same factor.
+void addFovy(VariantList &list, const Given &given, std::span<const Target> points)
+{
+    const double tangent = std::abs(1.0 / given.clipFromEye[1][1]);
+    const auto tangentsOf = [&](const glm::dvec3 &eye) { return glm::dvec2(eye) / (given.side * eye.z); };
+    const std::optional<Solution> solved =
+        solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
+            const glm::dvec2 right = tangentsOf(click.eye), wrong = tangentsOf(eyeFromGot(given, click, got));
+            if (glm::length(right) < 1e-9)
+                return std::nullopt;
+            return degreesFromRadians(2.0 * std::atan(tangent * glm::dot(right, wrong) / glm::dot(right, right)));
+        });
+    if (!solved || !(solved->value > 0.0))
+        return;
+    const double fovy = degreesFromRadians(2.0 * std::atan(tangent));
+    const double fovx = degreesFromRadians(2.0 * std::atan(std::abs(1.0 / given.clipFromEye[0][0])));
+    const std::array known{fovx, fovy / 2.0, fovx / 2.0};
+    addSolved(list, "fovy-differs", {&*solved, 1}, known, [&](std::span<const double> values) {
+        Variant variant;
+        variant.stage = Stage::Lens;
+        variant.apply = [](Run &run, const Variant &v) {
+            setTangent(run, std::copysign(std::tan(radiansFromDegrees(v.parameter) / 2.0), run.clipFromEye[1][1]));
+        };
+        variant.parameter = values[0];
+        variant.name = {marked("fovy is %1 degrees, the scene has %2"), valueText(values[0]),
+                        text::significantText(fovy, 6)};
+        variant.values = {{"fovy", {values[0]}, {}}};
+        return variant;
+    });
+}
+
+/// A position in the window that is off by the same number of pixels at every click.
+void addShift(VariantList &list, const Given &given, std::span<const Target> points)
+{
+    std::array<Solution, 2> shift;
+    for (int axis = 0; axis < 2; ++axis) {
+        const std::optional<Solution> solved =
+            solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
+                const std::optional<glm::dvec3> there = projected(given, click, got);
+                return there ? std::optional((*there)[axis] - click.pixel.coordinates()[axis]) : std::nullopt;
+            });
+        if (!solved)
+            return;
+        shift[std::size_t(axis)] = {solved->value, solved->unsure, 0.0};
+    }
+    addSolved(list, "pixel-shifted", shift, {}, [](std::span<const double> values) {
+        Variant variant;
+        variant.stage = Stage::Pixel;
+        variant.apply = [](Run &run, const Variant &v) { run.position += glm::dvec2(v.parameter, v.second); };
+        variant.parameter = values[0];
+        variant.second = values[1];
+        variant.name = {marked("%1 to the right, %2 down"), valueText(values[0]), valueText(values[1])};
+        variant.values = {{"dx", {values[0]}, {}}, {"dy", {values[1]}, {}}};
+        return variant;
+    });
+}
+
+/// The program's use of a viewport's wrong size.
+struct UseOfSize {
+    bool isFlip = false;   ///< its height flips y
+    bool isAspect = false; ///< its aspect is the projection's
+};
+
+/// The number of uses that are tried.
+constexpr int kUsesOfSize = 4;
+
+void useSize(Run &run, const Variant &v, const UseOfSize &use)
+{
+    run.viewport.width = v.parameter;
+    run.viewport.height = v.second;
+    if (use.isFlip && run.isFlipped)
+        run.window.y += v.second - run.flipHeight;
+    if (use.isAspect)
+        setAspect(run, v.parameter / v.second);
+}
+
+/// A viewport of another size, its origin the scene's.
+void addViewportSize(VariantList &list, const Given &given, std::span<const Target> points,
+                     std::span<const double> known, const UseOfSize &use, VariantList::Apply apply, const char *words)
+{
+    const Viewport &v = given.viewport;
+    const auto ndcOf = [&](const Click &click, const glm::dvec3 &got) -> std::optional<glm::dvec2> {
+        const std::optional<glm::dvec3> there = projected(given, click, got);
+        if (!there)
+            return std::nullopt;
+        const glm::dvec2 window(there->x, flippedY(given.surface, there->y));
+        return glm::dvec2(2.0 * (window.x - v.x) / v.width - 1.0, 2.0 * (window.y - v.y) / v.height - 1.0);
+    };
+    const auto heightOf = [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
+        const std::optional<glm::dvec2> ndc = ndcOf(click, got);
+        if (!ndc)
+            return std::nullopt;
+        return use.isFlip ? 2.0 * (click.pixel.y + v.y) / (1.0 - ndc->y)
+                          : 2.0 * (flippedY(given.surface, click.pixel.y) - v.y) / (ndc->y + 1.0);
+    };
+    const double aspect = given.clipFromEye[1][1] / given.clipFromEye[0][0];
+    const auto widthOf = [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
+        const std::optional<glm::dvec2> ndc = ndcOf(click, got);
+        const std::optional<double> height = use.isAspect ? heightOf(click, got) : 0.0;
+        if (!ndc || !height)
+            return std::nullopt;
+        const double fromLeft = 2.0 * (click.pixel.x - v.x);
+        return use.isAspect ? fromLeft - ndc->x * aspect * *height : fromLeft / (ndc->x + 1.0);
+    };
+    const std::optional<Solution> width = solvedFrom(given, points, widthOf),
+                                  height = solvedFrom(given, points, heightOf);
+    if (!width || !height || !(width->value > 0.0) || !(height->value > 0.0))
+        return;
+    const std::array size{Solution{width->value, width->unsure, v.width},
+                          Solution{height->value, height->unsure, v.height}};
+    addSolved(
+        list, "viewport-size-differs", size, known,
+        [&](std::span<const double> values) {
+            Variant variant;
+            variant.stage = Stage::Lens;
+            variant.apply = apply;
+            variant.parameter = values[0];
+            variant.second = values[1];
+            variant.name = {words, valueText(values[0]), valueText(values[1])};
+            variant.values = {{"width", {values[0]}, {}}, {"height", {values[1]}, {}}};
+            return variant;
+        },
+        kUsesOfSize);
+}
+
+/// Usual sizes of windows and images, and the scene's.
+std::vector<double> usualSizes(const Given &given, const Case &scene)
+{
+    std::vector<double> sizes{640, 480, 800, 600, 1024, 768, 1280, 720, 1366, 1920, 1080, 512, 256};
+    for (const double ratio : {1.0, given.surface.devicePixelRatio}) {
+        for (const double size : {double(given.surface.widthPixels), double(given.surface.heightPixels),
+                                  given.viewport.width, given.viewport.height})
+            sizes.push_back(size / ratio);
+    }
+    if (scene.otherSize) {
+        sizes.push_back(scene.otherSize->widthPixels);
+        sizes.push_back(scene.otherSize->heightPixels);
+    }
+    return sizes;
+}
+
+void addViewportSizes(VariantList &list, const Given &given, const Case &scene, std::span<const Target> points)
+{
+    const std::vector<double> known = usualSizes(given, scene);
+    addViewportSize(
+        list, given, points, known, {}, [](Run &run, const Variant &v) { useSize(run, v, {}); },
+        marked("%1 x %2 pixels"));
+    addViewportSize(
+        list, given, points, known, {true, false},
+        [](Run &run, const Variant &v) {
+            useSize(run, v, {true, false});
+        },
+        marked("%1 x %2 pixels, y flipped with this height"));
+    // The entries of a projection's centre belong to its own aspect.
+    if (given.clipFromEye[2][0] != 0.0 || given.clipFromEye[3][0] != 0.0)
+        return;
+    addViewportSize(
+        list, given, points, known, {false, true},
+        [](Run &run, const Variant &v) {
+            useSize(run, v, {false, true});
+        },
+        marked("%1 x %2 pixels, with their aspect"));
+    addViewportSize(
+        list, given, points, known, {true, true},
+        [](Run &run, const Variant &v) {
+            useSize(run, v, {true, true});
+        },
+        marked("%1 x %2 pixels, with their aspect, y flipped with this height"));
+}
+
+/// A pixel ratio: the position is scaled from the window's top-left or bottom-left corner.
+void addRatio(VariantList &list, const Given &given, const Case &scene, std::span<const Target> points, bool isFromTop)
+{
+    const auto fromCorner = [&](double x, double y) {
+        return glm::dvec2(x, isFromTop ? y : flippedY(given.surface, y));
+    };
+    const std::optional<Solution> solved =
+        solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
+            const std::optional<glm::dvec3> there = projected(given, click, got);
+            const glm::dvec2 right = fromCorner(click.pixel.x, click.pixel.y);
+            if (!there || !(glm::length(right) > 0.0))
+                return std::nullopt;
+            const double scale = glm::dot(fromCorner(there->x, there->y), right) / glm::dot(right, right);
+            return scale < 1.0 ? 1.0 / scale : -scale;
+        });
+    // A negative number is the factor of device pixels in a logical viewport.
+    if (!solved || !(std::abs(solved->value) > 1.0))
+        return;
+    std::vector<double> known{given.surface.devicePixelRatio};
+    if (scene.otherSize) {
+        known.push_back(double(given.surface.widthPixels) / scene.otherSize->widthPixels);
+        known.push_back(double(given.surface.heightPixels) / scene.otherSize->heightPixels);
+    }
+    const bool isLogical = solved->value > 0.0;
+    const Solution ratio{std::abs(solved->value), solved->unsure};
+    addSolved(list, "ratio-differs", {&ratio, 1}, known, [&](std::span<const double> values) {
+        Variant variant;
+        variant.stage = Stage::Pixel;
+        if (isFromTop)
+            variant.apply = [](Run &run, const Variant &v) { run.position *= v.parameter; };
+        else
+            variant.apply = [](Run &run, const Variant &v) {
+                run.position *= v.parameter;
+                run.flipHeight *= v.parameter;
+            };
+        variant.parameter = isLogical ? 1.0 / values[0] : values[0];
+        const char *words = isFromTop   ? isLogical ? marked("ratio %1, logical pixels in a device viewport")
+                                                    : marked("ratio %1, device pixels in a logical viewport, flipped "
+                                                               "in logical pixels")
+                              : isLogical ? marked("ratio %1, pixel and flip in logical pixels")
+                                        : marked("ratio %1, device pixels in a logical viewport");
+        variant.name = {words, valueText(values[0])};
+        variant.values = {{"ratio", {values[0]}, {}}};
+        return variant;
+    });
+}
+
+/// Factors between units of length, and their inverses.
+std::vector<double> unitFactors()
+{
+    std::vector<double> factors;
+    for (const double factor : {10.0, 100.0, 1000.0, 25.4, 2.54, 0.0254, 0.3048, 0.9144, 12.0, 2.0, 3.0}) {
+        factors.push_back(factor);
+        factors.push_back(1.0 / factor);
+    }
+    return factors;
+}
+
+/// The eye in the space of a click's answer.
+glm::dvec3 eyeIn(const Given &given, const Click &click)
+{
+    if (click.space == PointSpace::Eye)
+        return glm::dvec3(0.0);
+    const glm::dvec4 eye = glm::inverse(click.worldFromObject) * glm::dvec4(given.eyePosition, 1.0);
+    return glm::dvec3(eye) / eye.w;
+}
+
+/// Another unit of length, or distances of another unit.
+void addScale(VariantList &list, const Given &given, std::span<const Target> points, bool isAboutEye)
+{
+    const std::optional<Solution> solved =
+        solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
+            const std::optional<glm::dvec3> right = answer(given, click, {});
+            const glm::dvec3 centre = isAboutEye ? eyeIn(given, click) : glm::dvec3(0.0);
+            if (!right || !(glm::length(*right - centre) > 0.0))
+                return std::nullopt;
+            return glm::dot(got - centre, *right - centre) / glm::dot(*right - centre, *right - centre);
+        });
+    // A factor of 0 gives one point for all clicks, which knownPoints() names.
+    if (!solved || std::abs(solved->value) <= solved->unsure)
+        return;
+    static const std::vector<double> known = unitFactors();
+    addSolved(list, "scaled", {&*solved, 1}, known, [&](std::span<const double> values) {
+        Variant variant;
+        variant.stage = Stage::Point;
+        if (isAboutEye)
+            variant.apply = [](Run &run, const Variant &v) {
+                const glm::dvec3 eye = eyeIn(run.given, run.click);
+                run.point = eye + v.parameter * (run.point - eye);
+            };
+        else
+            variant.apply = [](Run &run, const Variant &v) { run.point *= v.parameter; };
+        variant.parameter = values[0];
+        variant.name = {isAboutEye ? marked("by %1 from the eye") : marked("by %1 from the origin"),
+                        valueText(values[0])};
+        variant.values = {{"factor", {values[0]}, {}}, {"about", {}, isAboutEye ? "eye" : "origin"}};
+        return variant;
+    });
+}
+
+/// A depth that is read in another scale.
+void addDepthScale(VariantList &list, const Given &given, std::span<const Target> points)
+{
+    const std::optional<Solution> solved =
+        solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
+            const std::optional<glm::dvec3> there = projected(given, click, got);
+            return there && click.depth != 0.0 ? std::optional(there->z / click.depth) : std::nullopt;
+        });
+    if (!solved || !(solved->value > 0.0))
+        return;
+    constexpr std::array kUsual{1.0 / 255.0, 1.0 / 65535.0, 65535.0 / 65536.0, 0.5, 2.0};
+    addSolved(list, "depth-scaled", {&*solved, 1}, kUsual, [](std::span<const double> values) {
+        Variant variant;
+        variant.stage = Stage::Depth;
+        variant.apply = [](Run &run, const Variant &v) {
+            const auto &[atNear, atFar] = run.given.depthRange;
+            run.depth = (v.parameter * run.click.depth - atNear) / (atFar - atNear);
+        };
+        variant.parameter = values[0];
+        variant.name = {marked("by %1"), valueText(values[0])};
+        variant.values = {{"factor", {values[0]}, {}}};
+        return variant;
+    });
+}
+
+} // namespace
+
+void addSolvedFromOne(VariantList &list, const Given &given, const Case &scene, std::span<const Target> points)
+{
+    if (areDepthsKnown(points)) {
+        if (std::isfinite(given.nearDistance)) {
+            addFar(list, given, points);
+            addNear(list, given, points);
+        }
+        addDepthScale(list, given, points);
+        if (points.front().clicks.front().space != PointSpace::Eye)
+            addScale(list, given, points, false);
+        addScale(list, given, points, true);
+    }
+    if (given.isPerspective)
+        addFovy(list, given, points);
+    addShift(list, given, points);
+    addViewportSizes(list, given, scene, points);
+    addRatio(list, given, scene, points, true);
+    addRatio(list, given, scene, points, false);
+}
+
+} // namespace unprojector::doctor

@@ -1,0 +1,356 @@
+#include "core/doctor/frame_fit.h"
+#include "core/doctor/lens_changes.h"
+#include "core/doctor/lens_distortion.h"
+#include "core/doctor/solved_mistakes.h"
+#include "core/text/number_text.h"
+#include "core/text/translation.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+/// Values that take two or three points: near and far, a viewport's rectangle, K.
+namespace unprojector::doctor {
+using namespace geometry;
+using text::marked;
+namespace {
+
+/// The clicks of the points, and the points themselves.
+struct Pairs {
+    std::vector<Click> clicks;
+    std::vector<glm::dvec3> got;
+};
+
+/// The values that fit all points best; empty if the points do not determine them.
+using Fit = std::function<std::optional<std::vector<double>>(const Pairs &)>;
+
+Pairs pairsOf(const Given &given, std::span<const Target> points)
+{
+    Pairs pairs;
+    for (const Target &point : points) {
+        pairs.clicks.push_back(middleOf(given, point));
+        pairs.got.push_back(point.got);
+    }
+    return pairs;
+}
+
+/// The fitted values, each with the sum of its changes by the last digits of all points.
+std::vector<Solution> solved(const Given &given, std::span<const Target> points, const Fit &fit)
+{
+    Pairs pairs = pairsOf(given, points);
+    const auto values = fit(pairs);
+    if (!values)
+        return {};
+    std::vector<Solution> solutions;
+    for (const double value : *values) {
+        if (!std::isfinite(value))
+            return {};
+        solutions.push_back({value, 0.0});
+    }
+    // More points make the values no less certain.
+    const std::size_t most = std::min<std::size_t>(points.size(), 4);
+    for (std::size_t i = 0; i < most; ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const double kept = pairs.got[i][axis];
+            pairs.got[i][axis] += kCutOff * points[i].lastDigit[axis];
+            const auto moved = fit(pairs);
+            pairs.got[i][axis] = kept;
+            if (!moved)
+                return {};
+            for (std::size_t k = 0; k < solutions.size(); ++k)
+                solutions[k].unsure += std::abs((*moved)[k] - solutions[k].value);
+        }
+    }
+    return solutions;
+}
+
+/// The two numbers of least squares: y = a u + b v.
+std::optional<glm::dvec2> twoNumbers(std::span<const glm::dvec2> factors, std::span<const double> values)
+{
+    glm::dmat2 normal(0.0);
+    glm::dvec2 right(0.0);
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        normal += glm::outerProduct(factors[i], factors[i]);
+        right += factors[i] * values[i];
+    }
+    constexpr double kSingular = 1e-12;
+    if (!(glm::determinant(normal) > kSingular * normal[0][0] * normal[1][1]))
+        return std::nullopt;
+    return glm::inverse(normal) * right;
+}
+
+/// True if a solved value may be `value`. Then a mistake with fewer values explains the points.
+bool mayBe(const Solution &solution, double value)
+{
+    return std::abs(solution.value - value) <= solution.unsure;
+}
+
+// Depth
+
+/// Near and far: 1/z is linear in the depth in a perspective, z in a box.
+std::optional<std::vector<double>> nearAndFar(const Given &given, const Pairs &pairs)
+{
+    std::vector<glm::dvec2> shares;
+    std::vector<double> values;
+    for (std::size_t i = 0; i < pairs.clicks.size(); ++i) {
+        const double share = shareFromNear(given, pairs.clicks[i]);
+        const double z = given.side * eyeFromGot(given, pairs.clicks[i], pairs.got[i]).z;
+        // z² times an error of 1/z is the error of z.
+        const double weight = given.isPerspective ? z * z : 1.0;
+        shares.push_back(weight * glm::dvec2(1.0 - share, share));
+        values.push_back(weight * (given.isPerspective ? 1.0 / z : z));
+    }
+    const auto ends = twoNumbers(shares, values);
+    if (!ends)
+        return std::nullopt;
+    return given.isPerspective ? std::vector{1.0 / ends->x, 1.0 / ends->y} : std::vector{ends->x, ends->y};
+}
+
+void addNearAndFar(VariantList &list, const Given &given, std::span<const Target> points)
+{
+    const std::vector<Solution> planes =
+        solved(given, points, [&](const Pairs &pairs) { return nearAndFar(given, pairs); });
+    if (planes.empty() || !(planes[0].value < planes[1].value) || (given.isPerspective && !(planes[0].value > 0.0)))
+        return;
+    if (mayBe(planes[0], given.nearDistance) || mayBe(planes[1], given.farDistance))
+        return;
+    const std::array known{given.nearDistance, given.farDistance};
+    addSolved(list, "near-far-differ", planes, known, [&](std::span<const double> values) {
+        Variant variant;
+        variant.stage = Stage::Lens;
+        variant.apply = [](Run &run, const Variant &v) { setClipDistances(run, v.parameter, v.second); };
+        variant.parameter = values[0];
+        variant.second = values[1];
+        variant.name = {marked("near is %1, far is %2"), valueText(values[0]), valueText(values[1])};
+        variant.values = {{"near", {values[0]}, {}}, {"far", {values[1]}, {}}};
+        return variant;
+    });
+}
+
+// Pixels: the position (x, y) that the program uses is a linear function of the right one
+
+/// The positions where the right matrices put the points, device pixels from the top-left corner.
+std::optional<std::vector<glm::dvec2>> positionsOf(const Given &given, const Pairs &pairs)
+{
+    std::vector<glm::dvec2> positions;
+    for (std::size_t i = 0; i < pairs.clicks.size(); ++i) {
+        const auto there = projected(given, pairs.clicks[i], pairs.got[i]);
+        if (!there)
+            return std::nullopt;
+        positions.emplace_back(*there);
+    }
+    return positions;
+}
+
+/// The shift and the scale of all positions: dx, dy, scale.
+std::optional<std::vector<double>> shiftAndScale(const Given &given, const Pairs &pairs)
+{
+    const auto there = positionsOf(given, pairs);
+    if (!there)
+        return std::nullopt;
+    const double count = double(there->size());
+    glm::dvec2 from(0.0), to(0.0);
+    for (std::size_t i = 0; i < there->size(); ++i) {
+        from += pairs.clicks[i].pixel.coordinates() / count;
+        to += (*there)[i] / count;
+    }
+    double squares = 0.0, products = 0.0;
+    for (std::size_t i = 0; i < there->size(); ++i) {
+        const glm::dvec2 off = pairs.clicks[i].pixel.coordinates() - from;
+        squares += glm::dot(off, off);
+        products += glm::dot(off, (*there)[i] - to);
+    }
+    if (!(squares > 0.0))
+        return std::nullopt;
+    const double scale = products / squares;
+    const glm::dvec2 shift = to - scale * from;
+    return std::vector{shift.x, shift.y, scale};
+}
+
+void addShiftAndScale(VariantList &list, const Given &given, std::span<const Target> points)
+{
+    const std::vector<Solution> values =
+        solved(given, points, [&](const Pairs &pairs) { return shiftAndScale(given, pairs); });
+    if (values.empty() || !(values[2].value > values[2].unsure))
+        return;
+    if (mayBe(values[2], 1.0) || (mayBe(values[0], 0.0) && mayBe(values[1], 0.0)))
+        return;
+    constexpr std::array kUsual{0.0, 2.0, 0.5};
+    addSolved(list, "pixel-shifted", values, kUsual, [](std::span<const double> solved) {
+        Variant variant;
+        variant.stage = Stage::Pixel;
+        variant.apply = [](Run &run, const Variant &v) {
+            run.position = v.matrix[0][0] * run.position + glm::dvec2(v.parameter, v.second);
+        };
+        variant.parameter = solved[0];
+        variant.second = solved[1];
+        variant.matrix = glm::dmat4(solved[2]);
+        variant.name = {marked("scaled by %1, then %2"), valueText(solved[2]),
+                        valueText(solved[0]) + ", " + valueText(solved[1])};
+        variant.values = {{"dx", {solved[0]}, {}}, {"dy", {solved[1]}, {}}, {"scale", {solved[2]}, {}}};
+        return variant;
+    });
+}
+
+/// Another centre of K. It moves all pixels alike, so the answers are those of a shift.
+void addCentre(VariantList &list, const Given &given, std::span<const Target> points)
+{
+    const Pinhole pinhole = pinholeOf(given.clipFromEye, given.side, given.viewport, given.surface);
+    const std::vector<Solution> centre =
+        solved(given, points, [&](const Pairs &pairs) -> std::optional<std::vector<double>> {
+            const auto there = positionsOf(given, pairs);
+            if (!there)
+                return std::nullopt;
+            glm::dvec2 sum(0.0);
+            for (std::size_t i = 0; i < there->size(); ++i)
+                sum += pairs.clicks[i].pixel.coordinates() - (*there)[i];
+            const glm::dvec2 moved = pinhole.centre + sum / double(there->size());
+            return std::vector{moved.x, moved.y};
+        });
+    if (centre.empty())
+        return;
+    const Viewport &own = given.viewport;
+    const glm::dvec2 middle(own.x + own.width / 2.0, given.surface.heightPixels - own.y - own.height / 2.0);
+    const bool isMiddle = mayBe(centre[0], middle.x) && mayBe(centre[1], middle.y);
+    const std::array values{isMiddle ? middle.x : asDetermined(centre[0]).value,
+                            isMiddle ? middle.y : asDetermined(centre[1]).value};
+    Variant variant;
+    variant.stage = Stage::Pixel;
+    variant.apply = [](Run &run, const Variant &v) { run.position += glm::dvec2(v.parameter, v.second); };
+    variant.parameter = pinhole.centre.x - values[0];
+    variant.second = pinhole.centre.y - values[1];
+    variant.name = {marked("the centre is %1"), valueText(values[0]) + ", " + valueText(values[1])};
+    variant.values = {{"x", {values[0]}, {}}, {"y", {values[1]}, {}}};
+    variant.unknowns = 2;
+    variant.isExpected = isMiddle;
+    variant.coincidence = isMiddle ? 4.0 * centre[0].unsure * centre[1].unsure / (own.width * own.height) : 1.0;
+    list.add("principal-point-differs", std::move(variant));
+}
+
+/// Another focal length for each axis, or another aspect of the lens.
+void addFocalLengths(VariantList &list, const Given &given, std::span<const Target> points)
+{
+    const Pinhole pinhole = pinholeOf(given.clipFromEye, given.side, given.viewport, given.surface);
+    const std::vector<Solution> focal =
+        solved(given, points, [&](const Pairs &pairs) -> std::optional<std::vector<double>> {
+            const auto there = positionsOf(given, pairs);
+            if (!there)
+                return std::nullopt;
+            glm::dvec2 squares(0.0), products(0.0);
+            for (std::size_t i = 0; i < there->size(); ++i) {
+                const glm::dvec2 from = pairs.clicks[i].pixel.coordinates() - pinhole.centre;
+                squares += from * from;
+                products += from * ((*there)[i] - pinhole.centre);
+            }
+            const glm::dvec2 lengths = pinhole.focal * squares / products;
+            return std::vector{lengths.x, lengths.y};
+        });
+    if (focal.empty() || !(focal[0].value * pinhole.focal.x > 0.0) || !(focal[1].value * pinhole.focal.y > 0.0))
+        return;
+    const double x = focal[0].value / pinhole.focal.x, y = focal[1].value / pinhole.focal.y;
+    if (std::abs(x - y) <= std::abs(focal[0].unsure / pinhole.focal.x) + std::abs(focal[1].unsure / pinhole.focal.y))
+        return; // one angle
+    const std::array known{pinhole.focal.x, pinhole.focal.y};
+    addSolved(list, "focal-lengths-differ", focal, known, [&](std::span<const double> values) {
+        Variant variant;
+        variant.stage = Stage::Lens;
+        variant.apply = [](Run &run, const Variant &v) {
+            run.clipFromEye[0][0] *= v.parameter;
+            run.clipFromEye[1][1] *= v.second;
+        };
+        variant.parameter = values[0] / pinhole.focal.x;
+        variant.second = values[1] / pinhole.focal.y;
+        variant.name = {marked("fx is %1, fy is %2"), valueText(values[0]), valueText(values[1])};
+        variant.values = {{"fx", {values[0]}, {}}, {"fy", {values[1]}, {}}};
+        return variant;
+    });
+}
+
+/// The viewport's rectangle of one axis: the origin and the size.
+std::optional<glm::dvec2> rectangleOf(std::span<const glm::dvec2> ndcAndWindow)
+{
+    // window = (ndc + 1) / 2 * size + origin
+    std::vector<glm::dvec2> factors;
+    std::vector<double> windows;
+    for (const glm::dvec2 &each : ndcAndWindow) {
+        factors.emplace_back(1.0, (each.x + 1.0) / 2.0);
+        windows.push_back(each.y);
+    }
+    return twoNumbers(factors, windows);
+}
+
+void addRectangle(VariantList &list, const Given &given, std::span<const Target> points)
+{
+    const Viewport &own = given.viewport;
+    const std::vector<Solution> rectangle =
+        solved(given, points, [&](const Pairs &pairs) -> std::optional<std::vector<double>> {
+            const auto there = positionsOf(given, pairs);
+            if (!there)
+                return std::nullopt;
+            std::vector<glm::dvec2> x, y;
+            for (std::size_t i = 0; i < there->size(); ++i) {
+                const DevicePoint &pixel = pairs.clicks[i].pixel;
+                const double up = flippedY(given.surface, (*there)[i].y);
+                x.emplace_back(2.0 * ((*there)[i].x - own.x) / own.width - 1.0, pixel.x);
+                y.emplace_back(2.0 * (up - own.y) / own.height - 1.0, flippedY(given.surface, pixel.y));
+            }
+            const auto across = rectangleOf(x), along = rectangleOf(y);
+            if (!across || !along)
+                return std::nullopt;
+            return std::vector{across->x, along->x, across->y, along->y};
+        });
+    if (rectangle.empty() || !(rectangle[2].value > 0.0) || !(rectangle[3].value > 0.0))
+        return;
+    const bool isPlaceOwn = mayBe(rectangle[0], own.x) && mayBe(rectangle[1], own.y);
+    if (isPlaceOwn || (mayBe(rectangle[2], own.width) && mayBe(rectangle[3], own.height)))
+        return;
+    const std::array known{0.0,
+                           own.x,
+                           own.y,
+                           own.width,
+                           own.height,
+                           double(given.surface.widthPixels),
+                           double(given.surface.heightPixels)};
+    addSolved(list, "viewport-size-differs", rectangle, known, [](std::span<const double> values) {
+        Variant variant;
+        variant.stage = Stage::Lens;
+        variant.apply = [](Run &run, const Variant &v) {
+            const glm::dvec4 &r = v.matrix[0];
+            run.viewport = {r[0], r[1], r[2], r[3]};
+        };
+        variant.matrix[0] = {values[0], values[1], values[2], values[3]};
+        variant.name = {marked("%1 pixels at %2"), valueText(values[2]) + " x " + valueText(values[3]),
+                        valueText(values[0]) + ", " + valueText(values[1])};
+        variant.values = {
+            {"width", {values[2]}, {}}, {"height", {values[3]}, {}}, {"x", {values[0]}, {}}, {"y", {values[1]}, {}}};
+        return variant;
+    });
+}
+
+} // namespace
+
+void addSolvedFromSeveral(VariantList &list, const Given &given, std::span<const Target> points)
+{
+    if (points.size() < 2)
+        return;
+    if (areDepthsKnown(points) && std::isfinite(given.nearDistance))
+        addNearAndFar(list, given, points);
+    addShiftAndScale(list, given, points);
+    addRectangle(list, given, points);
+    if (given.isPerspective) {
+        addCentre(list, given, points);
+        addFocalLengths(list, given, points);
+    }
+    if (areDepthsKnown(points))
+        addSolvedFrames(list, given, points);
+}
+
+} // namespace unprojector::doctor

@@ -1,0 +1,137 @@
+#include "core/doctor/solved_mistakes.h"
+
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace unprojector::doctor {
+using namespace geometry;
+namespace {
+
+/// The value from one point. The bound is the sum of the changes by the last digits of the point and
+/// of the depth.
+std::optional<Solution> solvedFromOne(const Given &given, const Target &target, const Solve &solve)
+{
+    const Click click = middleOf(given, target);
+    const std::optional<double> value = solve(click, target.got);
+    if (!value || !std::isfinite(*value))
+        return std::nullopt;
+    double unsure = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 moved = target.got;
+        moved[axis] += kCutOff * target.lastDigit[axis];
+        const std::optional<double> there = solve(click, moved);
+        if (!there)
+            return std::nullopt;
+        unsure += std::abs(*there - *value);
+    }
+    if (target.clicks.size() > 1 && !target.isLine) {
+        const std::optional<double> there = solve(target.clicks.front(), target.got);
+        if (!there)
+            return std::nullopt;
+        unsure += std::abs(*there - *value);
+    }
+    return std::isfinite(unsure) ? std::optional(Solution{*value, unsure}) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<Solution> solvedFrom(const Given &given, std::span<const Target> points, const Solve &solve)
+{
+    double low = -std::numeric_limits<double>::infinity(), high = -low;
+    double sum = 0.0, weights = 0.0;
+    for (const Target &target : points) {
+        const std::optional<Solution> one = solvedFromOne(given, target, solve);
+        if (!one)
+            continue;
+        low = std::max(low, one->value - one->unsure);
+        high = std::min(high, one->value + one->unsure);
+        const double weight = 1.0 / std::max(one->unsure * one->unsure, std::numeric_limits<double>::min());
+        sum += weight * one->value;
+        weights += weight;
+    }
+    if (!(weights > 0.0) || !(low <= high))
+        return std::nullopt;
+    const double mean = std::clamp(sum / weights, low, high);
+    return Solution{mean, std::max(mean - low, high - mean)};
+}
+
+/// True if values are round enough that chance hardly made them so. The scene's own values among
+/// several are no evidence against it.
+bool areRound(std::span<const Solution> solutions, std::span<const WrittenValue> values, double coincidence)
+{
+    constexpr double kMostOfOne = 0.1;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (values[i].coincidence > kMostOfOne && values[i].value != solutions[i].ofScene)
+            return false;
+    }
+    return coincidence <= kRoundByChance;
+}
+
+void addSolved(VariantList &list, std::string_view id, std::span<const Solution> solutions,
+               std::span<const double> known, const std::function<Variant(std::span<const double>)> &made, int ways)
+{
+    std::vector<double> exact, determined, round;
+    std::vector<WrittenValue> writtenValues;
+    double coincidence = ways;
+    for (const Solution &solution : solutions) {
+        exact.push_back(solution.value);
+        determined.push_back(asDetermined(solution).value);
+        writtenValues.push_back(written(solution, known));
+        round.push_back(writtenValues.back().value);
+        coincidence *= writtenValues.back().coincidence;
+    }
+    const auto add = [&](std::span<const double> values, bool isExpected) {
+        Variant variant = made(values);
+        variant.unknowns = int(values.size());
+        variant.isExpected = isExpected;
+        variant.coincidence = isExpected ? coincidence : 1.0;
+        list.add(id, std::move(variant));
+    };
+    if (areRound(solutions, writtenValues, coincidence))
+        add(round, true);
+    add(determined, false);
+    // Several points may leave less than a digit.
+    add(exact, false);
+}
+
+Click middleOf(const Given &given, const Target &target)
+{
+    Click click = target.clicks.front();
+    if (target.clicks.size() > 1 && !target.isLine) {
+        click.depth = (click.depth + target.clicks[1].depth) / 2.0;
+        setRightEye(given, click);
+    }
+    return click;
+}
+
+bool areDepthsKnown(std::span<const Target> points)
+{
+    return std::none_of(points.begin(), points.end(), [](const Target &target) { return target.isLine; });
+}
+
+double shareFromNear(const Given &given, const Click &click)
+{
+    const auto &[atNear, atFar] = given.depthRange;
+    const double depth = (click.depth - atNear) / (atFar - atNear);
+    return given.isReversed ? 1.0 - depth : depth;
+}
+
+glm::dvec3 eyeFromGot(const Given &given, const Click &click, const glm::dvec3 &got)
+{
+    const glm::dmat4 eyeFromSpace =
+        click.space == PointSpace::Eye ? glm::dmat4(1.0) : given.eyeFromWorld * click.worldFromObject;
+    const glm::dvec4 eye = eyeFromSpace * glm::dvec4(got, 1.0);
+    return glm::dvec3(eye) / eye.w;
+}
+
+void addSolvedMistakes(VariantList &list, const Given &given, const Case &scene, std::span<const Target> points)
+{
+    addSolvedFromOne(list, given, scene, points);
+    addSolvedFromSeveral(list, given, points);
+}
+
+} // namespace unprojector::doctor

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/doctor/hypotheses.h"
+#include "core/doctor/variant_list.h"
+#include "core/doctor/written_value.h"
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+/// Mistakes with free values, such as another far plane. The values are solved from the given
+/// points, on the assumption that the mistake is the only one. Each solved mistake is a Variant with
+/// `values` and `unknowns`. It competes with the mistakes of fixed form, but not in pairs.
+namespace unprojector::doctor {
+
+/// Adds the solved mistakes of all families whose values the points determine. A variant that does
+/// not explain all points is dropped later, by hypotheses().
+void addSolvedMistakes(VariantList &list, const Given &given, const Case &scene, std::span<const Target> points);
+/// The mistakes that one point determines.
+void addSolvedFromOne(VariantList &list, const Given &given, const Case &scene, std::span<const Target> points);
+/// The mistakes that take two points or three.
+void addSolvedFromSeveral(VariantList &list, const Given &given, std::span<const Target> points);
+/// Another frame, or other axes with a scale or a translation. All depths must be known.
+void addSolvedFrames(VariantList &list, const Given &given, std::span<const Target> points);
+
+/// Solves a value from one point.
+/// @return empty if this point does not determine it
+using Solve = std::function<std::optional<double>(const Click &click, const glm::dvec3 &got)>;
+
+/// The value that all points have in common, with its uncertainty. Points that do not determine it
+/// are skipped.
+/// @return empty if the points contradict each other, or if none determines the value
+std::optional<Solution> solvedFrom(const Given &given, std::span<const Target> points, const Solve &solve);
+
+/// Adds a solved mistake: with the round values if they are round, and with the values as they are
+/// determined. ranked() takes the first that explains the points. `made` builds the variant from the values;
+/// `unknowns`, `isExpected` and `coincidence` are set here.
+void addSolved(VariantList &list, std::string_view id, std::span<const Solution> solutions,
+               std::span<const double> known, const std::function<Variant(std::span<const double>)> &made,
+               int ways = 1);
+
+/// The click of a target, in the middle of its possible depths.
+Click middleOf(const Given &given, const Target &target);
+/// True if the depths of all clicks are known.
+bool areDepthsKnown(std::span<const Target> points);
+/// The share of the depth's way from the near plane to the far plane.
+double shareFromNear(const Given &given, const Click &click);
+/// A point in eye space.
+glm::dvec3 eyeFromGot(const Given &given, const Click &click, const glm::dvec3 &got);
+
+} // namespace unprojector::doctor

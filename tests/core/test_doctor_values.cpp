@@ -1,0 +1,70 @@
+// The doctor's solved values, judged by wrong programs that share no line with core: a small share of
+// what bench_doctor_bar runs.
+
+#include "tests/support/value_bar.h"
+
+#include <QTest>
+
+#include <set>
+
+using namespace value_bar;
+using oracle::Random;
+
+namespace {
+
+QByteArray missedIn(const Tally &tally)
+{
+    std::string text;
+    for (const std::string &miss : tally.missed)
+        text += miss + '\n';
+    return QByteArray::fromStdString(text);
+}
+
+} // namespace
+
+class TestDoctorValues : public QObject {
+    Q_OBJECT
+
+private slots:
+    void onePointFindsTheValueAmongThree();
+    void threePointsNameTheValue();
+    void randomPointsAreNotExplained();
+};
+
+void TestDoctorValues::onePointFindsTheValueAmongThree()
+{
+    static const std::set<std::string> ofOnePoint{"far-differs",   "near-differs",  "fovy-differs",
+                                                  "pixel-shifted", "ratio-differs", "scaled"};
+    Random random(21);
+    const Tally tally = tested(random, 25, 1);
+    int asked = 0, found = 0;
+    for (const auto &[id, count] : tally.ofId) {
+        asked += ofOnePoint.contains(id) ? count.asked : 0;
+        found += ofOnePoint.contains(id) ? count.firstThree : 0;
+    }
+    QVERIFY(asked >= 80);
+    QVERIFY2(found >= 0.95 * asked, missedIn(tally));
+}
+
+void TestDoctorValues::threePointsNameTheValue()
+{
+    Random random(22);
+    const Tally tally = tested(random, 20, 3);
+    int asked = 0, named = 0;
+    for (const auto &[id, count] : tally.ofId) {
+        QVERIFY2(2 * count.verdicts >= count.asked, (id + ": " + missedIn(tally).toStdString()).c_str());
+        asked += count.asked;
+        named += count.verdicts;
+    }
+    QVERIFY(asked >= 120);
+    QVERIFY2(named >= 0.97 * asked, missedIn(tally));
+}
+
+void TestDoctorValues::randomPointsAreNotExplained()
+{
+    Random random(23);
+    QCOMPARE(garbageExplained(random, 20), 0);
+}
+
+QTEST_GUILESS_MAIN(TestDoctorValues)
+#include "test_doctor_values.moc"
