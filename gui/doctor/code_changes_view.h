@@ -11,8 +11,8 @@ namespace unprojector::gui {
 
 class SegmentedSwitch;
 
-/// The lines of code to change for a mistake, in the chosen library: the present and the corrected
-/// ones.
+/// The lines of code to change for a mistake in a library: the present and the corrected ones. It
+/// shows the library that the user chose, or the first one that has lines, if the user's has none.
 class CodeChangesView : public QWidget {
     Q_OBJECT
 public:
@@ -20,8 +20,11 @@ public:
 
     /// @param id  of core/doctor, for two mistakes "a+b"; empty: there is nothing to change
     void setMistake(const std::string &id);
-    /// Its name in core/doctor.
+    /// The shown library's name in core/doctor.
     QString library() const;
+    /// The library that the user chose, whether or not it has lines for this mistake.
+    QString chosenLibrary() const;
+    /// Chooses a library as the user does; ignores an unknown name.
     void setLibrary(const QString &library);
     /// The shown lines, with "- " and "+ " before them.
     QString text() const { return m_text; }
@@ -30,9 +33,12 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    /// Enables the libraries that have lines, and shows the user's or another one of them.
+    void showLibrary();
     void showLines();
 
     std::string m_id;
+    int m_chosen = 0; ///< the user's library
     QLabel *m_title;
     SegmentedSwitch *m_library;
     QPushButton *m_copy;
