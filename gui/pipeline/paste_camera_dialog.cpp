@@ -1,4 +1,4 @@
-#include "gui/pipeline/paste_matrices_dialog.h"
+#include "gui/pipeline/paste_camera_dialog.h"
 
 #include "core/matrices/matrix_format.h"
 #include "core/text/error_text.h"
@@ -31,12 +31,12 @@ constexpr std::array kRoles{MatrixRole::Projection, MatrixRole::View, MatrixRole
 
 QString notACamera(const Error &error)
 {
-    return PasteMatricesDialog::tr("Not a camera: %1").arg(ended(text::errorText(error)));
+    return PasteCameraDialog::tr("Not a camera: %1").arg(ended(text::errorText(error)));
 }
 
 } // namespace
 
-PasteMatricesDialog::PasteMatricesDialog(SceneDocument &document, QWidget *parent)
+PasteCameraDialog::PasteCameraDialog(SceneDocument &document, QWidget *parent)
     : QDialog(parent), m_document(document)
 {
     setWindowTitle(tr("Paste Matrices"));
@@ -89,42 +89,42 @@ PasteMatricesDialog::PasteMatricesDialog(SceneDocument &document, QWidget *paren
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     m_ok = buttons->button(QDialogButtonBox::Ok);
     m_ok->setToolTip(tr("Set the scene's camera from these matrices; Ctrl+Z undoes it"));
-    connect(buttons, &QDialogButtonBox::accepted, this, &PasteMatricesDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &PasteMatricesDialog::reject);
+    connect(buttons, &QDialogButtonBox::accepted, this, &PasteCameraDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &PasteCameraDialog::reject);
 
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(m_kind, 0, Qt::AlignLeft);
     layout->addWidget(m_scrolled, 1);
     layout->addWidget(m_meaning);
     layout->addWidget(buttons);
-    connect(m_kind, &SegmentedSwitch::chosen, this, &PasteMatricesDialog::refresh);
+    connect(m_kind, &SegmentedSwitch::chosen, this, &PasteCameraDialog::refresh);
     constexpr int kDigits = 110, kHeight = 34;
     const QSize wanted(kDigits * fontMetrics().horizontalAdvance(u'0'), kHeight * fontMetrics().lineSpacing());
     resize(wanted.boundedTo(screen()->availableSize()));
     refresh();
 }
 
-void PasteMatricesDialog::open(SceneDocument &document, QWidget *parent, MatrixRole role, const QString &text)
+void PasteCameraDialog::open(SceneDocument &document, QWidget *parent, MatrixRole role, const QString &text)
 {
-    auto *dialog = new PasteMatricesDialog(document, parent);
+    auto *dialog = new PasteCameraDialog(document, parent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setText(role, text);
     dialog->QDialog::open();
 }
 
-bool PasteMatricesDialog::isProduct() const
+bool PasteCameraDialog::isProduct() const
 {
     return m_kind->choice() == 1;
 }
 
-void PasteMatricesDialog::setText(MatrixRole role, const QString &text)
+void PasteCameraDialog::setText(MatrixRole role, const QString &text)
 {
     m_kind->setChoice(role == MatrixRole::Product ? 1 : 0);
     box(role)->setText(text);
     box(role)->setFocus();
 }
 
-void PasteMatricesDialog::repair(MatrixRole role, const MatrixFinding &finding)
+void PasteCameraDialog::repair(MatrixRole role, const MatrixFinding &finding)
 {
     if (finding.repair != MatrixRepair::Exchange) {
         m_paste.repair(role, finding);
@@ -143,7 +143,7 @@ void PasteMatricesDialog::repair(MatrixRole role, const MatrixFinding &finding)
     box(MatrixRole::View)->setText(projection);
 }
 
-void PasteMatricesDialog::moveText(MatrixRole role)
+void PasteCameraDialog::moveText(MatrixRole role)
 {
     const std::optional<MatrixRole> named = m_paste.namedRole(role);
     if (!named)
@@ -154,7 +154,7 @@ void PasteMatricesDialog::moveText(MatrixRole role)
     refresh();
 }
 
-MatrixPaste::Camera PasteMatricesDialog::camera() const
+MatrixPaste::Camera PasteCameraDialog::camera() const
 {
     if (!isProduct())
         return m_paste.camera();
@@ -166,7 +166,7 @@ MatrixPaste::Camera PasteMatricesDialog::camera() const
     return camera;
 }
 
-QString PasteMatricesDialog::meaning(const MatrixPaste::Camera &camera, bool &isUsable) const
+QString PasteCameraDialog::meaning(const MatrixPaste::Camera &camera, bool &isUsable) const
 {
     isUsable = false;
     if (isProduct() && m_paste.pasted(MatrixRole::Product) && !camera.isAnything())
@@ -196,7 +196,7 @@ QString PasteMatricesDialog::meaning(const MatrixPaste::Camera &camera, bool &is
     return joinSentences(said);
 }
 
-void PasteMatricesDialog::refresh()
+void PasteCameraDialog::refresh()
 {
     for (const MatrixRole role : kRoles) {
         box(role)->setVisible((role == MatrixRole::Product) == isProduct());
@@ -214,7 +214,7 @@ void PasteMatricesDialog::refresh()
     growToContent();
 }
 
-void PasteMatricesDialog::growToContent()
+void PasteCameraDialog::growToContent()
 {
     if (!isVisible())
         return;
@@ -226,13 +226,13 @@ void PasteMatricesDialog::growToContent()
         resize(width(), std::min(height() + missing, screen()->availableSize().height()));
 }
 
-void PasteMatricesDialog::showEvent(QShowEvent *event)
+void PasteCameraDialog::showEvent(QShowEvent *event)
 {
     QDialog::showEvent(event);
     growToContent();
 }
 
-void PasteMatricesDialog::accept()
+void PasteCameraDialog::accept()
 {
     if (!m_ok->isEnabled())
         return;

@@ -19,10 +19,10 @@ class SegmentedSwitch;
 /// A dialog that sets the scene's camera from pasted matrices of another program: projection and
 /// view, one of them, or their product. Shows findings and the meaning during typing; OK changes
 /// the scene in one step.
-class PasteMatricesDialog : public QDialog {
+class PasteCameraDialog : public QDialog {
     Q_OBJECT
 public:
-    explicit PasteMatricesDialog(SceneDocument &document, QWidget *parent = nullptr);
+    explicit PasteCameraDialog(SceneDocument &document, QWidget *parent = nullptr);
 
     /// Sets the text of a matrix, and shows its field.
     void setText(matrices::MatrixRole role, const QString &text);
