@@ -4,18 +4,26 @@
 #include "core/text/error_text.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"
+#include "gui/pipeline/foreign_camera_box.h"
 #include "gui/pipeline/matrix_text.h"
 #include "gui/pipeline/pasted_matrix_box.h"
+#include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
 #include "gui/text/sentences.h"
+#include "gui/widgets/file_dialogs.h"
 #include "gui/widgets/segmented_switch.h"
 
 #include <QDialogButtonBox>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFile>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMimeData>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
+#include <QUrl>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -23,6 +31,7 @@
 
 namespace unprojector::gui {
 using namespace geometry;
+using namespace cameras;
 using namespace matrices;
 
 namespace {
@@ -37,41 +46,21 @@ QString notACamera(const Error &error)
 } // namespace
 
 PasteCameraDialog::PasteCameraDialog(SceneDocument &document, QWidget *parent)
-    : QDialog(parent), m_document(document)
+    : QDialog(parent), m_document(document), m_foreign(new ForeignCameraBox)
 {
-    setWindowTitle(tr("Paste Matrices"));
-    m_kind = new SegmentedSwitch(
-        tr("Pasted matrices"),
-        {{tr("Projection and view"), tr("The two matrices, or one of them; the scene keeps the other")},
-         {tr("Product"), tr("Projection times view, or times modelview (MVP), decomposed into the two")}});
+    setWindowTitle(tr("Paste Camera"));
+    setAcceptDrops(true);
     auto *boxes = new QWidget;
     auto *columns = new QHBoxLayout(boxes);
     columns->setContentsMargins(0, 0, 0, 0);
     columns->setSpacing(2 * fontMetrics().horizontalAdvance(u'0'));
     for (const MatrixRole role : kRoles) {
-        auto *one = new PastedMatrixBox(role);
-        m_boxes[std::size_t(role)] = one;
-        columns->addWidget(one, 1);
-        connect(one, &PastedMatrixBox::textChanged, this, [this, role](const QString &text) {
-            m_paste.setText(role, text.toStdString());
-            refresh();
-        });
-        connect(one, &PastedMatrixBox::orderChosen, this, [this, role](NumberOrder order) {
-            m_paste.setOrder(role, order);
-            refresh();
-        });
-        connect(one, &PastedMatrixBox::ndcDepthChosen, this, [this, role](const std::optional<NdcDepth> &depth) {
-            m_paste.setNdcDepth(role, depth);
-            refresh();
-        });
-        connect(one, &PastedMatrixBox::asPastedWanted, this, [this, role] {
-            m_paste.takeBack(role);
-            refresh();
-        });
-        connect(one, &PastedMatrixBox::moveWanted, this, [this, role] { moveText(role); });
-        connect(one, &PastedMatrixBox::repairWanted, this,
-                [this, role](const MatrixFinding &finding) { repair(role, finding); });
+        m_boxes[std::size_t(role)] = new PastedMatrixBox(role);
+        columns->addWidget(box(role), 1);
+        connectBox(role);
     }
+    columns->addWidget(m_foreign, 1);
+    connect(m_foreign, &ForeignCameraBox::choicesChanged, this, &PasteCameraDialog::refresh);
     m_scrolled = new QScrollArea;
     m_scrolled->setWidgetResizable(true);
     m_scrolled->setFrameShape(QFrame::NoFrame);
@@ -83,25 +72,75 @@ PasteCameraDialog::PasteCameraDialog(SceneDocument &document, QWidget *parent)
     m_meaning->setTextFormat(Qt::PlainText);
     m_meaning->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_meaning->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    m_meaning->setAccessibleName(tr("Meaning of the matrices"));
+    m_meaning->setAccessibleName(tr("Meaning of the camera"));
     constexpr int kLines = 3;
     m_meaning->setMinimumHeight(kLines * fontMetrics().lineSpacing());
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     m_ok = buttons->button(QDialogButtonBox::Ok);
-    m_ok->setToolTip(tr("Set the scene's camera from these matrices; Ctrl+Z undoes it"));
+    m_ok->setToolTip(tr("Set the scene's camera from these texts; Ctrl+Z undoes it"));
     connect(buttons, &QDialogButtonBox::accepted, this, &PasteCameraDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &PasteCameraDialog::reject);
 
     auto *layout = new QVBoxLayout(this);
-    layout->addWidget(m_kind, 0, Qt::AlignLeft);
+    layout->addLayout(createHead());
     layout->addWidget(m_scrolled, 1);
     layout->addWidget(m_meaning);
     layout->addWidget(buttons);
-    connect(m_kind, &SegmentedSwitch::chosen, this, &PasteCameraDialog::refresh);
     constexpr int kDigits = 110, kHeight = 34;
     const QSize wanted(kDigits * fontMetrics().horizontalAdvance(u'0'), kHeight * fontMetrics().lineSpacing());
     resize(wanted.boundedTo(screen()->availableSize()));
     refresh();
+}
+
+QHBoxLayout *PasteCameraDialog::createHead()
+{
+    m_kind = new SegmentedSwitch(
+        tr("Pasted matrices"),
+        {{tr("Camera, or projection and view"),
+          tr("A program's camera, or the two matrices, or one of them; the scene keeps the other")},
+         {tr("Product"), tr("Projection times view, or times modelview (MVP), decomposed into the two")}});
+    m_fileNames = new QLabel;
+    m_fileNames->setTextFormat(Qt::PlainText);
+    m_fileNames->setAccessibleName(tr("Files of the camera"));
+    m_dropsFiles = new QPushButton(tr("&Type instead"));
+    m_dropsFiles->setToolTip(tr("Forget the files and read pasted texts again"));
+    m_dropsFiles->setAutoDefault(false);
+    auto *open = new QPushButton(tr("Open &File…"));
+    open->setToolTip(tr("Read a camera's file, or several that belong together (COLMAP). Files can be dropped here"));
+    open->setAutoDefault(false);
+    auto *head = new QHBoxLayout;
+    head->addWidget(m_kind);
+    head->addWidget(m_fileNames, 1);
+    head->addWidget(m_dropsFiles);
+    head->addStretch();
+    head->addWidget(open);
+    connect(m_kind, &SegmentedSwitch::chosen, this, &PasteCameraDialog::refresh);
+    connect(m_dropsFiles, &QPushButton::clicked, this, &PasteCameraDialog::dropFiles);
+    connect(open, &QPushButton::clicked, this, &PasteCameraDialog::askForFiles);
+    return head;
+}
+
+void PasteCameraDialog::connectBox(MatrixRole role)
+{
+    connect(box(role), &PastedMatrixBox::textChanged, this, [this, role](const QString &text) {
+        m_paste.setText(role, text.toStdString());
+        refresh();
+    });
+    connect(box(role), &PastedMatrixBox::orderChosen, this, [this, role](NumberOrder order) {
+        m_paste.setOrder(role, order);
+        refresh();
+    });
+    connect(box(role), &PastedMatrixBox::ndcDepthChosen, this, [this, role](const std::optional<NdcDepth> &depth) {
+        m_paste.setNdcDepth(role, depth);
+        refresh();
+    });
+    connect(box(role), &PastedMatrixBox::asPastedWanted, this, [this, role] {
+        m_paste.takeBack(role);
+        refresh();
+    });
+    connect(box(role), &PastedMatrixBox::moveWanted, this, [this, role] { moveText(role); });
+    connect(box(role), &PastedMatrixBox::repairWanted, this,
+            [this, role](const MatrixFinding &finding) { repair(role, finding); });
 }
 
 void PasteCameraDialog::open(SceneDocument &document, QWidget *parent, MatrixRole role, const QString &text)
@@ -115,6 +154,83 @@ void PasteCameraDialog::open(SceneDocument &document, QWidget *parent, MatrixRol
 bool PasteCameraDialog::isProduct() const
 {
     return m_kind->choice() == 1;
+}
+
+void PasteCameraDialog::askForFiles()
+{
+    const auto files = askFileNames(*this, FileKind::Camera, tr("Open a Camera"), tr("All files (*)"));
+    if (!files.empty())
+        readFiles(files);
+}
+
+void PasteCameraDialog::readFiles(const std::vector<std::filesystem::path> &files)
+{
+    constexpr qint64 kMostBytes = 256 << 20;
+    std::vector<NamedText> texts;
+    for (const std::filesystem::path &path : files) {
+        QFile file(path);
+        if (!file.open(QIODevice::ReadOnly) || file.size() > kMostBytes) {
+            m_meaning->setText(file.isOpen()
+                                   ? tr("%1 is larger than 256 MiB: it is no camera's file.").arg(pathText(path))
+                                   : tr("%1 cannot be read: %2.").arg(pathText(path), file.errorString()));
+            m_ok->setEnabled(false);
+            return;
+        }
+        texts.push_back({pathText(path.filename()).toStdString(), file.readAll().toStdString()});
+    }
+    m_kind->setChoice(0);
+    m_files = std::move(texts);
+    readForeign();
+    if (!isForeign() && m_files.size() == 1) {
+        const QString text = QString::fromStdString(m_files.front().text);
+        m_files.clear();
+        setText(MatrixRole::Projection, text);
+    }
+    refresh();
+}
+
+void PasteCameraDialog::dropFiles()
+{
+    m_files.clear();
+    refresh();
+    box(MatrixRole::Projection)->setFocus();
+}
+
+std::vector<NamedText> PasteCameraDialog::cameraTexts() const
+{
+    if (!m_files.empty() || isProduct())
+        return m_files;
+    std::vector<NamedText> texts;
+    for (const MatrixRole role : {MatrixRole::Projection, MatrixRole::View}) {
+        if (const QString text = box(role)->text(); !text.trimmed().isEmpty())
+            texts.push_back({{}, text.toStdString()});
+    }
+    return texts;
+}
+
+void PasteCameraDialog::readForeign()
+{
+    const bool hasObjects = !m_document.objects().empty();
+    m_foreign->read(cameraTexts(), hasObjects ? std::optional(m_document.bounds()) : std::nullopt);
+}
+
+bool PasteCameraDialog::isForeign() const
+{
+    const auto &camera = m_foreign->camera();
+    if (!camera)
+        return false;
+    // Matrices that can be read count more than a camera that cannot.
+    const bool haveMatrices = m_files.empty() && m_paste.camera().isAnything() && !m_paste.error(MatrixRole::Projection)
+                              && !m_paste.error(MatrixRole::View);
+    return bool(*camera) || !haveMatrices;
+}
+
+std::optional<Surface> PasteCameraDialog::viewSize() const
+{
+    if (!isForeign() || !*m_foreign->camera() || !m_foreign->isSizeWanted())
+        return std::nullopt;
+    const PictureSize size = (*m_foreign->camera())->size;
+    return Surface{size.width, size.height, 1.0};
 }
 
 void PasteCameraDialog::setText(MatrixRole role, const QString &text)
@@ -156,6 +272,14 @@ void PasteCameraDialog::moveText(MatrixRole role)
 
 MatrixPaste::Camera PasteCameraDialog::camera() const
 {
+    if (isForeign()) {
+        MatrixPaste::Camera camera;
+        if (const auto &foreign = *m_foreign->camera()) {
+            camera.projection = foreign->projection;
+            camera.eyeFromWorld = foreign->eyeFromWorld;
+        }
+        return camera;
+    }
     if (!isProduct())
         return m_paste.camera();
     MatrixPaste::Camera camera;
@@ -169,6 +293,11 @@ MatrixPaste::Camera PasteCameraDialog::camera() const
 QString PasteCameraDialog::meaning(const MatrixPaste::Camera &camera, bool &isUsable) const
 {
     isUsable = false;
+    if (isForeign() && !m_foreign->fault().isEmpty())
+        return m_foreign->fault();
+    if (!m_files.empty() && !isForeign())
+        return tr("These files have no camera of a program that is known here. Open cameras.txt and images.txt of "
+                  "COLMAP together, or paste the camera's numbers.");
     if (isProduct() && m_paste.pasted(MatrixRole::Product) && !camera.isAnything())
         return tr("The product cannot be decomposed: it is not a perspective or orthographic projection times a view. "
                   "Paste projection and view.");
@@ -184,6 +313,8 @@ QString PasteCameraDialog::meaning(const MatrixPaste::Camera &camera, bool &isUs
         return notACamera(shown.error());
     isUsable = true;
     QStringList said{cameraText(*shown, camera.projection)};
+    if (const auto size = viewSize())
+        said << tr("The view gets the picture's size, %1 × %2.").arg(size->widthPixels).arg(size->heightPixels);
     if (isProduct())
         said << sentence(decompositionText(*m_paste.apart()));
     if (camera.viewport)
@@ -198,16 +329,27 @@ QString PasteCameraDialog::meaning(const MatrixPaste::Camera &camera, bool &isUs
 
 void PasteCameraDialog::refresh()
 {
+    readForeign();
     for (const MatrixRole role : kRoles) {
-        box(role)->setVisible((role == MatrixRole::Product) == isProduct());
+        const bool isOfKind = (role == MatrixRole::Product) == isProduct() && m_files.empty();
+        const bool isSecond = isForeign() && role == MatrixRole::View && box(role)->text().trimmed().isEmpty();
+        box(role)->setVisible(isOfKind && !isSecond);
+        box(role)->setTextOnly(isForeign());
         box(role)->showPaste(m_paste);
     }
+    m_foreign->setVisible(isForeign());
+    QStringList names;
+    for (const NamedText &file : m_files)
+        names << QString::fromStdString(file.name);
+    m_fileNames->setText(names.join(QStringLiteral(", ")));
+    m_fileNames->setVisible(!m_files.empty());
+    m_dropsFiles->setVisible(!m_files.empty());
     bool isUsable = false;
     const QString text = meaning(camera(), isUsable);
     m_meaning->setText(text);
     // Errors in a text are not ignored.
     for (const MatrixRole role : kRoles) {
-        if ((role == MatrixRole::Product) == isProduct() && m_paste.error(role))
+        if (!isForeign() && (role == MatrixRole::Product) == isProduct() && m_paste.error(role))
             isUsable = false;
     }
     m_ok->setEnabled(isUsable);
@@ -232,13 +374,32 @@ void PasteCameraDialog::showEvent(QShowEvent *event)
     growToContent();
 }
 
+void PasteCameraDialog::dragEnterEvent(QDragEnterEvent *event)
+{
+    if (event->mimeData()->hasUrls())
+        event->acceptProposedAction();
+}
+
+void PasteCameraDialog::dropEvent(QDropEvent *event)
+{
+    std::vector<std::filesystem::path> files;
+    for (const QUrl &url : event->mimeData()->urls()) {
+        if (url.isLocalFile())
+            files.emplace_back(url.toLocalFile().toStdU16String());
+    }
+    if (files.empty())
+        return;
+    event->acceptProposedAction();
+    readFiles(files);
+}
+
 void PasteCameraDialog::accept()
 {
     if (!m_ok->isEnabled())
         return;
     const MatrixPaste::Camera taken = camera();
-    const Check done =
-        editMatrices(m_document, taken.projection, taken.eyeFromWorld, {tr("Paste Matrices")}, taken.viewport);
+    const Check done = editMatrices(m_document, taken.projection, taken.eyeFromWorld, {tr("Paste Camera")},
+                                    taken.viewport, viewSize());
     if (!done) {
         m_meaning->setText(notACamera(done.error()));
         return;
