@@ -27,13 +27,13 @@ constexpr std::array<const char *, 5> kLibraries{"GLU", "GLM", "Qt", "three.js",
 constexpr QColor kWrongColor(0xd5, 0x5e, 0x00), kRightColor(0x00, 0x72, 0xb2);
 constexpr double kShareOfColor = 0.22;
 
-QString lineOf(const QString &sign, std::string_view code, const QColor &color, const QPalette &palette)
+QString lineOf(const QString &sign, const QString &code, const QColor &color, const QPalette &palette)
 {
     const QColor ground = mixed(palette.color(QPalette::Base), color, kShareOfColor);
     return QStringLiteral(
                "<tr><td style='background:%1; padding:2px 4px'><b>%2</b></td><td style='background:%1; padding:2px "
                "4px'>%3</td></tr>")
-        .arg(ground.name(), sign, QString::fromUtf8(code.data(), static_cast<qsizetype>(code.size())).toHtmlEscaped());
+        .arg(ground.name(), sign, code.toHtmlEscaped());
 }
 
 /// The number of a candidate's mistakes that a library has lines for.
@@ -82,13 +82,12 @@ CodeChangesView::CodeChangesView(QWidget *parent)
     hide();
 }
 
-void CodeChangesView::setMistake(const std::string &id)
+void CodeChangesView::setMistake(const std::string &id, const std::vector<doctor::SolvedValue> &values)
 {
-    if (m_id != id) {
-        m_id = id;
-        showLibrary();
-        showLines();
-    }
+    m_id = id;
+    m_values = values;
+    showLibrary();
+    showLines();
     setVisible(!m_id.empty());
 }
 
@@ -145,11 +144,11 @@ void CodeChangesView::showLines()
             if (library() != QLatin1String(change.library.data(), static_cast<qsizetype>(change.library.size())))
                 continue;
             hasLine = true;
-            rows += lineOf(QStringLiteral("−"), change.wrong, kWrongColor, palette())
-                    + lineOf(QStringLiteral("+"), change.right, kRightColor, palette());
-            m_text += QStringLiteral("- %1\n+ %2\n")
-                          .arg(QString::fromUtf8(change.wrong.data(), static_cast<qsizetype>(change.wrong.size())),
-                               QString::fromUtf8(change.right.data(), static_cast<qsizetype>(change.right.size())));
+            const QString wrong = QString::fromStdString(doctor::lineWithValues(change.wrong, m_values)),
+                          right = QString::fromStdString(doctor::lineWithValues(change.right, m_values));
+            rows += lineOf(QStringLiteral("−"), wrong, kWrongColor, palette())
+                    + lineOf(QStringLiteral("+"), right, kRightColor, palette());
+            m_text += QStringLiteral("- %1\n+ %2\n").arg(wrong, right);
         }
         if (!hasLine)
             rows +=

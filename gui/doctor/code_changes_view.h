@@ -1,8 +1,11 @@
 #pragma once
 
+#include "core/doctor/diagnosis.h"
+
 #include <QWidget>
 
 #include <string>
+#include <vector>
 
 class QLabel;
 class QPushButton;
@@ -19,7 +22,8 @@ public:
     explicit CodeChangesView(QWidget *parent = nullptr);
 
     /// @param id  of core/doctor, for two mistakes "a+b"; empty: there is nothing to change
-    void setMistake(const std::string &id);
+    /// @param values  solved values, which the lines then have
+    void setMistake(const std::string &id, const std::vector<doctor::SolvedValue> &values = {});
     /// The shown library's name in core/doctor.
     QString library() const;
     /// The library that the user chose, whether or not it has lines for this mistake.
@@ -38,6 +42,7 @@ private:
     void showLines();
 
     std::string m_id;
+    std::vector<doctor::SolvedValue> m_values;
     int m_chosen = 0; ///< the user's library
     QLabel *m_title;
     SegmentedSwitch *m_library;

@@ -97,8 +97,8 @@ void DoctorPanel::connectSteps()
     connect(m_space, &QComboBox::activated, this, &DoctorPanel::ask);
     connect(m_answer, &DiagnosisView::clickRequested, this, &DoctorPanel::goToPixel);
     connect(m_candidates, &CandidatesTable::chosen, this, [this](int index) {
-        const std::string &id = m_diagnosis->candidates[static_cast<std::size_t>(index)].id;
-        m_code->setMistake(id == "right" ? std::string() : id);
+        const Candidate &candidate = m_diagnosis->candidates[static_cast<std::size_t>(index)];
+        m_code->setMistake(candidate.id == "right" ? std::string() : candidate.id, candidate.values);
     });
     connect(m_diagnoser, &Diagnoser::answered, this, [this](const Result<Diagnosis> &answer) {
         if (answer)
@@ -324,7 +324,8 @@ void DoctorPanel::showDiagnosis(const Diagnosis &diagnosis)
     m_answer->setDiagnosis(diagnosis, m_asked.front());
     m_candidates->setDiagnosis(diagnosis, m_asked.front());
     m_candidates->show();
-    m_code->setMistake(diagnosis.namesMistake() ? diagnosis.verdict : std::string());
+    m_code->setMistake(diagnosis.namesMistake() ? diagnosis.verdict : std::string(),
+                       diagnosis.candidates.front().values);
     mark();
 }
 
