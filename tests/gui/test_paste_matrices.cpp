@@ -554,7 +554,7 @@ void TestPasteMatrices::oneStepIsUndone()
     pasting.ok()->click();
     SceneDocument &document = pasting.document;
     QCOMPARE(document.setup().depthRange, (DepthRange{1.0, 0.0}));
-    QCOMPARE(document.undoStack().undoText(), QStringLiteral("Paste Matrices"));
+    QCOMPARE(document.undoStack().undoText(), QStringLiteral("Paste Camera"));
     // The next one is not reversed: the depth range is as it was.
     QVERIFY(editMatrices(document, MatrixProjection{lens(), std::nullopt}, std::nullopt, {"again"}));
     QCOMPARE(document.setup().depthRange, DepthRange{});
