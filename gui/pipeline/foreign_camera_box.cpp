@@ -184,7 +184,7 @@ void ForeignCameraBox::createFields()
 CameraChoices ForeignCameraBox::choices() const
 {
     CameraChoices choices;
-    if (m_image->currentIndex() > 0) // the first is read without a choice
+    if (m_image->count() > 1)
         choices.image = m_image->currentText().toStdString();
     if (const auto size = typedSize(m_size->text()))
         choices.size = PictureSize{size->widthPixels, size->heightPixels};
@@ -216,6 +216,9 @@ void ForeignCameraBox::read(std::span<const NamedText> texts, const std::optiona
     if (read && *read && QString::fromStdString((*read)->program) != m_program) {
         m_program = QString::fromStdString((*read)->program);
         dropChoices();
+        read = readCamera(texts, choices());
+    } else if (read && !*read && m_image->count() > 0) {
+        m_image->clear(); // the image may be of other texts
         read = readCamera(texts, choices());
     }
     if (!read)
@@ -284,7 +287,8 @@ void ForeignCameraBox::showFault()
     if (error.line > 0)
         place = place.isEmpty() ? tr("line %1").arg(error.line) : tr("%1, line %2").arg(place).arg(error.line);
     const QString reason = withFieldNames(ended(error.reason));
-    m_said->setText(place.isEmpty() ? reason : tr("%1: %2", "a place in a text, what is wrong").arg(place, reason));
+    m_fault = place.isEmpty() ? reason : tr("%1: %2", "a place in a text, what is wrong").arg(place, reason);
+    m_said->clear();
 }
 
 QString ForeignCameraBox::fault() const
@@ -292,7 +296,7 @@ QString ForeignCameraBox::fault() const
     if (!m_camera)
         return {};
     if (!*m_camera)
-        return m_said->text();
+        return m_fault;
     for (const QLineEdit *field : {m_near, m_far}) {
         if (isRefused(*field, numberIn(*field).has_value()))
             return tr("“%1” is not a distance: type a number greater than 0.").arg(field->text().trimmed());

@@ -48,6 +48,7 @@ private:
 
     QString m_program;
     std::optional<Camera> m_camera;
+    QString m_fault; ///< of a camera that cannot be read
     QFormLayout *m_form;
     QLabel *m_title;
     QComboBox *m_image;

@@ -19,26 +19,15 @@ struct DoctorText {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::DoctorText)
 };
 
-/// The behaviour of the program, with the values that were solved: "Your program: far is 50, the
-/// scene has 100. …"
-QString behaviourText(const std::string &id, const Candidate &candidate)
-{
-    QString text = QString::fromStdString(mistakeSentence(id));
-    if (!candidate.values.empty() && !candidate.ways.empty())
-        text =
-            DoctorText::tr("Your program: %1.", "solved values").arg(QString::fromStdString(waysText(candidate.ways)))
-            + u' ' + text;
-    return text;
-}
-
 /// The mistake, and others that cannot be distinguished from it.
 QString mistakesText(const Diagnosis &diagnosis)
 {
-    QString text = behaviourText(diagnosis.verdict, diagnosis.candidates.front());
+    QString text = QString::fromStdString(candidateSentence(diagnosis.candidates.front()));
     for (const Candidate &alike : diagnosis.alike())
-        text += u'\n'
-                + DoctorText::tr("Or: %1 %2", "another mistake that explains the point; why they are not told apart")
-                      .arg(behaviourText(alike.id, alike), QString::fromStdString(alikeSentence(alike)));
+        text +=
+            u'\n'
+            + DoctorText::tr("Or: %1 %2", "another mistake that explains the point; why they are not told apart")
+                  .arg(QString::fromStdString(candidateSentence(alike)), QString::fromStdString(alikeSentence(alike)));
     return text;
 }
 
