@@ -51,6 +51,8 @@ private slots:
     void filesAreRecognisedByTheirContents_data();
     void filesAreRecognisedByTheirContents();
     void whatMatricesPrintsForOpenCvIsTaken();
+    void callsAreTaken();
+    void otherProgramsAreTaken();
     void objectsDecideAndAreInTheScene();
     void optionsSayOtherwise();
     void aLensIsRefusedWithTheWayOut();
@@ -103,6 +105,58 @@ void TestCameraScenes::whatMatricesPrintsForOpenCvIsTaken()
 }
 
 /// The objects decide the direction; the scene has them, so `pick` meets them.
+void TestCameraScenes::callsAreTaken()
+{
+    const QByteArray calls = "gluLookAt(0, 0, 5, 0, 0, 0, 0, 1, 0);\ngluPerspective(90, 1, 1, 9);\n";
+    const Run made = runCommand({"scene", "--from-matrices", "-"}, calls + "glViewport(0, 0, 200, 200);");
+    QCOMPARE(made.exitCode, 0);
+    QVERIFY2(made.errors.contains("gluLookAt: eye (0, 0, 5)"), made.errors);
+    const QString scene = m_folder.write("calls.json", made.output);
+    const Run projected = runCommand({"project", scene, "-"}, "x,y,z\n1,2,0\n"); // 20 pixels a unit
+    QCOMPARE(projected.exitCode, 0);
+    const QList<QByteArray> names = projected.lines().value(0).split(','),
+                            cells = projected.lines().value(1).split(',');
+    QVERIFY(std::abs(cells.value(names.indexOf("px")).toDouble() - 120.0) < 1e-9);
+    QVERIFY(std::abs(cells.value(names.indexOf("py")).toDouble() - 60.0) < 1e-9);
+    // The size may come from an option; without it, the viewport is missing.
+    QCOMPARE(runCommand({"scene", "--from-matrices", "-", "--window", "200x200"}, calls).exitCode, 0);
+    const Run without = runCommand({"scene", "--from-matrices", "-"}, calls);
+    QVERIFY(without.exitCode != 0);
+    QVERIFY2(without.errors.contains("viewport: 0 numbers found, 4 are needed"), without.errors);
+    // --order is for numbers.
+    const Run ordered =
+        runCommand({"scene", "--from-matrices", "-", "--order", "row"}, calls + "glViewport(0, 0, 200, 200);");
+    QCOMPARE(ordered.output, made.output);
+}
+
+/// One program with two files, one with an image chosen, one without a size.
+void TestCameraScenes::otherProgramsAreTaken()
+{
+    const QString cameras = m_folder.write("cameras.txt", "1 SIMPLE_PINHOLE 640 480 500 320 240\n");
+    const QString images = m_folder.write("images.txt", "1 1 0 0 0 0 0 2 1 a.jpg\n\n2 1 0 0 0 0 0 4 1 b.jpg\n\n");
+    const auto pixelOf = [this](const Run &made) {
+        const Run projected =
+            runCommand({"project", m_folder.write("made.json", made.output), "-"}, "x,y,z\n1,0.5,0\n");
+        const QList<QByteArray> names = projected.lines().value(0).split(','),
+                                cells = projected.lines().value(1).split(',');
+        return cells.value(names.indexOf("px")) + ' ' + cells.value(names.indexOf("py"));
+    };
+    const Run first = runCommand({"scene", cameras, images}),
+              second = runCommand({"scene", cameras, images, "--image", "b.jpg"});
+    QVERIFY2(first.exitCode == 0, first.errors);
+    QVERIFY2(first.errors.contains("The first of 2 images is read, a.jpg"), first.errors);
+    QCOMPARE(pixelOf(first), QByteArray("570 365"));
+    QCOMPARE(pixelOf(second), QByteArray("445 302.5"));
+    QVERIFY(!second.errors.contains("The first of"));
+    const QByteArray unreal = "Location X=0 Y=0 Z=0\nRotation P=0 Y=0 R=0\nFOV 90\n";
+    const Run without = runCommand({"scene", "-"}, unreal),
+              with = runCommand({"scene", "-", "--size", "200x200"}, unreal);
+    QVERIFY(without.exitCode != 0);
+    QVERIFY2(without.errors.contains("--size 800x600"), without.errors);
+    QVERIFY2(with.exitCode == 0, with.errors);
+    QVERIFY2(with.errors.contains("(x, -y, z) here"), with.errors);
+}
+
 void TestCameraScenes::objectsDecideAndAreInTheScene()
 {
     const QString model = m_folder.write("unit.off", kUnit), scene = m_folder.path("with.json");
