@@ -118,6 +118,7 @@ private slots:
     void ambiguousPosesAreReported();
     void mistakesBehindAnEmptyPictureAreNamed_data();
     void mistakesBehindAnEmptyPictureAreNamed();
+    void tinyObjectsAreReported();
     void assumptionsNameTheirOption();
     void nearAndFarHoldTheObjects();
     void pixelCentresShiftThePicture();
@@ -246,6 +247,17 @@ void TestOpenCvCameras::mistakesBehindAnEmptyPictureAreNamed()
         join(sceneOf(kPlainK + kSize + pose.toStdString() + '\n', choices, boxAround({0, 0, 0}, 1.0)).assumed);
     QVERIFY2(text.find("The camera sees none of the objects") != text.npos, text.c_str());
     QVERIFY2(text.find(said.toStdString()) != text.npos, text.c_str());
+}
+
+void TestOpenCvCameras::tinyObjectsAreReported()
+{
+    const auto saidOf = [](const std::string &t) {
+        return join(
+            sceneOf(kPlainK + kSize + "rvec = 0 0 0\ntvec = " + t + '\n', {}, boxAround({0, 0, 0}, 1.0)).assumed);
+    };
+    const std::string said = saidOf("0 0 5000");
+    QVERIFY2(said.find("The objects take only 0.067 % of the image: check the units of t.") != said.npos, said.c_str());
+    QVERIFY(saidOf("0 0 50").find("The objects take only") == std::string::npos);
 }
 
 void TestOpenCvCameras::assumptionsNameTheirOption()
