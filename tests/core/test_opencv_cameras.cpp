@@ -465,6 +465,7 @@ void TestOpenCvCameras::otherTextsAreLeftToOthers_data()
     QTest::newRow("a projection named P")
         << "P = 1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0 V = 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1";
     QTest::newRow("words") << "R and t are lost";
+    QTest::newRow("a letter before a number") << "K = 3\nR = 8\n";
 }
 
 void TestOpenCvCameras::otherTextsAreLeftToOthers()
