@@ -118,6 +118,7 @@ private slots:
     void ambiguousPosesAreReported();
     void mistakesBehindAnEmptyPictureAreNamed_data();
     void mistakesBehindAnEmptyPictureAreNamed();
+    void tinyObjectsAreReported();
     void assumptionsNameTheirOption();
     void nearAndFarHoldTheObjects();
     void pixelCentresShiftThePicture();
@@ -148,6 +149,18 @@ void TestOpenCvCameras::pixelsAreThoseOfProjectPoints_data()
     QTest::newRow("NumPy, printed") << kNumPy << QString();
     QTest::newRow("NumPy, repr, with vectors") << kReprs << QString();
     QTest::newRow("C++") << kCpp << QString();
+    QTest::newRow("cv::Mat, printed")
+        << "size: 640x480\ncamera matrix:\n[812.3456789, 0, 331.25;\n 0, 805.125, 236.875;\n 0, 0, 1]\nrvec:\n[0.31;\n "
+           "-0.52;\n 0.113]\ntvec:\n[0.2;\n -0.1;\n 6.5]\n"
+        << QString();
+    QTest::newRow("MATLAB, with a common factor, transposed")
+        << "IntrinsicMatrix =\n\n   1.0e+02 *\n\n   8.123456789 0 0\n   0 8.05125 0\n   3.3125 2.36875 0.01\n\nrvec = "
+           "0.31 "
+           "-0.52 0.113\ntvec = 0.2 -0.1 6.5\nImageSize = [640 480]\n"
+        << QString();
+    QTest::newRow("fx, fy, cx, cy") << "width: 640 height: 480 fx: 812.3456789 fy: 805.125 ppx: 331.25 ppy: 236.875\n"
+                                       "rvec = (0.31, -0.52, 0.113), tvec = (0.2, -0.1, 6.5)\n"
+                                    << QString();
     QTest::newRow("P = K [R t]") << kMatrixP << QString();
     QTest::newRow("OpenCV's calibration, second view") << kCalibration << "1";
 }
@@ -234,6 +247,17 @@ void TestOpenCvCameras::mistakesBehindAnEmptyPictureAreNamed()
         join(sceneOf(kPlainK + kSize + pose.toStdString() + '\n', choices, boxAround({0, 0, 0}, 1.0)).assumed);
     QVERIFY2(text.find("The camera sees none of the objects") != text.npos, text.c_str());
     QVERIFY2(text.find(said.toStdString()) != text.npos, text.c_str());
+}
+
+void TestOpenCvCameras::tinyObjectsAreReported()
+{
+    const auto saidOf = [](const std::string &t) {
+        return join(
+            sceneOf(kPlainK + kSize + "rvec = 0 0 0\ntvec = " + t + '\n', {}, boxAround({0, 0, 0}, 1.0)).assumed);
+    };
+    const std::string said = saidOf("0 0 5000");
+    QVERIFY2(said.find("The objects take only 0.067 % of the image: check the units of t.") != said.npos, said.c_str());
+    QVERIFY(saidOf("0 0 50").find("The objects take only") == std::string::npos);
 }
 
 void TestOpenCvCameras::assumptionsNameTheirOption()
