@@ -338,7 +338,8 @@ roi:
     QCOMPARE(raw.size, (PictureSize{640, 480}));
     QCOMPARE(raw.distortion.value(), (Distortion{0.1, -0.2, 0.001, 0.002, 0.0}));
     QVERIFY(!rectified.distortion);
-    // In the optical frame (1, 2, 4): K gives the raw pixel; R turns it to (2, -1, 4), P adds -70 / 4.
+    // In the optical frame (1, 2, 4): K gives the raw pixel; R turns it to (2, -1, 4),
+    // P adds -70 / 4.
     QVERIFY(glm::length(pixelOf(raw, {1, 2, 4}) - 0.5 - glm::dvec2(519.5, 644.5)) <= 1e-9);
     QVERIFY(glm::length(pixelOf(rectified, {1, 2, 4}) - 0.5 - glm::dvec2(632.5, 25.0)) <= 1e-9);
     QVERIFY(join(raw.assumed).find("K counts; --undistorted takes P") != std::string::npos);
@@ -497,8 +498,8 @@ void TestOpenCvCameras::distortionIsUndone_data()
     QTest::newRow("tangential only") << 0.0 << 0.0 << 0.05 << -0.03 << 0.0;
 }
 
-/// The coefficients' polynomial is written apart: by angle and radius for its radial part, by powers
-/// for the rest.
+/// The coefficients' polynomial is written apart: by angle and radius for its radial part, by
+/// powers for the rest.
 void TestOpenCvCameras::distortionIsUndone()
 {
     QFETCH(double, k1);
