@@ -20,8 +20,8 @@ struct CameraParts {
     glm::dmat4 cameraFromWorld{1.0};
 };
 
-/// Splits P = K [R t], of any scale and sign, by an RQ decomposition: fx and fy are positive, R is a
-/// rotation.
+/// Splits P = K [R t], of any scale and sign, by an RQ decomposition: fx and fy are positive, R is
+/// a rotation.
 /// @param numbers  twelve, by rows
 /// @return nothing if the first three columns have no inverse
 std::optional<CameraParts> partsOf(std::span<const double> numbers);

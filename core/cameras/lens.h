@@ -10,8 +10,8 @@
 
 namespace unprojector::cameras {
 
-/// A position in the picture of a lens with these coefficients (Brown 1966; Conrady 1919), from that
-/// of a pinhole:
+/// A position in the picture of a lens with these coefficients (Brown 1966; Conrady 1919), from
+/// that of a pinhole:
 ///
 ///   r^2 = x^2 + y^2,  c = 1 + k1 r^2 + k2 r^4 + k3 r^6
 ///   x_d = c x + 2 p1 x y + p2 (r^2 + 2 x^2)

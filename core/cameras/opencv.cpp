@@ -91,7 +91,10 @@ public:
     {
         const auto has = [this](OpenCvPart part) { return !m_values.all(part).empty(); };
         const bool hasFocal = m_values.number({"fx"}) && m_values.number({"fy"});
-        const auto isNamed = [](const auto &value, const char *name) { return value && plain(value->name) == name; };
+        // In other texts, a letter K may stand before a number.
+        const auto isNamed = [](const auto &value, const char *name) {
+            return value && value->numbers.size() >= 3 && plain(value->name) == name;
+        };
         const bool hasVectors = !m_values.all(OpenCvPart::Rotation).empty()
                                 && plain(m_values.all(OpenCvPart::Rotation).front().name).starts_with("rvec");
         return has(OpenCvPart::Intrinsics) || has(OpenCvPart::CameraMatrix) || hasFocal || hasVectors

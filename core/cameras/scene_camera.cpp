@@ -382,6 +382,14 @@ Result<SceneCamera, CameraError> sceneCamera(const ForeignCamera &camera, const 
                                    "Check a row's or column's sign."));
     if (haveObjects && taken->seen == 0.0)
         scene.assumed.push_back(tr("The camera sees none of the objects: %1.", remedyOf(camera, scene, *objects)));
+    if (haveObjects && taken->seen > 0.0) {
+        constexpr double kTiny = 0.02;
+        const glm::dmat4 clip =
+            camera.projection ? camera.projection->clipFromEye : clipFromEye(*scene.intrinsics, scene.size, 0.5, 1.0);
+        if (const double share = imageShare(clip, scene.eyeFromWorld, *objects); share > 0.0 && share < kTiny)
+            scene.assumed.push_back(tr("The objects take only %1 % of the image: check the units of t.",
+                                       significantText(100.0 * share, 2)));
+    }
 
     if (camera.projection) {
         scene.projection = *camera.projection;

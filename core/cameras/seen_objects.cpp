@@ -32,6 +32,19 @@ double seenPart(const glm::dmat4 &clipFromEye, const glm::dmat4 &eyeFromWorld, c
     return double(seen) / kPoints;
 }
 
+double imageShare(const glm::dmat4 &clipFromEye, const glm::dmat4 &eyeFromWorld, const geometry::Box &box)
+{
+    geometry::Box ndc;
+    for (int i = 0; i < kPoints; ++i) {
+        const glm::dvec4 clip = clipFromEye * (eyeFromWorld * pointOf(box, i));
+        if (!(clip.w > 0.0))
+            return 0.0;
+        ndc.add({clip.x / clip.w, clip.y / clip.w, 0.0});
+    }
+    constexpr double kWholeSide = 2.0; // of the image in NDC
+    return std::max(ndc.highest.x - ndc.lowest.x, ndc.highest.y - ndc.lowest.y) / kWholeSide;
+}
+
 DepthExtent depthExtent(const glm::dmat4 &eyeFromWorld, const geometry::Box &box)
 {
     DepthExtent extent{std::numeric_limits<double>::infinity(), 0.0};

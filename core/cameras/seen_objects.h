@@ -10,6 +10,10 @@ namespace unprojector::cameras {
 /// centre), those in front of the camera and in the picture. 0 to 1.
 double seenPart(const glm::dmat4 &clipFromEye, const glm::dmat4 &eyeFromWorld, const geometry::Box &box);
 
+/// The larger side of the part of the image that a box takes, in parts of the image's side; 0 for a
+/// box that reaches behind the eye.
+double imageShare(const glm::dmat4 &clipFromEye, const glm::dmat4 &eyeFromWorld, const geometry::Box &box);
+
 /// The depths of a box in front of the eye.
 struct DepthExtent {
     double nearest = 0.0, farthest = 0.0;

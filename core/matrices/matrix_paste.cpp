@@ -87,6 +87,8 @@ void MatrixPaste::takeNumbers(MatrixRole role, std::string_view text)
     if (const auto one = pastedMatrix(text)) {
         here.own = *one;
         const auto numbers = pastedNumbers(text);
+        if (numbers)
+            here.parts.aside = numbers->aside;
         const bool isProduct = numbers && numbers->numbers.front().part == PastedPart::Product;
         if (isProduct && role != MatrixRole::Product)
             here.named = MatrixRole::Product;

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -30,6 +31,8 @@ public:
     const PastedMatrix *pasted(MatrixRole role) const;
     /// Returns whether the text also has the inverse, which is ignored.
     bool leavesInverseOut(MatrixRole role) const;
+    /// Names in the role's own text whose numbers belong to no matrix: "near", "Mouse".
+    const std::vector<std::string> &aside(MatrixRole role) const { return place(role).parts.aside; }
     /// A viewport in the texts. A camera takes it only from a call, see camera().
     std::optional<geometry::Viewport> viewport() const;
 

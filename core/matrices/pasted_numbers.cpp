@@ -201,20 +201,58 @@ bool isAnyOf(const std::string &word, std::initializer_list<std::string_view> wo
 /// Returns whether a name is of numbers that people paste beside matrices, which belong to none.
 bool isAside(const std::string &letters)
 {
-    return isAnyOf(letters, {"near",        "far",          "znear",
-                             "zfar",        "nearplane",    "farplane",
-                             "fov",         "fovy",         "fovx",
-                             "fieldofview", "aspect",       "aspectratio",
-                             "cx",          "cy",           "fx",
-                             "fy",          "focal",        "focallength",
-                             "depth",       "time",         "frame",
-                             "fps",         "zoom",         "dpr",
-                             "pixelratio",  "mouse",        "cursor",
-                             "click",       "mousepos",     "mouseposition",
-                             "pixel",       "length",       "bytelength",
-                             "byteoffset",  "modifiedtime", "referencecount",
-                             "cuda",        "mps",          "devicepixelratio",
-                             "winz",        "winx",         "winy"});
+    if (letters.ends_with("shape")) // view.shape (4, 4)
+        return true;
+    return isAnyOf(letters, {"near",
+                             "far",
+                             "znear",
+                             "zfar",
+                             "nearplane",
+                             "farplane",
+                             "fov",
+                             "fovy",
+                             "fovx",
+                             "fieldofview",
+                             "aspect",
+                             "aspectratio",
+                             "cx",
+                             "cy",
+                             "fx",
+                             "fy",
+                             "focal",
+                             "focallength",
+                             "depth",
+                             "time",
+                             "frame",
+                             "fps",
+                             "zoom",
+                             "dpr",
+                             "pixelratio",
+                             "mouse",
+                             "cursor",
+                             "click",
+                             "mousepos",
+                             "mouseposition",
+                             "pixel",
+                             "length",
+                             "bytelength",
+                             "byteoffset",
+                             "modifiedtime",
+                             "referencecount",
+                             "cuda",
+                             "shape",
+                             "torchsize",
+                             "dtype",
+                             "ndim",
+                             "rows",
+                             "cols",
+                             "columns",
+                             "channels",
+                             "mps",
+                             "devicepixelratio",
+                             "winz",
+                             "winx",
+                             "winy"});
 }
 
 /// Returns whether a name is of a picture's width and height, together.
@@ -261,7 +299,7 @@ std::vector<int> subscriptsOfName(const std::string &word)
     if (n < 3 || !isDigit(word[n - 1]) || !isDigit(word[n - 2]))
         return {};
     const char before = word[n - 3] == '_' && n > 3 ? word[n - 4] : word[n - 3];
-    if (before != 'm')
+    if (before != 'm' && !(before == 'e' && n == 3)) // Unity's files have e00
         return {};
     return {word[n - 2] - '0', word[n - 1] - '0'};
 }
@@ -330,7 +368,8 @@ private:
         const bool hasViewport = std::any_of(m_numbers.begin(), m_numbers.end(), [](const PastedNumber &number) {
             return number.part == PastedPart::Viewport;
         });
-        if (m_numbers.empty() || hasViewport || !m_width || !m_height) {
+        const bool isOfMatrix = m_width && m_height && *m_width <= 4.0 && *m_height <= 4.0; // "size 4x4"
+        if (m_numbers.empty() || hasViewport || !m_width || !m_height || isOfMatrix) {
             if (m_width)
                 m_aside.emplace_back("width");
             if (m_height)

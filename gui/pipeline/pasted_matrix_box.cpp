@@ -197,6 +197,11 @@ void PastedMatrixBox::showPaste(const MatrixPaste &paste)
         said << sentence(inverseText(*pasted));
     if (paste.leavesInverseOut(m_role))
         said << tr("The pasted text also has the inverse of this matrix. It is ignored.");
+    QStringList aside;
+    for (const std::string &name : paste.aside(m_role))
+        aside << QString::fromStdString(name);
+    if (!aside.isEmpty())
+        said << tr("Numbers that belong to no matrix are not used: %1.").arg(aside.join(QStringLiteral(", ")));
     QStringList done;
     for (const MatrixFinding &finding : paste.repairs(m_role))
         done << repairName(finding, paste.order(m_role) == NumberOrder::ByColumns ? NumberOrder::ByRows

@@ -118,6 +118,7 @@ private slots:
     void ambiguousPosesAreReported();
     void mistakesBehindAnEmptyPictureAreNamed_data();
     void mistakesBehindAnEmptyPictureAreNamed();
+    void tinyObjectsAreReported();
     void assumptionsNameTheirOption();
     void nearAndFarHoldTheObjects();
     void pixelCentresShiftThePicture();
@@ -148,6 +149,18 @@ void TestOpenCvCameras::pixelsAreThoseOfProjectPoints_data()
     QTest::newRow("NumPy, printed") << kNumPy << QString();
     QTest::newRow("NumPy, repr, with vectors") << kReprs << QString();
     QTest::newRow("C++") << kCpp << QString();
+    QTest::newRow("cv::Mat, printed")
+        << "size: 640x480\ncamera matrix:\n[812.3456789, 0, 331.25;\n 0, 805.125, 236.875;\n 0, 0, 1]\nrvec:\n[0.31;\n "
+           "-0.52;\n 0.113]\ntvec:\n[0.2;\n -0.1;\n 6.5]\n"
+        << QString();
+    QTest::newRow("MATLAB, with a common factor, transposed")
+        << "IntrinsicMatrix =\n\n   1.0e+02 *\n\n   8.123456789 0 0\n   0 8.05125 0\n   3.3125 2.36875 0.01\n\nrvec = "
+           "0.31 "
+           "-0.52 0.113\ntvec = 0.2 -0.1 6.5\nImageSize = [640 480]\n"
+        << QString();
+    QTest::newRow("fx, fy, cx, cy") << "width: 640 height: 480 fx: 812.3456789 fy: 805.125 ppx: 331.25 ppy: 236.875\n"
+                                       "rvec = (0.31, -0.52, 0.113), tvec = (0.2, -0.1, 6.5)\n"
+                                    << QString();
     QTest::newRow("P = K [R t]") << kMatrixP << QString();
     QTest::newRow("OpenCV's calibration, second view") << kCalibration << "1";
 }
@@ -236,6 +249,17 @@ void TestOpenCvCameras::mistakesBehindAnEmptyPictureAreNamed()
     QVERIFY2(text.find(said.toStdString()) != text.npos, text.c_str());
 }
 
+void TestOpenCvCameras::tinyObjectsAreReported()
+{
+    const auto saidOf = [](const std::string &t) {
+        return join(
+            sceneOf(kPlainK + kSize + "rvec = 0 0 0\ntvec = " + t + '\n', {}, boxAround({0, 0, 0}, 1.0)).assumed);
+    };
+    const std::string said = saidOf("0 0 5000");
+    QVERIFY2(said.find("The objects take only 0.067 % of the image: check the units of t.") != said.npos, said.c_str());
+    QVERIFY(saidOf("0 0 50").find("The objects take only") == std::string::npos);
+}
+
 void TestOpenCvCameras::assumptionsNameTheirOption()
 {
     const std::string said = join(sceneOf(kPlainK).assumed);
@@ -314,7 +338,8 @@ roi:
     QCOMPARE(raw.size, (PictureSize{640, 480}));
     QCOMPARE(raw.distortion.value(), (Distortion{0.1, -0.2, 0.001, 0.002, 0.0}));
     QVERIFY(!rectified.distortion);
-    // In the optical frame (1, 2, 4): K gives the raw pixel; R turns it to (2, -1, 4), P adds -70 / 4.
+    // In the optical frame (1, 2, 4): K gives the raw pixel; R turns it to (2, -1, 4),
+    // P adds -70 / 4.
     QVERIFY(glm::length(pixelOf(raw, {1, 2, 4}) - 0.5 - glm::dvec2(519.5, 644.5)) <= 1e-9);
     QVERIFY(glm::length(pixelOf(rectified, {1, 2, 4}) - 0.5 - glm::dvec2(632.5, 25.0)) <= 1e-9);
     QVERIFY(join(raw.assumed).find("K counts; --undistorted takes P") != std::string::npos);
@@ -441,6 +466,7 @@ void TestOpenCvCameras::otherTextsAreLeftToOthers_data()
     QTest::newRow("a projection named P")
         << "P = 1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0 V = 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1";
     QTest::newRow("words") << "R and t are lost";
+    QTest::newRow("a letter before a number") << "K = 3\nR = 8\n";
 }
 
 void TestOpenCvCameras::otherTextsAreLeftToOthers()
@@ -472,8 +498,8 @@ void TestOpenCvCameras::distortionIsUndone_data()
     QTest::newRow("tangential only") << 0.0 << 0.0 << 0.05 << -0.03 << 0.0;
 }
 
-/// The coefficients' polynomial is written apart: by angle and radius for its radial part, by powers
-/// for the rest.
+/// The coefficients' polynomial is written apart: by angle and radius for its radial part, by
+/// powers for the rest.
 void TestOpenCvCameras::distortionIsUndone()
 {
     QFETCH(double, k1);

@@ -119,6 +119,10 @@ void TestPastedKinds::numbersAsideAreNamed()
     QCOMPARE(asideOf("view 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\nMouse: 312, 204"), QStringLiteral("Mouse"));
     QCOMPARE(asideOf("view 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\nviewport 0 0 8 6\nwidth 8"), QStringLiteral("width"));
     QCOMPARE(asideOf("view 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\nwidth 8 height 6"), QString());
+    MatrixPaste paste;
+    paste.setText(MatrixRole::View, "near = 0.1\n1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1");
+    QCOMPARE(paste.aside(MatrixRole::View), std::vector<std::string>{"near"});
+    QVERIFY(paste.matrix(MatrixRole::View) && paste.aside(MatrixRole::Projection).empty());
     // The numbers of the next line are a matrix's again.
     const auto scene = pastedParts("depth 0.98\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1");
     QVERIFY(scene && scene->modelView);

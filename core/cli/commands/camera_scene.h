@@ -13,8 +13,8 @@ namespace unprojector::cli {
 /// @return their bounds, empty without objects; nothing if a file cannot be read
 std::optional<geometry::Box> addObjects(const SceneOptions &options, InputFiles &inputs, scene_file::SceneFile &scene);
 
-/// Writes a scene after the reader has accepted it: that checks a scene's limits. Errors are printed
-/// on stderr.
+/// Writes a scene after the reader has accepted it: that checks a scene's limits. Errors are
+/// printed on stderr.
 ExitCode writeScene(const SceneOptions &options, const InputFiles &inputs, const scene_file::SceneFile &scene);
 
 /// Makes a scene from another program's camera. Assumptions and errors are printed on stderr.

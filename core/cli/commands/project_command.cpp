@@ -102,7 +102,7 @@ glm::dvec4 rounded(const DoubleDouble4 &v)
 }
 
 /// Moves a pixel to the distorted picture.
-/// @return false where the distortion folds the picture over: another point has the same pixel there
+/// @return false where the distortion folds the picture over: another point has that pixel
 bool distort(const SceneLens &lens, DoubleDouble &x, DoubleDouble &y)
 {
     const glm::dvec2 pixel(x.value, y.value), moved = cameras::distortedPixel(lens.distortion, lens.pinhole, pixel);

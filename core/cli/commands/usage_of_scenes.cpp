@@ -133,6 +133,7 @@ void addScene(CLI::App &app, Run &run)
                          tr("Files of a camera, recognised by their contents: OpenCV (K, R, t; YAML, XML,\n"
                             "JSON), ROS camera_info and the other programs of the manual's page\n"
                             "conventions; - is standard input. Or the text itself"))
+            ->type_name("FILE")
             ->expected(1, 64);
     CLI::Option *matrices =
         command
