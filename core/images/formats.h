@@ -41,7 +41,7 @@ ImageError noLibrary(std::string_view format, std::string_view library, std::str
 /// @return the reason to refuse a size: too large, none, or request.refusal's
 std::optional<ImageError> sizeRefusal(const ImageSize &size, const ImageRequest &request);
 
-/// Whether any byte follows the image.
+/// Returns whether any byte follows the image.
 bool hasMore(ImageBytes &bytes);
 ImageError tooLong(const ImageSize &size);
 

@@ -55,7 +55,7 @@ struct ColorImage {
     std::vector<std::string> notes;
 };
 
-/// What the reader asks and tells while it reads.
+/// The caller's functions, which a reader calls while it reads.
 struct ImageRequest {
     /// The size of raw floats; empty: a file that is of no known format is refused.
     std::optional<ImageSize> rawSize;

@@ -99,7 +99,7 @@ void TestCloudCommand::everyFormatGivesTheSamePoints_data()
     QTest::newRow("PFM, little-endian") << pfm(depths(), true) << QStringList{};
     QTest::newRow("PFM, big-endian") << pfm(depths(), false) << QStringList{};
     QTest::newRow("PFM, size given too") << pfm(depths(), true) << QStringList{"--size", "4x3"};
-    QTest::newRow("PGM, 16 bits") << pgm(depths()) << QStringList{};
+    QTest::newRow("PGM, 16 bits") << pgm(depths()) << QStringList{"--depth-is", "buffer"};
 }
 
 void TestCloudCommand::everyFormatGivesTheSamePoints()
@@ -153,7 +153,7 @@ void TestCloudCommand::numbersMeanTheSameInEveryFormat()
     for (const QByteArray &image : {bytesOf(values), pfm(values, true), pfm(values, false), pgm(values)}) {
         const QString depth = m_folder.write("depth", image);
         const Run run = runCommand(QStringList{"cloud", "--size", "4x3", file, depth, "-o", "-"} + options);
-        VERIFY_SUCCEEDED(run);
+        QCOMPARE(run.exitCode, 0); // of whole numbers the assumed meaning is reported
         const QVector<float> points = pointsOf(run.output);
         QCOMPARE(points.size(), 3 * values.size());
         QVERIFY2(std::abs(points[2] - (5.0f - distance)) < 1e-3f, qPrintable(QString::number(points[2]))); // 16 bits

@@ -86,6 +86,7 @@ private slots:
     void whatHasNoPointIsCounted_data();
     void whatHasNoPointIsCounted();
     void anEmptyCloudNamesTheScale();
+    void anAssumedMeaningIsSaid();
     void optionsThatContradict_data();
     void optionsThatContradict();
 
@@ -250,6 +251,25 @@ void TestDepthMeanings::anEmptyCloudNamesTheScale()
     QVERIFY2(run.errors.contains("mm.npy: no pixel has a point: the scene shows distances from 1.5 to 2000; check "
                                  "--depth-is and --depth-scale\n"),
              run.errors.constData());
+}
+
+void TestDepthMeanings::anAssumedMeaningIsSaid()
+{
+    const QString scene = m_folder.write("scene.json", sceneOf(R"("type": "frustum")"));
+    const QVector<quint16> whole(qsizetype(kWidth) * kHeight, quint16(2400));
+    const QString file = m_folder.write("mm.npy", npy(npyHeader("<u2", "(48, 64)"), bytesOf(whole)));
+    const QStringList words{"cloud", scene, file, "-o", "-"};
+    QCOMPARE(
+        runCommand(words).errors,
+        file.toUtf8()
+            + ": the whole numbers are taken for depths of the window, as shares of 65535 (--depth-is buffer); for "
+              "distances give --depth-is z or distance\n");
+    QCOMPARE(runCommand(words + QStringList{"--depth-is", "buffer"}).errors, QByteArray());
+    const QString metres = m_folder.write("metres", bytesOf(QVector<float>(kWidth * kHeight, 2.5f)));
+    const Run run = runCommand({"cloud", scene, metres, "--size", "64x48", "-o", "-"});
+    QCOMPARE(run.errors, metres.toUtf8() + ": left out: 3072 outside the depth range\n" + metres.toUtf8()
+                             + ": no pixel has a point: depths of the window lie from 0 to 1; for distances give "
+                               "--depth-is z or distance\n");
 }
 
 void TestDepthMeanings::optionsThatContradict_data()

@@ -178,18 +178,29 @@ std::size_t writeDistances(const Cloud &c, ByteSink &sink, Extent &extent, Progr
     return count;
 }
 
-/// Reports the pixels without a point, unless they are nothing but background.
-void reportLeftOut(const Cloud &c)
+/// Reports what is assumed of the numbers, and the pixels without a point unless they are nothing
+/// but background.
+void reportNumbers(const Cloud &c)
 {
+    const auto say = [&](const std::string &what) { complain(c.source() + ": " + what); };
+    if (!c.options.numbers.isMeaningGiven && c.image.greatest > 0.0)
+        say(tr("the whole numbers are taken for depths of the window, as shares of %1 (--depth-is buffer); for "
+               "distances give --depth-is z or distance",
+               shortestText(c.image.greatest)));
     const std::size_t leftOut = pixelsOf(c.setup) - c.seen();
     const bool isBackground = !c.clip && leftOut == c.counts[static_cast<std::size_t>(PixelKind::AtFar)];
     if (leftOut > 0 && !isBackground)
-        complain(c.source() + ": " + tr("left out: %1", leftOutText(c.counts, c.clip)));
-    if (c.seen() == 0 && c.clip)
-        complain(
-            c.source() + ": "
-            + tr("no pixel has a point: the scene shows distances from %1 to %2; check --depth-is and --depth-scale",
-                 shortestText(c.clip->atNear), shortestText(c.clip->atFar)));
+        say(tr("left out: %1", leftOutText(c.counts, c.clip)));
+    if (c.seen() > 0)
+        return;
+    if (c.clip)
+        say(tr("no pixel has a point: the scene shows distances from %1 to %2; check --depth-is and --depth-scale",
+               shortestText(c.clip->atNear), shortestText(c.clip->atFar)));
+    else if (!isBackground)
+        say(tr("no pixel has a point: depths of the window lie from %1 to %2; for distances give --depth-is z or "
+               "distance",
+               shortestText(std::min(c.setup.depthRange.atNear, c.setup.depthRange.atFar)),
+               shortestText(std::max(c.setup.depthRange.atNear, c.setup.depthRange.atFar))));
 }
 
 template <class Scalar>
@@ -315,7 +326,7 @@ ExitCode runCloud(const CloudOptions &options)
     const DepthRows rows(*image, options.numbers, g, *lines, clip.value_or(ClipDistances{}));
     const Cloud cloud{
         options, g, *unprojection, *image, rows, *lines, clip, std::move(colors), countsOf(*image, rows, g, options)};
-    reportLeftOut(cloud);
+    reportNumbers(cloud);
     return options.precision == PointPrecision::Double ? writeCloud<double>(cloud, sink)
                                                        : writeCloud<float>(cloud, sink);
 }

@@ -197,7 +197,7 @@ void addCloud(CLI::App &app, Run &run)
     addFile(*command, "-o,--output", options->output, tr("Binary PLY; - is standard output"))->required();
     addFile(*command, "--color", options->color, tr("Colors of the same pixels: PNG or JPEG"));
     command->add_option("--size", options->size, tr("Size of raw floats, in pixels"))->type_name("WxH");
-    addChoice<DepthMeaning>(
+    CLI::Option *meaning = addChoice<DepthMeaning>(
         *command, "--depth-is", options->numbers.meaning,
         {{"buffer", DepthMeaning::Buffer},
          {"range", DepthMeaning::Range},
@@ -224,7 +224,10 @@ void addCloud(CLI::App &app, Run &run)
         + "\n  unproject cloud scene.json depth.pfm -o cloud.ply\n  unproject cloud --size 1920x1080 scene.json "
           "depth.raw -o cloud.ply\n  unproject cloud scene.json depth.png --depth-is z --depth-scale 1000 --color "
           "rgb.png -o cloud.ply");
-    command->callback([options, &run] { run = [options] { return runCloud(*options); }; });
+    command->callback([options, meaning, &run] {
+        options->numbers.isMeaningGiven = meaning->count() > 0;
+        run = [options] { return runCloud(*options); };
+    });
 }
 
 void addDoctor(CLI::App &app, Run &run)

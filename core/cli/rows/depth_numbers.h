@@ -20,9 +20,10 @@ enum class DepthMeaning {
     Disparity ///< pixels between two cameras side by side: z = fx baseline / disparity
 };
 
-/// What the numbers of a depth image are.
+/// The meaning and the unit of a depth image's numbers.
 struct DepthNumbers {
     DepthMeaning meaning = DepthMeaning::Buffer;
+    bool isMeaningGiven = false; ///< else the meaning is assumed
     /// The numbers are divided by it: 1000 for millimetres in a scene in metres. Not for buffer and
     /// range.
     std::optional<double> scale;
