@@ -12,6 +12,8 @@ packages=(
     libglm-dev libembree-dev nlohmann-json3-dev libcli11-dev libboost-dev
     # Packed glTF files
     libdraco-dev libmeshoptimizer-dev
+    # Depth images and their colors
+    libpng-dev libjpeg-dev libtiff-dev libopenexr-dev
     # For the tests: they compile and run the code that is written for GLU
     libglu1-mesa-dev
     # At run time: software OpenGL and a font, which Qt's packages do not depend on; a display for
@@ -24,7 +26,7 @@ packages=(
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     cat >&2 <<EOF
 This script installs packages on Debian and Ubuntu only. Elsewhere, install a C++20 compiler, CMake 3.25 or later,
-Ninja, Qt 6.4 or later (base and tools), GLM, Embree, Draco, meshoptimizer, nlohmann-json, the Boost headers and Xvfb, then run
+Ninja, Qt 6.4 or later (base and tools), GLM, Embree, Draco, meshoptimizer, libpng, libjpeg, libtiff, OpenEXR, nlohmann-json, the Boost headers and Xvfb, then run
     cmake --workflow --preset release && build/release/gui/unprojector
 EOF
     exit 1

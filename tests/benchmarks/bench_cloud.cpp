@@ -39,16 +39,24 @@ Setup setup()
 }
 
 /// Waves without background, so that every program computes all points.
-DepthImage waves()
+images::NumberImage waves()
 {
-    DepthImage image{kWidth, kHeight, std::make_unique_for_overwrite<float[]>(kWidth * kHeight)};
+    images::NumberImage image;
+    image.size = {kWidth, kHeight};
+    auto depths = std::make_unique_for_overwrite<float[]>(kWidth * kHeight);
     for (std::size_t j = 0; j < kHeight; ++j) {
         for (std::size_t i = 0; i < kWidth; ++i) {
-            image.depths[j * kWidth + i] =
+            depths[j * kWidth + i] =
                 static_cast<float>(0.9 + 0.09 * std::sin(double(i) * 0.01) * std::cos(double(j) * 0.013));
         }
     }
+    image.numbers = std::move(depths);
     return image;
+}
+
+const float *floatsOf(const images::NumberImage &image)
+{
+    return std::get<std::unique_ptr<float[]>>(image.numbers).get();
 }
 
 void finish(benchmark::State &state)
@@ -59,7 +67,7 @@ void finish(benchmark::State &state)
 /// Computes as the command does: into a buffer of some rows that is written out and used again.
 void computing(benchmark::State &state, const Result<BatchUnprojection> &unprojection, std::size_t bufferRows)
 {
-    const DepthImage image = waves();
+    const images::NumberImage image = waves();
     const DepthCloud<float> cloud(*unprojection, setup(), image);
     std::vector<float> points(3 * kWidth * bufferRows);
     for (auto _ : state) {
@@ -81,10 +89,10 @@ void computing(benchmark::State &state, const Result<BatchUnprojection> &unproje
 void openCv(benchmark::State &state)
 {
     cv::setNumThreads(1);
-    const DepthImage image = waves();
+    const images::NumberImage image = waves();
     cv::Mat distances(kHeight, kWidth, CV_32F);
     for (std::size_t i = 0; i < kWidth * kHeight; ++i) {
-        const double d = image.depths[i];
+        const double d = floatsOf(image)[i];
         distances.ptr<float>()[i] = static_cast<float>(kNear * kFar / (kFar * (1.0 - d) + kNear * d));
     }
     const double focal = kWidth / 2.0;
@@ -127,9 +135,9 @@ public:
             {"view", {{"eye", {3, 4, 5}}, {"center", {0, 0, 0}}, {"up", {0, 1, 0}}}},
         };
         std::ofstream(m_folder / "scene.json") << scene;
-        const DepthImage image = waves();
+        const images::NumberImage image = waves();
         std::ofstream(m_folder / "depth.raw", std::ios::binary)
-            .write(reinterpret_cast<const char *>(image.depths.get()), kWidth * kHeight * sizeof(float));
+            .write(reinterpret_cast<const char *>(floatsOf(image)), kWidth * kHeight * sizeof(float));
     }
     ~Files()
     {

@@ -1,10 +1,10 @@
-// A depth image: PFM, PGM or raw floats.
+// A depth image of any format, and colors.
 
 #include "core/cli/rows/depth_image.h"
 #include "tests/fuzz/fuzzing.h"
 
-#include <span>
 #include <string>
+#include <variant>
 
 using namespace unprojector::cli;
 
@@ -16,20 +16,29 @@ extern "C" int LLVMFuzzerInitialize(int *, char ***)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
-    const std::string file = fuzz::fileOf("depth.pfm", data, size).string();
+    const std::string file = fuzz::fileOf("depth", data, size).string();
     for (const char *given : {"", "3x2"}) {
         std::size_t seen = 0;
-        const auto image = readDepthImage(file, given, 3, 2, DepthEnds{0.25, 0.75},
-                                          [&](std::span<const float> depths) { seen += depths.size(); });
+        const auto image = readDepthImage(file, given, {3, 2}, [&](std::size_t count) { seen += count; });
         if (!image)
             continue;
-        fuzz::require(image->width == 3 && image->height == 2, "a picture has the size asked for");
-        fuzz::require(seen == 6, "every depth is handed out once");
-        float sum = 0.0f;
-        for (std::size_t j = 0; j < image->height; ++j) {
-            for (std::size_t i = 0; i < image->width; ++i)
-                sum += image->row(j)[i];
-        }
+        fuzz::require(image->size.pixels() == 6, "an image has the size asked for");
+        fuzz::require(seen == 6, "every pixel is reported once");
+        double sum = 0.0;
+        std::visit(
+            [&](const auto &numbers) {
+                for (std::size_t j = 0; j < 2; ++j) {
+                    for (std::size_t i = 0; i < 3; ++i)
+                        sum += static_cast<double>(numbers[image->start(j) + i]);
+                }
+            },
+            image->numbers);
+        static_cast<void>(sum);
+    }
+    if (const auto colors = readColors(file, {3, 2})) {
+        unsigned sum = 0;
+        for (std::size_t i = 0; i < 18; ++i)
+            sum += colors->colors[i];
         static_cast<void>(sum);
     }
     return 0;

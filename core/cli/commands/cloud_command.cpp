@@ -2,6 +2,7 @@
 
 #include "core/cli/rows/byte_stream.h"
 #include "core/cli/rows/depth_cloud.h"
+#include "core/cli/rows/depth_image.h"
 #include "core/cli/rows/scene_input.h"
 #include "core/cli/terminal/progress_bar.h"
 #include "core/text/error_text.h"
@@ -18,6 +19,7 @@
 #include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace unprojector::cli {
@@ -31,8 +33,13 @@ namespace {
 template <class Scalar>
 void makeLittleEndian([[maybe_unused]] std::span<Scalar> values)
 {
-    if constexpr (std::endian::native == std::endian::big)
-        swapBytes(values);
+    if constexpr (std::endian::native == std::endian::big) {
+        for (Scalar &value : values) {
+            auto bytes = std::bit_cast<std::array<char, sizeof(Scalar)>>(value);
+            std::ranges::reverse(bytes);
+            value = std::bit_cast<Scalar>(bytes);
+        }
+    }
 }
 
 std::uint64_t pixelsOf(const Setup &g)
@@ -41,26 +48,22 @@ std::uint64_t pixelsOf(const Setup &g)
 }
 
 template <class Scalar>
-std::string plyHeader(std::size_t count)
+std::string plyHeader(std::size_t count, bool hasColors)
 {
     const std::string property = std::is_same_v<Scalar, double> ? "property double " : "property float ";
     return "ply\nformat binary_little_endian 1.0\ncomment world coordinates\nelement vertex " + std::to_string(count)
-           + '\n' + property + "x\n" + property + "y\n" + property + "z\nend_header\n";
+           + '\n' + property + "x\n" + property + "y\n" + property + "z\n"
+           + (hasColors ? "property uchar red\nproperty uchar green\nproperty uchar blue\n" : "") + "end_header\n";
 }
 
 /// The extent of the written points.
 class Extent {
 public:
-    /// @param numbers  x, y, z of each point in turn
-    template <class Scalar>
-    void add(std::span<const Scalar> numbers)
+    void add(const std::array<double, 3> &point)
     {
-        for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const double value = numbers[i + axis];
-                m_lowest[axis] = std::min(m_lowest[axis], value);
-                m_highest[axis] = std::max(m_highest[axis], value);
-            }
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            m_lowest[axis] = std::min(m_lowest[axis], point[axis]);
+            m_highest[axis] = std::max(m_highest[axis], point[axis]);
         }
     }
     /// The largest change of a coordinate by rounding to single precision, where it is more than a
@@ -83,102 +86,249 @@ private:
     std::array<double, 3> m_lowest{kInfinity, kInfinity, kInfinity}, m_highest{-kInfinity, -kInfinity, -kInfinity};
 };
 
-/// @param seen  number of depths on a surface
+/// What a cloud is computed from.
+struct Cloud {
+    const CloudOptions &options;
+    const Setup &setup;
+    const BatchUnprojection &unprojection;
+    const images::NumberImage &image;
+    const DepthRows &rows;
+    const PixelLines &lines;
+    std::optional<ClipDistances> clip; ///< empty for window depths
+    std::optional<images::ColorImage> colors;
+    PixelCounts counts{};
+
+    std::size_t seen() const { return counts[static_cast<std::size_t>(PixelKind::Kept)]; }
+    std::string source() const { return options.depth == "-" ? "stdin" : options.depth; }
+};
+
+/// The points of window depths in single precision, by the fastest loops.
+/// @return how many points lie in the range of Scalar
 template <class Scalar>
-ExitCode writeCloud(const CloudOptions &options, ByteSink &sink, const BatchUnprojection &unprojection, const Setup &g,
-                    const DepthImage &image, std::size_t seen)
+std::size_t writeDepths(const Cloud &c, ByteSink &sink, Extent &extent, ProgressBar &progress)
 {
-    const DepthCloud<Scalar> cloud(unprojection, g, image);
+    const DepthCloud<Scalar> cloud(c.unprojection, c.setup, c.image);
     constexpr std::size_t kBufferNumbers = std::size_t{1} << 16;
-    const std::size_t rowNumbers = 3 * image.width;
+    const std::size_t rowNumbers = 3 * c.image.size.width, height = c.image.size.height;
     std::vector<Scalar> buffer(std::max(kBufferNumbers, rowNumbers));
-    std::size_t count = seen;
+    std::size_t count = c.seen();
     if (cloud.canOverflow()) {
         count = 0;
-        for (std::size_t j = 0; j < image.height; ++j)
+        for (std::size_t j = 0; j < height; ++j)
             count += cloud.row(j, buffer.data());
     }
-
-    sink.write(plyHeader<Scalar>(count));
-    ProgressBar progress(pixelsOf(g), ProgressBar::Unit::Points);
+    sink.write(plyHeader<Scalar>(count, false));
     std::size_t filled = 0;
-    Extent extent;
-    for (std::size_t j = 0; j < image.height && sink.state() == ByteSink::State::Open; ++j) {
+    for (std::size_t j = 0; j < height && sink.state() == ByteSink::State::Open; ++j) {
         filled += 3 * cloud.row(j, buffer.data() + filled);
-        if (filled + rowNumbers > buffer.size() || j + 1 == image.height) {
-            if constexpr (std::is_same_v<Scalar, float>)
-                extent.add(std::span<const Scalar>(buffer.data(), filled));
+        if (filled + rowNumbers > buffer.size() || j + 1 == height) {
+            if constexpr (std::is_same_v<Scalar, float>) {
+                for (std::size_t i = 0; i < filled; i += 3)
+                    extent.add({buffer[i], buffer[i + 1], buffer[i + 2]});
+            }
             makeLittleEndian(std::span<Scalar>(buffer.data(), filled));
             sink.write({reinterpret_cast<const char *>(buffer.data()), filled * sizeof(Scalar)});
             filled = 0;
         }
-        progress.advance(image.width);
+        progress.advance(c.image.size.width);
     }
+    return count;
+}
+
+/// The points of all other numbers, and points with colors.
+/// @return as writeDepths
+template <class Scalar>
+std::size_t writeDistances(const Cloud &c, ByteSink &sink, Extent &extent, ProgressBar &progress)
+{
+    const DistanceCloud cloud(c.unprojection, c.lines, c.rows);
+    const auto [width, height] = c.image.size;
+    PointRow row;
+    std::string bytes;
+    /// @param use  receives the index and the point of each pixel that has one
+    const auto eachPoint = [&](std::size_t j, const auto &use) {
+        cloud.row(j, row);
+        for (std::size_t i = 0; i < width; ++i) {
+            const std::array<Scalar, 3> point{static_cast<Scalar>(row.x[i]), static_cast<Scalar>(row.y[i]),
+                                              static_cast<Scalar>(row.z[i])};
+            if (row.distances.kinds[i] == PixelKind::Kept
+                && std::ranges::all_of(point, [](Scalar v) { return std::isfinite(v); }))
+                use(j * width + i, point);
+        }
+    };
+    std::size_t count = c.seen();
+    if (cloud.canOverflow<Scalar>(c.setup, c.clip.value_or(ClipDistances{}))) {
+        count = 0;
+        for (std::size_t j = 0; j < height; ++j)
+            eachPoint(j, [&](std::size_t, const auto &) { ++count; });
+    }
+    sink.write(plyHeader<Scalar>(count, c.colors.has_value()));
+    for (std::size_t j = 0; j < height && sink.state() == ByteSink::State::Open; ++j) {
+        bytes.clear();
+        eachPoint(j, [&](std::size_t pixel, std::array<Scalar, 3> point) {
+            extent.add({point[0], point[1], point[2]});
+            makeLittleEndian(std::span<Scalar>(point));
+            bytes.append(reinterpret_cast<const char *>(point.data()), sizeof(point));
+            constexpr std::size_t kChannels = 3;
+            if (c.colors)
+                bytes.append(reinterpret_cast<const char *>(c.colors->colors.get() + kChannels * pixel), kChannels);
+        });
+        sink.write(bytes);
+        progress.advance(width);
+    }
+    return count;
+}
+
+/// Reports what is assumed of the numbers, and the pixels without a point unless they are nothing
+/// but background.
+void reportNumbers(const Cloud &c)
+{
+    const auto say = [&](const std::string &what) { complain(c.source() + ": " + what); };
+    if (!c.options.numbers.isMeaningGiven && c.image.greatest > 0.0)
+        say(tr("the whole numbers are taken for depths of the window, as shares of %1 (--depth-is buffer); for "
+               "distances give --depth-is z or distance",
+               shortestText(c.image.greatest)));
+    const std::size_t leftOut = pixelsOf(c.setup) - c.seen();
+    const bool isBackground = !c.clip && leftOut == c.counts[static_cast<std::size_t>(PixelKind::AtFar)];
+    if (leftOut > 0 && !isBackground)
+        say(tr("left out: %1", leftOutText(c.counts, c.clip)));
+    if (c.seen() > 0)
+        return;
+    if (c.clip)
+        say(tr("no pixel has a point: the scene shows distances from %1 to %2; check --depth-is and --depth-scale",
+               shortestText(c.clip->atNear), shortestText(c.clip->atFar)));
+    else if (!isBackground)
+        say(tr("no pixel has a point: depths of the window lie from %1 to %2; for distances give --depth-is z or "
+               "distance",
+               shortestText(std::min(c.setup.depthRange.atNear, c.setup.depthRange.atFar)),
+               shortestText(std::max(c.setup.depthRange.atNear, c.setup.depthRange.atFar))));
+}
+
+template <class Scalar>
+ExitCode writeCloud(const Cloud &c, ByteSink &sink)
+{
+    ProgressBar progress(pixelsOf(c.setup), ProgressBar::Unit::Points);
+    Extent extent;
+    const bool isFast = c.options.numbers.meaning == DepthMeaning::Buffer && !c.colors
+                        && std::holds_alternative<std::unique_ptr<float[]>>(c.image.numbers);
+    const std::size_t count =
+        isFast ? writeDepths<Scalar>(c, sink, extent, progress) : writeDistances<Scalar>(c, sink, extent, progress);
     const ExitCode written = sink.finish();
     progress.finish();
     if (written != ExitCode::Done)
         return written;
-    const std::string source = options.depth == "-" ? "stdin" : options.depth;
-    if (count < seen) {
+    if (count < c.seen()) {
         constexpr bool isDouble = std::is_same_v<Scalar, double>;
-        complain(source + ": "
+        complain(c.source() + ": "
                  + tr(isDouble
                           ? "%1 points lie beyond the range of double precision"
                           : "%1 points lie beyond the range of single precision; --precision double reaches further",
-                      seen - count));
+                      c.seen() - count));
         return ExitCode::SomeRowsBad;
     }
-    if (const double rounding = extent.floatRounding(); rounding > 0.0)
+    if (const double rounding = extent.floatRounding(); std::is_same_v<Scalar, float> && rounding > 0.0)
         complain(
-            source + ": "
+            c.source() + ": "
             + tr(
                 "so far from the origin single precision rounds coordinates by up to %1; --precision double keeps them",
                 shortestText(rounding, 0.1 * rounding)));
-    if (options.output != "-") // in a pipe the next program prints
-        complain(options.output + ": "
-                 + tr(count == 1 ? "%1 point of %2 pixels" : "%1 points of %2 pixels", count, pixelsOf(g)));
+    if (c.options.output != "-") // in a pipe the next program prints
+        complain(c.options.output + ": "
+                 + tr(count == 1 ? "%1 point of %2 pixels" : "%1 points of %2 pixels", count, pixelsOf(c.setup)));
     return ExitCode::Done;
+}
+
+/// Counts the pixels of each kind: PLY states the number of points first.
+PixelCounts countsOf(const images::NumberImage &image, const DepthRows &rows, const Setup &g,
+                     const CloudOptions &options)
+{
+    PixelCounts counts{};
+    const auto *floats = std::get_if<std::unique_ptr<float[]>>(&image.numbers);
+    if (floats != nullptr && options.numbers.meaning == DepthMeaning::Buffer) {
+        const Surfaces surfaces(g.depthRange);
+        for (std::size_t j = 0; j < image.size.height; ++j)
+            surfaces.count({floats->get() + image.start(j), image.size.width}, counts);
+        return counts;
+    }
+    DistanceRow row;
+    for (std::size_t j = 0; j < image.size.height; ++j) {
+        rows.read(j, row);
+        for (const PixelKind kind : row.kinds)
+            ++counts[static_cast<std::size_t>(kind)];
+    }
+    return counts;
+}
+
+/// The fault of the options that tell what the numbers are; empty if there is none.
+std::string faultOf(const DepthNumbers &numbers)
+{
+    const bool isOfWindow = numbers.meaning == DepthMeaning::Buffer || numbers.meaning == DepthMeaning::Range;
+    if (numbers.scale && isOfWindow)
+        return tr("--depth-scale goes with --depth-is z, distance or disparity; depths of the window have no unit");
+    if (numbers.meaning == DepthMeaning::Disparity && !numbers.baseline)
+        return tr("--depth-is disparity needs --baseline, the distance of the two cameras in world units");
+    if (numbers.meaning != DepthMeaning::Disparity && numbers.baseline)
+        return tr("--baseline goes with --depth-is disparity");
+    return {};
 }
 
 } // namespace
 
 ExitCode runCloud(const CloudOptions &options)
 {
+    if (const std::string fault = faultOf(options.numbers); !fault.empty()) {
+        complain(fault);
+        return ExitCode::UnusableInput;
+    }
     const std::optional<SceneFile> scene = readScene(options.scene);
     if (!scene)
         return ExitCode::UnusableInput;
     const Setup g = setupOf(*scene);
+    const bool isMatrix = options.method == Method::Matrix;
     const Result<BatchUnprojection> unprojection =
-        options.method == Method::Matrix ? BatchUnprojection::byMatrix(g, {}) : BatchUnprojection::byFormula(g, {});
+        isMatrix ? BatchUnprojection::byMatrix(g, {}) : BatchUnprojection::byFormula(g, {});
     if (!unprojection) {
         complain(options.scene + ": " + errorText(unprojection.error()));
         return ExitCode::UnusableInput;
     }
+    Result<PixelLines> lines = PixelLines();
+    std::optional<ClipDistances> clip;
+    if (options.numbers.meaning != DepthMeaning::Buffer && options.numbers.meaning != DepthMeaning::Range) {
+        lines = isMatrix ? PixelLines::byMatrix(g) : PixelLines::byFormula(g);
+        const Result<ClipDistances> distances = clipDistances(g);
+        if (!lines || !distances) {
+            complain(options.scene + ": " + errorText(lines ? distances.error() : lines.error()));
+            return ExitCode::UnusableInput;
+        }
+        clip = *distances;
+        if (options.numbers.meaning == DepthMeaning::Disparity && !lines->isPerspective()) {
+            complain(options.scene + ": " + tr("a parallel projection has no disparities; give --depth-is z"));
+            return ExitCode::UnusableInput;
+        }
+    }
     InputFiles inputs = filesOf(*scene, options.scene);
     inputs.push_back(options.depth);
+    if (!options.color.empty())
+        inputs.push_back(options.color);
     ByteSink sink(options.output, inputs); // an unwritable output is reported before the computation
     if (!sink.isOpen())
         return ExitCode::UnusableInput;
-    // PLY states the number of points first, so they are counted while they are read.
-    const auto &[dn, df] = g.depthRange;
-    const Surfaces surfaces(g.depthRange);
-    std::size_t seen = 0;
+    const images::ImageSize window{static_cast<std::size_t>(g.surface.widthPixels),
+                                   static_cast<std::size_t>(g.surface.heightPixels)};
+    std::optional<images::ColorImage> colors;
+    if (!options.color.empty() && !(colors = readColors(options.color, window)))
+        return ExitCode::UnusableInput;
     ProgressBar progress(pixelsOf(g), ProgressBar::Unit::Points);
-    std::optional<DepthEnds> ends;
-    if (options.depths == DepthNumbers::Range)
-        ends = {std::min(dn, df), std::max(dn, df)};
-    const std::optional<DepthImage> image =
-        readDepthImage(options.depth, options.size, static_cast<std::size_t>(g.surface.widthPixels),
-                       static_cast<std::size_t>(g.surface.heightPixels), ends, [&](std::span<const float> depths) {
-                           seen += surfaces.countIn(depths);
-                           progress.advance(depths.size());
-                       });
+    const std::optional<images::NumberImage> image =
+        readDepthImage(options.depth, options.size, window, [&](std::size_t count) { progress.advance(count); });
     progress.finish();
     if (!image)
         return ExitCode::UnusableInput;
-    return options.precision == PointPrecision::Double
-               ? writeCloud<double>(options, sink, *unprojection, g, *image, seen)
-               : writeCloud<float>(options, sink, *unprojection, g, *image, seen);
+    const DepthRows rows(*image, options.numbers, g, *lines, clip.value_or(ClipDistances{}));
+    const Cloud cloud{
+        options, g, *unprojection, *image, rows, *lines, clip, std::move(colors), countsOf(*image, rows, g, options)};
+    reportNumbers(cloud);
+    return options.precision == PointPrecision::Double ? writeCloud<double>(cloud, sink)
+                                                       : writeCloud<float>(cloud, sink);
 }
 
 } // namespace unprojector::cli

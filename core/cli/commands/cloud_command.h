@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/cli/commands/points_command.h"
+#include "core/cli/rows/depth_numbers.h"
 #include "core/cli/terminal/exit_code.h"
 
 #include <string>
@@ -10,17 +11,14 @@ namespace unprojector::cli {
 /// The precision of the numbers in the file. Computations are in double either way.
 enum class PointPrecision { Float, Double };
 
-/// The meaning of a depth image's numbers, in every image format: window depths, or 0 to 1 over the
-/// scene's depth range, from its lower end on.
-enum class DepthNumbers { Window, Range };
-
 /// `unproject cloud`: converts a whole depth image to a point cloud in world space.
 struct CloudOptions {
     std::string scene;
-    std::string depth;  ///< raw floats, PFM or PGM
+    std::string depth;  ///< a depth image, see images::readNumberImage
+    std::string color;  ///< PNG or JPEG of the same pixels; empty: points without colors
     std::string size;   ///< "WxH", for raw floats
     std::string output; ///< a PLY file, "-" for stdout
-    DepthNumbers depths = DepthNumbers::Window;
+    DepthNumbers numbers;
     unproject::Method method = unproject::Method::Formula;
     PointPrecision precision = PointPrecision::Float;
 };

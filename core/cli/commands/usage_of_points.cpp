@@ -8,7 +8,10 @@
 #include "core/cli/commands/usage.h"
 #include "core/cli/commands/usage_options.h"
 
+#include <charconv>
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -179,6 +182,19 @@ void addProject(CLI::App &app, Run &run)
     });
 }
 
+/// An option that takes a number above 0.
+void addPositive(CLI::App &command, const std::string &name, std::optional<double> &target,
+                 const std::string &description)
+{
+    command.add_option(name, target, description)->type_name("N")->check([](const std::string &given) {
+        double number = 0.0;
+        const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), number);
+        const bool isWhole = error == std::errc{} && end == given.data() + given.size();
+        return isWhole && number > 0.0 && std::isfinite(number) ? std::string()
+                                                                : tr("\"%1\" is not a number above 0", given);
+    });
+}
+
 void addCloud(CLI::App &app, Run &run)
 {
     CLI::App *command =
@@ -186,27 +202,44 @@ void addCloud(CLI::App &app, Run &run)
     auto options = std::make_shared<CloudOptions>();
     addSceneFile(*command, options->scene);
     addFile(*command, "DEPTH", options->depth,
-            tr("Depths of the window: PFM, 16-bit PGM, or raw 32-bit floats row by row\n"
-               "from the top; - is standard input"))
+            tr("Depth image: PNG of 8 or 16 bits, .npy, OpenEXR, TIFF, PFM, PGM, or raw 32-bit\nfloats row by row from "
+               "the top; "
+               "- is standard input"))
         ->required();
     addFile(*command, "-o,--output", options->output, tr("Binary PLY; - is standard output"))->required();
+    addFile(*command, "--color", options->color, tr("Colors of the same pixels: PNG or JPEG"));
     command->add_option("--size", options->size, tr("Size of raw floats, in pixels"))->type_name("WxH");
-    addChoice<DepthNumbers>(*command, "--depths", options->depths,
-                            {{"range", DepthNumbers::Range}, {"window", DepthNumbers::Window}},
-                            tr("Meaning of the image's numbers (PGM: divided by the greatest possible one):\ndepths of "
-                               "the window, or 0 to 1 over the scene's depth range"));
+    CLI::Option *meaning = addChoice<DepthMeaning>(
+        *command, "--depth-is", options->numbers.meaning,
+        {{"buffer", DepthMeaning::Buffer},
+         {"range", DepthMeaning::Range},
+         {"z", DepthMeaning::Z},
+         {"distance", DepthMeaning::Distance},
+         {"disparity", DepthMeaning::Disparity}},
+        tr("Meaning of the numbers: depths of the window, 0 to 1 over the scene's depth range,\ndistance "
+           "along the view axis, distance along the pixel's ray, or disparity in pixels"));
+    addPositive(*command, "--depth-scale", options->numbers.scale,
+                tr("Divides the numbers of z, distance and disparity: 1000 for millimetres in a\nscene in metres"));
+    addPositive(*command, "--baseline", options->numbers.baseline,
+                tr("Distance of the two cameras of a disparity, world units"));
     addChoice<Method>(*command, "--method", options->method, {{"formula", Method::Formula}, {"matrix", Method::Matrix}},
                       tr("Method"));
     addChoice<PointPrecision>(*command, "--precision", options->precision,
                               {{"float", PointPrecision::Float}, {"double", PointPrecision::Double}},
                               tr("Precision of the written numbers"));
     command->footer(
-        tr("Pixels at the far end of the depth range are background and left out, like depths outside the "
-           "range.\nFloats have 7 digits: for large coordinates, as on maps, use --precision double.")
+        tr("Whole numbers as depths of the window count from 0 to their greatest possible one; all others as they are. "
+           "Pixels with\n0, NaN or infinity, before the near plane, on the far plane or behind it have no point; they "
+           "are "
+           "counted on stderr.\nFloats have 7 digits: for large coordinates, as on maps, use --precision double.")
         + "\n\n" + tr("Examples:")
         + "\n  unproject cloud scene.json depth.pfm -o cloud.ply\n  unproject cloud --size 1920x1080 scene.json "
-          "depth.raw -o cloud.ply");
-    command->callback([options, &run] { run = [options] { return runCloud(*options); }; });
+          "depth.raw -o cloud.ply\n  unproject cloud scene.json depth.png --depth-is z --depth-scale 1000 --color "
+          "rgb.png -o cloud.ply");
+    command->callback([options, meaning, &run] {
+        options->numbers.isMeaningGiven = meaning->count() > 0;
+        run = [options] { return runCloud(*options); };
+    });
 }
 
 void addDoctor(CLI::App &app, Run &run)

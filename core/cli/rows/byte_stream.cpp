@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <csignal>
 #include <filesystem>
+#include <limits>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -81,6 +82,16 @@ std::size_t ByteSource::readSome(char *buffer, std::size_t size)
     const std::optional<std::size_t> count = readAvailable(m_file.get(), buffer, size);
     m_hasFailed = !count;
     return count.value_or(0);
+}
+
+bool ByteSource::seek(std::uint64_t position)
+{
+#ifdef _WIN32
+    return _fseeki64(m_file.get(), static_cast<long long>(position), SEEK_SET) == 0;
+#else
+    return position <= std::uint64_t{std::numeric_limits<long>::max()}
+           && std::fseek(m_file.get(), static_cast<long>(position), SEEK_SET) == 0;
+#endif
 }
 
 std::optional<std::uint64_t> ByteSource::size() const

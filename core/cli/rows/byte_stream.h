@@ -39,6 +39,8 @@ public:
     /// their input at once. Returns 0 only at the end. A source is read either with this function
     /// or with `read`, not with both.
     std::size_t readSome(char *buffer, std::size_t size);
+    /// Moves to a position from the start, for files whose size is known.
+    bool seek(std::uint64_t position);
     /// True if reading stopped at an error, not at the end.
     bool hasFailed() const { return m_hasFailed; }
 

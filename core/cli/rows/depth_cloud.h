@@ -1,9 +1,12 @@
 #pragma once
 
-#include "core/cli/rows/depth_image.h"
+#include "core/cli/rows/depth_numbers.h"
+#include "core/images/number_image.h"
 #include "core/unproject/batch/batch_unproject.h"
 
+#include <cstddef>
 #include <span>
+#include <vector>
 
 namespace unprojector::cli {
 
@@ -15,20 +18,22 @@ public:
 
     float lowest() const { return m_low; }
     float highest() const { return m_high; }
-    std::size_t countIn(std::span<const float> depths) const;
+    /// Adds the depths of a row to the counts of their kinds.
+    void count(std::span<const float> depths, PixelCounts &counts) const;
 
 private:
-    float m_low, m_high;
+    float m_low, m_high, m_background;
 };
 
-/// Computes the points under the pixels of a depth image, a row at a time, so that all data stays
-/// in the processor's cache.
+/// Computes the points under the pixels of an image of window depths in single precision, a row at
+/// a time, so that all data stays in the processor's cache.
 /// @tparam Scalar  float or double
 template <class Scalar>
 class DepthCloud {
 public:
-    /// @param image  kept by reference; has the size of the setup's surface
-    DepthCloud(const unproject::BatchUnprojection &unprojection, const geometry::Setup &setup, const DepthImage &image);
+    /// @param image  floats; kept by reference; has the size of the setup's surface
+    DepthCloud(const unproject::BatchUnprojection &unprojection, const geometry::Setup &setup,
+               const images::NumberImage &image);
 
     /// True if the numbers of some pixel could exceed the range of Scalar.
     bool canOverflow() const { return m_canOverflow; }
@@ -41,9 +46,41 @@ public:
 
 private:
     unproject::BatchUnprojection m_unprojection;
-    const DepthImage &m_image;
+    const images::NumberImage &m_image;
+    const float *m_depths;
     Surfaces m_surfaces;
     bool m_canOverflow;
+};
+
+/// The points of a row of pixels, one a pixel.
+struct PointRow {
+    DistanceRow distances;
+    std::vector<double> px, py, x, y, z; ///< scratch where a pixel is not kept
+};
+
+/// Computes the points under the pixels of an image of any numbers, a row at a time, in double
+/// precision.
+class DistanceCloud {
+public:
+    /// @param rows, lines  kept by reference
+    DistanceCloud(const unproject::BatchUnprojection &unprojection, const unproject::PixelLines &lines,
+                  const DepthRows &rows)
+        : m_unprojection(unprojection), m_lines(lines), m_rows(rows)
+    {
+    }
+
+    /// True if the numbers of some pixel could exceed the range of Scalar.
+    /// @param clip  of the setup; not used for window depths
+    template <class Scalar>
+    bool canOverflow(const geometry::Setup &setup, const unproject::ClipDistances &clip) const;
+
+    /// @param j  row index from the top
+    void row(std::size_t j, PointRow &points) const;
+
+private:
+    unproject::BatchUnprojection m_unprojection;
+    const unproject::PixelLines &m_lines;
+    const DepthRows &m_rows;
 };
 
 } // namespace unprojector::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/unproject/batch/kernels.h"
+#include "core/unproject/batch/line_constants.h"
 #include "core/unproject/unprojector.h"
 
 #include <cstddef>
@@ -21,13 +22,6 @@ namespace batch {
 /// The loops compiled for a set.
 const Kernels &kernelsOf(InstructionSet set);
 } // namespace batch
-
-/// The space of a batch's results: eye or world space, or an object's.
-struct BatchSpace {
-    enum class Kind { Eye, World, Object };
-    Kind kind = Kind::World;
-    glm::dmat4 worldFromObject{1.0}; ///< for Kind::Object, affine
-};
 
 /// The picture elements of a batch, one array a coordinate. px, py: continuous device positions
 /// (origin top-left, the centre of pixel (i, j) at (i + 1/2, j + 1/2)). depth: in the depth range.

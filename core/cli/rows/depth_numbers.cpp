@@ -1,0 +1,132 @@
+#include "core/cli/rows/depth_numbers.h"
+
+#include "core/text/number_text.h"
+#include "core/text/translation.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace unprojector::cli {
+using namespace geometry;
+using namespace unproject;
+using text::tr;
+namespace {
+
+/// True if the file's numbers are in single precision, and compared with numbers of the scene: a
+/// renderer rounds its far plane and its depth range too.
+bool isRounded(const images::NumberImage &image, const DepthNumbers &numbers)
+{
+    return std::holds_alternative<std::unique_ptr<float[]>>(image.numbers)
+           && (numbers.meaning == DepthMeaning::Z || numbers.meaning == DepthMeaning::Buffer);
+}
+
+double asFloat(double number)
+{
+    return static_cast<double>(static_cast<float>(number));
+}
+
+} // namespace
+
+std::string leftOutText(const PixelCounts &counts, const std::optional<ClipDistances> &clip)
+{
+    std::string list;
+    const auto add = [&](PixelKind kind, const char *pattern, double plane = 0.0) {
+        if (const std::size_t count = counts[static_cast<std::size_t>(kind)]; count > 0)
+            list += (list.empty() ? "" : ", ") + tr(pattern, count, text::shortestText(plane));
+    };
+    add(PixelKind::Zero, text::marked("%1 with 0"));
+    add(PixelKind::NotANumber, text::marked("%1 with NaN"));
+    add(PixelKind::Infinite, text::marked("%1 infinite"));
+    add(PixelKind::Negative, text::marked("%1 below 0"));
+    add(PixelKind::OutsideRange, text::marked("%1 outside the depth range"));
+    if (clip) {
+        add(PixelKind::BeforeNear, text::marked("%1 before the near plane (%2)"), clip->atNear);
+        add(PixelKind::AtFar, text::marked("%1 on the far plane (%2) or behind it"), clip->atFar);
+    } else {
+        add(PixelKind::AtFar, text::marked("%1 with the background's depth"));
+    }
+    return list;
+}
+
+DepthRows::DepthRows(const images::NumberImage &image, const DepthNumbers &numbers, const Setup &setup,
+                     const PixelLines &lines, const ClipDistances &clip)
+    : m_image(image), m_numbers(numbers), m_lines(lines), m_clip(clip),
+      m_low(std::min(setup.depthRange.atNear, setup.depthRange.atFar)),
+      m_high(std::max(setup.depthRange.atNear, setup.depthRange.atFar)), m_lowest(m_low), m_highest(m_high),
+      m_background(setup.depthRange.atFar)
+{
+    if (!isRounded(image, numbers))
+        return;
+    for (double *compared : {&m_lowest, &m_highest, &m_background})
+        *compared = asFloat(*compared);
+    for (double *compared : {&m_clip.atNear, &m_clip.atFar})
+        *compared = std::min(*compared, asFloat(*compared));
+}
+
+PixelKind DepthRows::kindOfDepth(double depth) const
+{
+    if (std::isnan(depth))
+        return PixelKind::NotANumber;
+    if (std::isinf(depth))
+        return PixelKind::Infinite;
+    if (depth == m_background)
+        return PixelKind::AtFar;
+    return depth >= m_lowest && depth <= m_highest ? PixelKind::Kept : PixelKind::OutsideRange;
+}
+
+PixelKind DepthRows::kindOfNumber(double number) const
+{
+    if (std::isnan(number))
+        return PixelKind::NotANumber;
+    if (std::isinf(number))
+        return PixelKind::Infinite;
+    if (m_clip.atNear < 0.0 && m_numbers.meaning != DepthMeaning::Disparity) // a box around the eye
+        return PixelKind::Kept;
+    return number > 0.0 ? PixelKind::Kept : number < 0.0 ? PixelKind::Negative : PixelKind::Zero;
+}
+
+PixelKind DepthRows::kindOfDistance(double z) const
+{
+    if (z < m_clip.atNear)
+        return PixelKind::BeforeNear;
+    return z < m_clip.atFar ? PixelKind::Kept : PixelKind::AtFar;
+}
+
+void DepthRows::read(std::size_t j, DistanceRow &row) const
+{
+    const std::size_t width = m_image.size.width;
+    row.values.resize(width);
+    row.kinds.resize(width);
+    std::visit([&](const auto &numbers) { std::copy_n(numbers.get() + m_image.start(j), width, row.values.begin()); },
+               m_image.numbers);
+    if (isOfWindow()) {
+        const double one = m_image.greatest > 0.0 ? m_image.greatest : 1.0; // whole numbers are shares
+        for (std::size_t i = 0; i < width; ++i) {
+            row.values[i] /= one;
+            if (m_numbers.meaning == DepthMeaning::Range)
+                row.values[i] = std::lerp(m_low, m_high, row.values[i]);
+            row.kinds[i] = kindOfDepth(row.values[i]);
+        }
+        return;
+    }
+    const double scale = m_numbers.scale.value_or(1.0);
+    const double fxBaseline = m_lines.focalPixels() * m_numbers.baseline.value_or(0.0);
+    for (std::size_t i = 0; i < width; ++i) {
+        double &value = row.values[i];
+        value /= scale;
+        row.kinds[i] = kindOfNumber(value);
+        if (row.kinds[i] != PixelKind::Kept)
+            continue;
+        if (m_numbers.meaning == DepthMeaning::Disparity) {
+            value = fxBaseline / value;
+        } else if (m_numbers.meaning == DepthMeaning::Distance) {
+            const DevicePoint center = pixelCenter({static_cast<int>(i), static_cast<int>(j)});
+            value /= glm::length(m_lines.at(center.x, center.y).ahead);
+        }
+        row.kinds[i] = kindOfDistance(value);
+    }
+}
+
+} // namespace unprojector::cli

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "core/images/number_image.h"
+#include "core/unproject/batch/pixel_lines.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace unprojector::cli {
+
+/// The meaning of a depth image's numbers, in every format.
+enum class DepthMeaning {
+    Buffer,   ///< depths of the window, in the scene's depth range
+    Range,    ///< 0 to 1 over the scene's depth range, from its lower end on
+    Z,        ///< distances from the eye along the view axis
+    Distance, ///< distances from the eye along the pixel's ray; of a box from the plane of the eye
+    Disparity ///< pixels between two cameras side by side: z = fx baseline / disparity
+};
+
+/// The meaning and the unit of a depth image's numbers.
+struct DepthNumbers {
+    DepthMeaning meaning = DepthMeaning::Buffer;
+    bool isMeaningGiven = false; ///< else the meaning is assumed
+    /// The numbers are divided by it: 1000 for millimetres in a scene in metres. Not for buffer and
+    /// range.
+    std::optional<double> scale;
+    std::optional<double> baseline; ///< of disparities, world units
+};
+
+/// Why a pixel has a point, or none.
+enum class PixelKind : unsigned char {
+    Kept,
+    Zero, ///< nothing was measured
+    NotANumber,
+    Infinite,
+    Negative,
+    BeforeNear,
+    AtFar,       ///< on the far plane or behind it: background
+    OutsideRange ///< no depth of the window
+};
+using PixelCounts = std::array<std::size_t, 8>;
+
+/// The pixels that have no point: "12 with 0, 3 on the far plane (100) or behind it".
+/// @param clip  empty for window depths
+std::string leftOutText(const PixelCounts &counts, const std::optional<unproject::ClipDistances> &clip);
+
+/// The distances and kinds of the pixels of a row.
+struct DistanceRow {
+    std::vector<double> values; ///< window depths, or z; scratch where a pixel is not kept
+    std::vector<PixelKind> kinds;
+};
+
+/// Converts the rows of a depth image to window depths (Buffer, Range) or to z (all others), in
+/// double precision.
+class DepthRows {
+public:
+    /// @param image, lines  kept by reference; lines and clip are not used for window depths
+    DepthRows(const images::NumberImage &image, const DepthNumbers &numbers, const geometry::Setup &setup,
+              const unproject::PixelLines &lines, const unproject::ClipDistances &clip);
+
+    /// True for window depths.
+    bool isOfWindow() const
+    {
+        return m_numbers.meaning == DepthMeaning::Buffer || m_numbers.meaning == DepthMeaning::Range;
+    }
+    /// @param j  row index from the top
+    void read(std::size_t j, DistanceRow &row) const;
+
+private:
+    PixelKind kindOfDepth(double depth) const;
+    PixelKind kindOfNumber(double number) const;
+    PixelKind kindOfDistance(double z) const;
+
+    const images::NumberImage &m_image;
+    DepthNumbers m_numbers;
+    const unproject::PixelLines &m_lines;
+    unproject::ClipDistances m_clip;
+    double m_low, m_high;                           ///< ends of the depth range
+    double m_lowest, m_highest, m_background = 1.0; ///< the window depths to compare with
+};
+
+} // namespace unprojector::cli

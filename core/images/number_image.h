@@ -1,0 +1,83 @@
+#pragma once
+
+#include "core/geometry/result.h"
+#include "core/images/image_bytes.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// Readers of images of numbers (depths, distances) and of colors.
+namespace unprojector::images {
+
+struct ImageSize {
+    std::size_t width = 0, height = 0;
+    std::size_t pixels() const { return width * height; }
+    friend bool operator==(const ImageSize &, const ImageSize &) = default;
+};
+
+/// "640x480".
+std::string sizeText(const ImageSize &size);
+
+/// The longest side of an image that is read.
+constexpr std::size_t kMostSide = 65536;
+
+/// The fault of an image.
+struct ImageError {
+    std::string reason; ///< says what to do, in the language of text::tr()
+};
+
+/// One number a pixel, in the type of the file.
+struct NumberImage {
+    /// The numbers of all pixels, row after row.
+    using Numbers = std::variant<std::unique_ptr<std::uint8_t[]>, std::unique_ptr<std::uint16_t[]>,
+                                 std::unique_ptr<float[]>, std::unique_ptr<double[]>>;
+
+    ImageSize size;
+    Numbers numbers;
+    double greatest = 0.0;          ///< of whole numbers: the greatest possible one; 0: fractions
+    bool isBottomFirst = false;     ///< rows are stored from the bottom
+    std::vector<std::string> notes; ///< what was chosen or ignored, in the language of text::tr()
+
+    /// The index of the first number of row j, counted from the top.
+    std::size_t start(std::size_t j) const { return (isBottomFirst ? size.height - 1 - j : j) * size.width; }
+};
+
+/// Red, green, blue of each pixel, row after row from the top, 8 bits each.
+struct ColorImage {
+    ImageSize size;
+    std::unique_ptr<std::uint8_t[]> colors;
+    std::vector<std::string> notes;
+};
+
+/// The caller's functions, which a reader calls while it reads.
+struct ImageRequest {
+    /// The size of raw floats; empty: a file that is of no known format is refused.
+    std::optional<ImageSize> rawSize;
+    /// The reason to refuse an image of a size, before memory is allocated for it.
+    std::function<std::optional<ImageError>(const ImageSize &)> refusal;
+    /// Receives the number of pixels read since the last call.
+    std::function<void(std::size_t)> onRead;
+};
+
+/// Reads an image of numbers. Its content tells the format, not its name:
+///
+///   PFM ("Pf")     floats of either byte order, rows from the bottom
+///   PGM ("P5")     8 or 16 bits
+///   PNG            8 or 16 bits of gray, by libpng
+///   NumPy (.npy)   whole numbers and floats of 8 to 64 bits, either byte order, C and Fortran order
+///   OpenEXR        the channel of depth; see exr_image.h
+///   TIFF           one channel of 8 to 64 bits; see tiff_image.h
+///   anything else  raw 32-bit floats, little-endian, rows from the top, of the given size
+///
+geometry::Result<NumberImage, ImageError> readNumberImage(ImageBytes &bytes, const ImageRequest &request);
+
+/// Reads colors: PNG of any kind, or JPEG.
+geometry::Result<ColorImage, ImageError> readColorImage(ImageBytes &bytes, const ImageRequest &request);
+
+} // namespace unprojector::images

@@ -1,0 +1,545 @@
+// `unproject cloud`: depth images of every format, their colors, and damaged ones.
+
+#include "tests/cli/depth_files.h"
+
+#include <QBuffer>
+#include <QImage>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#ifdef UNPROJECTOR_TIFF
+#include <tiffio.h>
+#endif
+#ifdef UNPROJECTOR_OPENEXR
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
+#endif
+
+namespace {
+
+/// 4 x 3 pixels; eye (0, 0, 5), looking down -z; x = (i - 1.5) z, y = (1 - j) z.
+const QByteArray kScene = R"({"unprojector": 1, "window": {"width": 4, "height": 3},
+  "projection": {"type": "frustum", "left": -2, "right": 2, "bottom": -1.5, "top": 1.5, "near": 1, "far": 400},
+  "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]}})";
+constexpr int kWidth = 4, kHeight = 3;
+
+/// A different whole number a pixel.
+template <class Number>
+QVector<Number> numbers()
+{
+    QVector<Number> values;
+    for (int i = 0; i < kWidth * kHeight; ++i)
+        values << Number(2 + 7 * i);
+    return values;
+}
+
+/// The points of numbers() as distances along the axis.
+QVector<double> expectedPoints()
+{
+    QVector<double> points;
+    for (int i = 0; i < kWidth * kHeight; ++i) {
+        const double z = 2 + 7 * i;
+        points << (i % kWidth - 1.5) * z << (1 - i / kWidth) * z << 5 - z;
+    }
+    return points;
+}
+
+template <class Number>
+QByteArray npyOf(const char *type, const char *shape = "(3, 4)")
+{
+    return npy(npyHeader(type, shape), bytesOf(numbers<Number>()));
+}
+
+template <class Number>
+QByteArray npySwapped(const char *type)
+{
+    return npy(npyHeader(type, "(3, 4)"), swapped(numbers<Number>()));
+}
+
+/// Column after column.
+QByteArray npyInFortranOrder()
+{
+    QVector<float> columns;
+    for (int i = 0; i < kWidth; ++i) {
+        for (int j = 0; j < kHeight; ++j)
+            columns << numbers<float>()[j * kWidth + i];
+    }
+    return npy(npyHeader("<f4", "(3, 4)", true), bytesOf(columns));
+}
+
+/// 16 bits of sign, exponent and fraction; for whole numbers from 2 to 2047.
+QByteArray npyOfHalves()
+{
+    QVector<quint16> halves;
+    for (const int number : numbers<int>()) {
+        const int exponent = std::ilogb(double(number));
+        halves << quint16((exponent + 15) << 10 | (number << (10 - exponent) & 0x3ff));
+    }
+    return npy(npyHeader("<f2", "(3, 4)"), bytesOf(halves));
+}
+
+QByteArray pgm(int greatest)
+{
+    QByteArray bytes = "P5\n4 3\n" + QByteArray::number(greatest) + "\n";
+    for (const int number : numbers<int>()) {
+        if (greatest > 255)
+            bytes += '\0';
+        bytes += char(number);
+    }
+    return bytes;
+}
+
+QByteArray encoded(const QImage &image, const char *format)
+{
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    if (!image.save(&buffer, format))
+        qFatal("Qt writes no %s", format);
+    return bytes;
+}
+
+QByteArray grayPng(QImage::Format format)
+{
+    QImage image(kWidth, kHeight, format);
+    for (int j = 0; j < kHeight; ++j) {
+        for (int i = 0; i < kWidth; ++i) {
+            const int number = numbers<int>()[j * kWidth + i];
+            if (format == QImage::Format_Grayscale16)
+                reinterpret_cast<quint16 *>(image.scanLine(j))[i] = quint16(number);
+            else
+                image.scanLine(j)[i] = uchar(number);
+        }
+    }
+    return encoded(image, "png");
+}
+
+/// The colors (20 i, 30 j, 200).
+QImage colors(int width = kWidth)
+{
+    QImage image(width, kHeight, QImage::Format_RGB888);
+    for (int j = 0; j < kHeight; ++j) {
+        for (int i = 0; i < width; ++i)
+            image.setPixel(i, j, qRgb(20 * i, 30 * j, 200));
+    }
+    return image;
+}
+
+/// numbers<quint16>() as a PNG of Adam7, by ImageMagick.
+const QByteArray kInterlacedPng = QByteArray::fromBase64(
+    "iVBORw0KGgoAAAANSUhEUgAAAAQAAAADEAAAAAG2CB3PAAAAJklEQVQI12NgYGJgEGBksGLgY2TgZOBjYbBg4GNkkGNgZ2Bn"
+    "YAcADg4A8qfPKcoAAAAASUVORK5CYII=");
+
+#ifdef UNPROJECTOR_TIFF
+struct TiffKind {
+    int bits = 32, format = SAMPLEFORMAT_IEEEFP, compression = COMPRESSION_NONE, orientation = ORIENTATION_TOPLEFT;
+    bool isTiled = false;
+    int channels = 1;
+    const char *mode = "w";
+};
+
+template <class Number>
+QByteArray tiffOf(const QString &file, const TiffKind &kind)
+{
+    TIFF *tiff = TIFFOpen(file.toLocal8Bit().constData(), kind.mode);
+    TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, kWidth);
+    TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, kHeight);
+    TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, kind.bits);
+    TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, kind.channels);
+    TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, kind.format);
+    TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, kind.channels == 3 ? PHOTOMETRIC_RGB : PHOTOMETRIC_MINISBLACK);
+    TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+    TIFFSetField(tiff, TIFFTAG_COMPRESSION, kind.compression);
+    TIFFSetField(tiff, TIFFTAG_ORIENTATION, kind.orientation);
+    const QVector<Number> values = numbers<Number>();
+    if (kind.isTiled) {
+        constexpr int kTile = 16;
+        TIFFSetField(tiff, TIFFTAG_TILEWIDTH, kTile);
+        TIFFSetField(tiff, TIFFTAG_TILELENGTH, kTile);
+        QVector<Number> tile(qsizetype(kTile) * kTile, Number(0));
+        for (int i = 0; i < values.size(); ++i)
+            tile[i / kWidth * kTile + i % kWidth] = values[i];
+        TIFFWriteTile(tiff, tile.data(), 0, 0, 0, 0);
+    } else {
+        TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, 2);
+        for (int j = 0; j < kHeight; ++j) {
+            const int row = kind.orientation == ORIENTATION_BOTLEFT ? kHeight - 1 - j : j;
+            QVector<Number> line;
+            for (int i = 0; i < kWidth; ++i)
+                line += QVector<Number>(kind.channels, values[row * kWidth + i]);
+            TIFFWriteScanline(tiff, line.data(), quint32(j), 0);
+        }
+    }
+    TIFFClose(tiff);
+    QFile written(file);
+    return written.open(QIODevice::ReadOnly) ? written.readAll() : QByteArray();
+}
+#endif
+
+#ifdef UNPROJECTOR_OPENEXR
+/// @param channels  all with the numbers; those after the first have 1 more each
+QByteArray exr(const QString &file, Imf::PixelType type, const QStringList &channels,
+               Imf::Compression compression = Imf::ZIP_COMPRESSION)
+{
+    Imf::Header header(kWidth, kHeight);
+    header.compression() = compression;
+    Imf::FrameBuffer buffer;
+    QVector<QByteArray> planes;
+    for (const QString &name : channels) {
+        QByteArray plane;
+        for (const int number : numbers<int>()) {
+            const float value = float(number) + float(planes.size());
+            if (type == Imf::FLOAT)
+                plane += bytesOf(QVector<float>{value});
+            else if (type == Imf::HALF)
+                plane += bytesOf(QVector<Imath::half>{Imath::half(value)});
+            else
+                plane += bytesOf(QVector<quint32>{quint32(value)});
+        }
+        planes << plane;
+        header.channels().insert(name.toStdString(), Imf::Channel(type));
+    }
+    for (int k = 0; k < planes.size(); ++k) {
+        const qsizetype size = planes[k].size() / (qsizetype(kWidth) * kHeight);
+        buffer.insert(channels[k].toStdString(),
+                      Imf::Slice(type, planes[k].data(), std::size_t(size), std::size_t(size * kWidth)));
+    }
+    {
+        Imf::OutputFile out(file.toLocal8Bit().constData(), header);
+        out.setFrameBuffer(buffer);
+        out.writePixels(kHeight);
+    }
+    QFile written(file);
+    return written.open(QIODevice::ReadOnly) ? written.readAll() : QByteArray();
+}
+#endif
+
+} // namespace
+
+class TestDepthImages : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { m_scene = m_folder.write("scene.json", kScene); }
+    void everyFormatGivesTheNumbers_data();
+    void everyFormatGivesTheNumbers();
+    void wholeNumbersAreSharesOfTheGreatest_data();
+    void wholeNumbersAreSharesOfTheGreatest();
+    void channelsAreNamed();
+    void colorsFollowTheirPoints_data();
+    void colorsFollowTheirPoints();
+    void colorsMustFit();
+    void unusableImages_data();
+    void unusableImages();
+    void everyShorterFileIsRefused_data();
+    void everyShorterFileIsRefused();
+
+private:
+    Run cloud(const QByteArray &image, const QStringList &options)
+    {
+        return runCommand(QStringList{"cloud", m_scene, m_folder.write("depth", image), "-o", "-"} + options);
+    }
+    void addLibraryFormats();
+
+    Folder m_folder;
+    QString m_scene;
+};
+
+void TestDepthImages::addLibraryFormats()
+{
+#ifdef UNPROJECTOR_PNG
+    QTest::newRow("PNG, 16 bits") << grayPng(QImage::Format_Grayscale16);
+    QTest::newRow("PNG, 8 bits") << grayPng(QImage::Format_Grayscale8);
+    QTest::newRow("PNG, interlaced") << kInterlacedPng;
+#endif
+#ifdef UNPROJECTOR_TIFF
+    const QString file = m_folder.path("made.tiff");
+    QTest::newRow("TIFF, floats") << tiffOf<float>(file, {});
+    QTest::newRow("TIFF, big-endian") << tiffOf<float>(file, {.mode = "wb"});
+    QTest::newRow("TIFF, BigTIFF") << tiffOf<float>(file, {.mode = "w8"});
+    QTest::newRow("TIFF, doubles, from the bottom")
+        << tiffOf<double>(file, {.bits = 64, .orientation = ORIENTATION_BOTLEFT});
+    QTest::newRow("TIFF, 16 bits, LZW") << tiffOf<quint16>(
+        file, {.bits = 16, .format = SAMPLEFORMAT_UINT, .compression = COMPRESSION_LZW});
+    QTest::newRow("TIFF, 8 bits, deflate")
+        << tiffOf<quint8>(file, {.bits = 8, .format = SAMPLEFORMAT_UINT, .compression = COMPRESSION_ADOBE_DEFLATE});
+    QTest::newRow("TIFF, signed, tiles") << tiffOf<qint16>(file,
+                                                           {.bits = 16, .format = SAMPLEFORMAT_INT, .isTiled = true});
+    QTest::newRow("TIFF, floats, tiles, deflate")
+        << tiffOf<float>(file, {.compression = COMPRESSION_ADOBE_DEFLATE, .isTiled = true});
+#endif
+#ifdef UNPROJECTOR_OPENEXR
+    const QString name = m_folder.path("made.exr");
+    QTest::newRow("OpenEXR, floats") << exr(name, Imf::FLOAT, {"Z"});
+    QTest::newRow("OpenEXR, halves") << exr(name, Imf::HALF, {"Y"}, Imf::PIZ_COMPRESSION);
+    QTest::newRow("OpenEXR, whole numbers") << exr(name, Imf::UINT, {"depth"}, Imf::NO_COMPRESSION);
+    QTest::newRow("OpenEXR, any name") << exr(name, Imf::FLOAT, {"Metres"});
+#endif
+}
+
+void TestDepthImages::everyFormatGivesTheNumbers_data()
+{
+    QTest::addColumn<QByteArray>("image");
+    QTest::newRow("raw") << bytesOf(numbers<float>());
+    QTest::newRow("PGM, 8 bits") << pgm(255);
+    QTest::newRow("PGM, 16 bits") << pgm(65535);
+    QTest::newRow("npy, floats") << npyOf<float>("<f4");
+    QTest::newRow("npy, doubles") << npyOf<double>("<f8");
+    QTest::newRow("npy, halves") << npyOfHalves();
+    QTest::newRow("npy, 8 bits") << npyOf<quint8>("|u1");
+    QTest::newRow("npy, 8 bits, signed") << npyOf<qint8>("|i1");
+    QTest::newRow("npy, 16 bits") << npyOf<quint16>("<u2");
+    QTest::newRow("npy, 16 bits, signed") << npyOf<qint16>("<i2");
+    QTest::newRow("npy, 32 bits") << npyOf<quint32>("<u4");
+    QTest::newRow("npy, 32 bits, signed") << npyOf<qint32>("<i4");
+    QTest::newRow("npy, 64 bits") << npyOf<quint64>("<u8");
+    QTest::newRow("npy, 64 bits, signed") << npyOf<qint64>("<i8");
+    QTest::newRow("npy, floats, big-endian") << npySwapped<float>(">f4");
+    QTest::newRow("npy, doubles, big-endian") << npySwapped<double>(">f8");
+    QTest::newRow("npy, 16 bits, big-endian") << npySwapped<quint16>(">u2");
+    QTest::newRow("npy, Fortran order") << npyInFortranOrder();
+    QTest::newRow("npy, (H, W, 1)") << npyOf<float>("<f4", "(3, 4, 1)");
+    QTest::newRow("npy, (1, H, W)") << npyOf<float>("<f4", "(1, 3, 4)");
+    QByteArray second = npyOf<float>("<f4"); // a length of four bytes
+    second[6] = 2;
+    second.insert(10, QByteArray(2, '\0'));
+    QTest::newRow("npy, version 2") << second;
+    addLibraryFormats();
+}
+
+void TestDepthImages::everyFormatGivesTheNumbers()
+{
+    QFETCH(QByteArray, image);
+    const Run run = cloud(image, {"--depth-is", "z", "--precision", "double", "--size", "4x3"});
+    QCOMPARE(run.errors, QByteArray());
+    QCOMPARE(pointsOf<double>(run.output), expectedPoints());
+}
+
+void TestDepthImages::wholeNumbersAreSharesOfTheGreatest_data()
+{
+    QTest::addColumn<QByteArray>("image");
+    QTest::addColumn<double>("greatest");
+    QTest::newRow("npy, 8 bits") << npyOf<quint8>("|u1") << 255.0;
+    QTest::newRow("npy, 16 bits") << npyOf<quint16>("<u2") << 65535.0;
+    QTest::newRow("npy, 32 bits") << npyOf<quint32>("<u4") << 4294967295.0;
+    QTest::newRow("PGM") << pgm(100) << 100.0;
+#ifdef UNPROJECTOR_PNG
+    QTest::newRow("PNG, 16 bits") << grayPng(QImage::Format_Grayscale16) << 65535.0;
+    QTest::newRow("PNG, 8 bits") << grayPng(QImage::Format_Grayscale8) << 255.0;
+#endif
+}
+
+void TestDepthImages::wholeNumbersAreSharesOfTheGreatest()
+{
+    QFETCH(QByteArray, image);
+    QFETCH(double, greatest);
+    const Run run = cloud(image, {"--precision", "double", "--depth-is", "buffer"});
+    VERIFY_SUCCEEDED(run);
+    const QVector<double> points = pointsOf<double>(run.output);
+    QCOMPARE(points.size(), qsizetype(36));
+    for (int i = 0; i < kWidth * kHeight; ++i) {
+        const double depth = numbers<double>()[i] / greatest, z = 400.0 / (400.0 - 399.0 * depth);
+        QVERIFY(std::abs(points[3 * i + 2] - (5.0 - z)) < 1e-12 * (5.0 + z));
+    }
+}
+
+void TestDepthImages::channelsAreNamed()
+{
+#ifdef UNPROJECTOR_OPENEXR
+    const QString name = m_folder.path("made.exr");
+    const QStringList options{"--depth-is", "z", "--precision", "double"};
+    // EXR sorts channels by name.
+    const Run several = cloud(exr(name, Imf::FLOAT, {"View.Depth.Z", "B", "G", "R"}), options);
+    QVERIFY2(several.errors.contains("depth: of the channels B, G, R, View.Depth.Z, View.Depth.Z is used\n"),
+             several.errors.constData());
+    QCOMPARE(pointsOf<double>(several.output), expectedPoints());
+    const Run colors = cloud(exr(name, Imf::FLOAT, {"R", "B", "G"}), options);
+    QVERIFY2(colors.errors.contains("depth: of the channels B, G, R, R is used\n"), colors.errors.constData());
+    QCOMPARE(pointsOf<double>(colors.output), expectedPoints());
+    const Run unknown = cloud(exr(name, Imf::FLOAT, {"one", "two"}), options);
+    QCOMPARE(unknown.exitCode, 2);
+    QVERIFY2(unknown.errors.contains("has the channels one, two; name the one of depth Z\n"),
+             unknown.errors.constData());
+#else
+    QSKIP("built without OpenEXR");
+#endif
+}
+
+void TestDepthImages::colorsFollowTheirPoints_data()
+{
+    QTest::addColumn<QByteArray>("colors");
+    QTest::addColumn<int>("tolerance");
+#ifdef UNPROJECTOR_PNG
+    QTest::newRow("PNG") << encoded(colors(), "png") << 0;
+    QTest::newRow("PNG with opacity") << encoded(colors().convertToFormat(QImage::Format_ARGB32), "png") << 0;
+    QTest::newRow("PNG, 64 bits") << encoded(colors().convertToFormat(QImage::Format_RGBA64), "png") << 0;
+    QTest::newRow("PNG with a palette") << encoded(colors().convertToFormat(QImage::Format_Indexed8), "png") << 0;
+    QTest::newRow("PNG, gray") << encoded(colors().convertToFormat(QImage::Format_Grayscale8), "png") << 0;
+#endif
+#ifdef UNPROJECTOR_JPEG
+    QTest::newRow("JPEG") << encoded(colors(), "jpg") << 1;
+#endif
+}
+
+void TestDepthImages::colorsFollowTheirPoints()
+{
+    QFETCH(QByteArray, colors);
+    QFETCH(int, tolerance);
+    const QImage decoded = QImage::fromData(colors);
+    QVector<float> values = numbers<float>();
+    values[1] = 0.0f; // without a point
+    const QString file = m_folder.write("colors", colors);
+    const Run run = cloud(bytesOf(values), {"--size", "4x3", "--depth-is", "z", "--color", file});
+    QCOMPARE(run.exitCode, 0);
+    QVERIFY(
+        run.output.contains("element vertex 11\nproperty float x\nproperty float y\nproperty float z\nproperty uchar "
+                            "red\nproperty uchar green\nproperty uchar blue\nend_header\n"));
+    const QByteArray body = plyBody(run.output);
+    constexpr int kRecord = 15;
+    QCOMPARE(body.size(), qsizetype(11 * kRecord));
+    const QVector<double> points = expectedPoints();
+    for (int k = 0; k < 11; ++k) {
+        const int pixel = k < 1 ? 0 : k + 1;
+        float point[3];
+        std::memcpy(point, body.constData() + k * kRecord, sizeof(point));
+        for (int axis = 0; axis < 3; ++axis)
+            QCOMPARE(point[axis], float(points[3 * pixel + axis]));
+        const auto *color = reinterpret_cast<const uchar *>(body.constData() + k * kRecord + 12);
+        const QRgb qt = decoded.pixel(pixel % kWidth, pixel / kWidth);
+        const int expected[]{qRed(qt), qGreen(qt), qBlue(qt)};
+        for (int channel = 0; channel < 3; ++channel)
+            QVERIFY2(std::abs(color[channel] - expected[channel]) <= tolerance,
+                     qPrintable(QString::number(color[channel])));
+    }
+    // Window depths have colors too, and the same points as without.
+    const QByteArray depths = bytesOf(QVector<float>(12, 0.5f));
+    const QByteArray colored = plyBody(cloud(depths, {"--size", "4x3", "--color", file}).output),
+                     plain = plyBody(cloud(depths, {"--size", "4x3"}).output);
+    QCOMPARE(colored.size(), qsizetype(12 * kRecord));
+    for (int k = 0; k < 12; ++k)
+        QCOMPARE(colored.mid(k * kRecord, 12), plain.mid(12 * k, 12));
+}
+
+void TestDepthImages::colorsMustFit()
+{
+#ifdef UNPROJECTOR_PNG
+    const QByteArray depths = bytesOf(numbers<float>());
+    const QString wide = m_folder.write("wide.png", encoded(colors(5), "png"));
+    const Run size = cloud(depths, {"--size", "4x3", "--depth-is", "z", "--color", wide});
+    QCOMPARE(size.exitCode, 2);
+    QVERIFY2(size.errors.contains("the colors have 5x3 pixels, the depths 4x3 pixels"), size.errors.constData());
+    const Run kind = cloud(depths, {"--size", "4x3", "--color", m_folder.write("colors", "GIF89a")});
+    QCOMPARE(kind.exitCode, 2);
+    QVERIFY2(kind.errors.contains("colors: this is neither PNG nor JPEG"), kind.errors.constData());
+    const Run cut =
+        cloud(depths, {"--size", "4x3", "--color", m_folder.write("colors", encoded(colors(), "png").chopped(20))});
+    QCOMPARE(cut.exitCode, 2);
+    QVERIFY2(cut.errors.contains("colors: the file is too short for 4x3 pixels"), cut.errors.constData());
+#endif
+#ifdef UNPROJECTOR_JPEG
+    const Run short_ =
+        cloud(bytesOf(numbers<float>()),
+              {"--size", "4x3", "--color", m_folder.write("colors", encoded(colors(), "jpg").chopped(12))});
+    QCOMPARE(short_.exitCode, 2);
+    QVERIFY2(short_.errors.contains("colors: the file is"), short_.errors.constData());
+#endif
+}
+
+void TestDepthImages::unusableImages_data()
+{
+    QTest::addColumn<QByteArray>("image");
+    QTest::addColumn<QByteArray>("message");
+    const QByteArray floats = npyOf<float>("<f4");
+    QTest::newRow("npy, other size") << npyOf<float>("<f4", "(4, 3)")
+                                     << QByteArray("3x4 pixels, the scene's window 4x3");
+    QTest::newRow("npy, enormous") << npyOf<float>("<f4", "(3000000000, 3000000000)")
+                                   << QByteArray("65536 a side is the most");
+    QTest::newRow("npy, beyond all numbers")
+        << npyOf<float>("<f4", "(99999999999999999999999, 4)") << QByteArray("header is damaged");
+    QTest::newRow("npy, one dimension") << npyOf<float>("<f4", "(12,)")
+                                        << QByteArray("the shape (12,); give one number a pixel");
+    QTest::newRow("npy, colors") << npyOf<float>("<f4", "(3, 4, 3)") << QByteArray("the shape (3, 4, 3)");
+    QTest::newRow("npy, complex") << npyOf<float>("<c8") << QByteArray("numbers of type <c8");
+    QTest::newRow("npy, structured") << npy("{'descr': [('z', '<f4')], 'fortran_order': False, 'shape': (3, 4)}", {})
+                                     << QByteArray("numbers of type [('z', '<f4')]");
+    QTest::newRow("npy, too long") << floats + '\0' << QByteArray("too long");
+    QTest::newRow("npy, no header") << QByteArray("\x93NUMPY\x01\x00\x03\x00{a}", 13)
+                                    << QByteArray("header is damaged");
+    QTest::newRow("npz") << QByteArray("PK\x03\x04xxxx") << QByteArray("an archive (.npz or .zip)");
+    QTest::newRow("JPEG") << QByteArray("\xff\xd8\xff\xe0\x00\x10JFIF", 10)
+                          << QByteArray("a JPEG image holds no exact numbers");
+    QTest::newRow("text") << QByteArray("depth of a scene")
+                          << QByteArray("neither PNG, .npy, OpenEXR, TIFF, PFM nor PGM");
+#ifdef UNPROJECTOR_PNG
+    QTest::newRow("PNG of colors") << encoded(colors(), "png") << QByteArray("the PNG has red, green and blue");
+    QTest::newRow("PNG with opacity") << encoded(colors().convertToFormat(QImage::Format_ARGB32), "png")
+                                      << QByteArray("the PNG has red, green, blue and opacity");
+    QTest::newRow("PNG with a palette") << encoded(colors().convertToFormat(QImage::Format_Indexed8), "png")
+                                        << QByteArray("the PNG has a palette of colors");
+    QTest::newRow("PNG of 1 bit") << encoded(colors().convertToFormat(QImage::Format_Mono), "png")
+                                  << QByteArray("the PNG has ");
+    QTest::newRow("PNG of another size") << encoded(QImage(5, 3, QImage::Format_Grayscale16), "png")
+                                         << QByteArray("5x3 pixels, the scene's window 4x3");
+    QByteArray damaged = grayPng(QImage::Format_Grayscale16);
+    damaged[damaged.size() - 20] = char(damaged[damaged.size() - 20] ^ 0x55);
+    QTest::newRow("PNG, damaged") << damaged << QByteArray("the file is damaged (");
+    QByteArray huge = grayPng(QImage::Format_Grayscale16);
+    huge[16] = '\x7f'; // the width; its checksum is wrong then too
+    QTest::newRow("PNG, huge") << huge << QByteArray("the file is damaged (");
+#else
+    QTest::newRow("PNG") << QByteArray("\x89PNG\r\n\x1a\n")
+                         << QByteArray("this is PNG, which this program was built without");
+#endif
+#ifdef UNPROJECTOR_TIFF
+    const QString file = m_folder.path("made.tiff");
+    QTest::newRow("TIFF of colors") << tiffOf<quint8>(file, {.bits = 8, .format = SAMPLEFORMAT_UINT, .channels = 3})
+                                    << QByteArray("the TIFF has 3 channels");
+    QTest::newRow("TIFF, mirrored") << tiffOf<float>(file, {.orientation = ORIENTATION_TOPRIGHT})
+                                    << QByteArray("orientation 2");
+    QTest::newRow("TIFF, damaged")
+        << tiffOf<float>(file, {.compression = COMPRESSION_ADOBE_DEFLATE}).replace(9, 6, "xxxxxx")
+        << QByteArray("the file is damaged (");
+#else
+    QTest::newRow("TIFF") << QByteArray("II*\0", 4) << QByteArray("this is TIFF, which this program was built without");
+#endif
+#ifndef UNPROJECTOR_OPENEXR
+    QTest::newRow("OpenEXR") << QByteArray("\x76\x2f\x31\x01", 4)
+                             << QByteArray("this is OpenEXR, which this program was built without");
+#endif
+}
+
+void TestDepthImages::unusableImages()
+{
+    QFETCH(QByteArray, image);
+    QFETCH(QByteArray, message);
+    const Run run = cloud(image, {"--depth-is", "z"});
+    QCOMPARE(run.exitCode, 2);
+    QCOMPARE(run.output, QByteArray());
+    QVERIFY2(run.errors.contains("depth: ") && run.errors.contains(message), run.errors.constData());
+}
+
+void TestDepthImages::everyShorterFileIsRefused_data()
+{
+    QTest::addColumn<QByteArray>("image");
+    QTest::newRow("npy") << npyOf<float>("<f4");
+    addLibraryFormats();
+}
+
+void TestDepthImages::everyShorterFileIsRefused()
+{
+    QFETCH(QByteArray, image);
+    constexpr int kFiles = 12; // a run of the command each
+    for (int k = 0; k < kFiles; ++k) {
+        const Run run = cloud(image.left(image.size() * k / kFiles), {"--depth-is", "z"});
+        QCOMPARE(run.exitCode, 2);
+        QCOMPARE(run.output, QByteArray());
+        QVERIFY2(run.errors.startsWith(m_folder.path("depth").toUtf8() + ": "), run.errors.constData());
+    }
+}
+
+QTEST_GUILESS_MAIN(TestDepthImages)
+#include "test_depth_images.moc"

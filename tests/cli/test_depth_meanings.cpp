@@ -1,0 +1,304 @@
+// `unproject cloud`: distances and disparities against formulas of their own, and what is left out.
+
+#include "tests/cli/depth_files.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace {
+
+using Vector = std::array<long double, 3>;
+
+Vector operator-(const Vector &a, const Vector &b)
+{
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+Vector cross(const Vector &a, const Vector &b)
+{
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Vector unit(const Vector &a)
+{
+    const long double size = std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+    return {a[0] / size, a[1] / size, a[2] / size};
+}
+
+constexpr int kWidth = 64, kHeight = 48;
+const Vector kEye{3, -4, 5}, kCenter{-1, 2, 0.5L}, kUp{0, 0, 1};
+constexpr long double kLeft = -1.25L, kRight = 0.75L, kBottom = -0.5L, kTop = 1, kNear = 1.5L;
+
+/// A scene of 64 x 48 pixels. @param projection  its type and its angles
+QByteArray sceneOf(const QByteArray &projection)
+{
+    return R"({"unprojector": 1, "window": {"width": 64, "height": 48}, "projection": {)" + projection
+           + R"(, "left": -1.25, "right": 0.75, "bottom": -0.5, "top": 1, "near": 1.5, "far": 2000},
+  "view": {"eye": [3, -4, 5], "center": [-1, 2, 0.5], "up": [0, 0, 1]}})";
+}
+
+/// The point at x, y, z of eye space, z ahead.
+Vector world(long double x, long double y, long double z)
+{
+    const Vector ahead = unit(kCenter - kEye), side = unit(cross(ahead, kUp)), up = cross(side, ahead);
+    Vector point{};
+    for (std::size_t k = 0; k < 3; ++k)
+        point[k] = kEye[k] + x * side[k] + y * up[k] + z * ahead[k];
+    return point;
+}
+
+/// From 3.6 to about 1900, on each pixel another.
+double numberOf(int pixel)
+{
+    return 3.6 + 0.618 * pixel;
+}
+
+enum class Kind { Frustum, Ortho, Oblique };
+
+/// The point of a pixel whose number means z, a distance or a disparity.
+Vector pointOf(Kind kind, const QString &meaning, int pixel, long double number)
+{
+    const long double i = pixel % kWidth + 0.5L, j = pixel / kWidth + 0.5L;
+    const long double across = kLeft + (kRight - kLeft) * i / kWidth, up = kTop - (kTop - kBottom) * j / kHeight;
+    const long double fx = kWidth * kNear / (kRight - kLeft);
+    if (kind == Kind::Frustum) {
+        const long double x = across / kNear, y = up / kNear;
+        const long double z = meaning == "disparity"  ? fx * 0.125L / number
+                              : meaning == "distance" ? number / std::sqrt(1 + x * x + y * y)
+                                                      : number;
+        return world(x * z, y * z, z);
+    }
+    // Angles of 60 and 45 degrees: points move by their cotangents with the distance.
+    const long double a = kind == Kind::Oblique ? 1 / std::sqrt(3.0L) : 0, b = kind == Kind::Oblique ? 1 : 0;
+    const long double z = meaning == "distance" ? number / std::sqrt(1 + a * a + b * b) : number;
+    return world(across + a * z, up + b * z, z);
+}
+
+} // namespace
+
+class TestDepthMeanings : public QObject {
+    Q_OBJECT
+
+private slots:
+    void pointsLieOnThePixelsRay_data();
+    void pointsLieOnThePixelsRay();
+    void floatsAreExact();
+    void scaleDividesTheNumbers();
+    void whatHasNoPointIsCounted_data();
+    void whatHasNoPointIsCounted();
+    void anEmptyCloudNamesTheScale();
+    void anAssumedMeaningIsSaid();
+    void optionsThatContradict_data();
+    void optionsThatContradict();
+
+private:
+    Folder m_folder;
+};
+
+void TestDepthMeanings::pointsLieOnThePixelsRay_data()
+{
+    QTest::addColumn<QByteArray>("projection");
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<QString>("meaning");
+    QTest::addColumn<QString>("method");
+    struct Lens {
+        const char *name, *json;
+        Kind kind;
+    };
+    for (const Lens &lens :
+         {Lens{"frustum", R"("type": "frustum")", Kind::Frustum}, Lens{"ortho", R"("type": "ortho")", Kind::Ortho},
+          Lens{"oblique", R"("type": "oblique", "theta": 60, "phi": 45)", Kind::Oblique}}) {
+        for (const char *method : {"formula", "matrix"}) {
+            for (const char *meaning : {"z", "distance", "disparity"}) {
+                if (lens.kind == Kind::Frustum || qstrcmp(meaning, "disparity") != 0)
+                    QTest::addRow("%s, %s, %s", lens.name, meaning, method)
+                        << QByteArray(lens.json) << int(lens.kind) << QString(meaning) << QString(method);
+            }
+        }
+    }
+}
+
+/// Largest error: 1e-12 of the point's size. A detour through window depths of near 1.5 and far
+/// 2000 would lose four digits.
+void TestDepthMeanings::pointsLieOnThePixelsRay()
+{
+    QFETCH(QByteArray, projection);
+    QFETCH(int, kind);
+    QFETCH(QString, meaning);
+    QFETCH(QString, method);
+    QVector<double> numbers;
+    for (int pixel = 0; pixel < kWidth * kHeight; ++pixel)
+        numbers << (meaning == "disparity" ? 6.0 / numberOf(pixel) : numberOf(pixel));
+    QStringList words{"cloud",
+                      m_folder.write("scene.json", sceneOf(projection)),
+                      m_folder.write("depth.npy", npy(npyHeader("<f8", "(48, 64)"), bytesOf(numbers))),
+                      "-o",
+                      "-",
+                      "--precision",
+                      "double",
+                      "--depth-is",
+                      meaning,
+                      "--method",
+                      method};
+    if (meaning == "disparity")
+        words << "--baseline"
+              << "0.125";
+    const Run run = runCommand(words);
+    QCOMPARE(run.errors, QByteArray());
+    const QVector<double> points = pointsOf<double>(run.output);
+    QCOMPARE(points.size(), 3 * numbers.size());
+    for (int pixel = 0; pixel < kWidth * kHeight; ++pixel) {
+        const Vector expected = pointOf(Kind(kind), meaning, pixel, numbers[pixel]);
+        const Vector fromEye = expected - kEye;
+        const long double size = std::hypot(fromEye[0], fromEye[1], fromEye[2]) + 10;
+        for (int axis = 0; axis < 3; ++axis)
+            QVERIFY2(std::abs(points[3 * pixel + axis] - expected[std::size_t(axis)]) < 1e-12L * size,
+                     qPrintable(QString::number(pixel)));
+    }
+}
+
+/// Floats are doubles: the same points to the last digit.
+void TestDepthMeanings::floatsAreExact()
+{
+    QVector<float> floats;
+    QVector<double> doubles;
+    for (int pixel = 0; pixel < kWidth * kHeight; ++pixel) {
+        floats << float(numberOf(pixel));
+        doubles << double(floats.back());
+    }
+    const QString scene = m_folder.write("scene.json", sceneOf(R"("type": "frustum")"));
+    const QString ofFloats = m_folder.write("a.npy", npy(npyHeader("<f4", "(48, 64)"), bytesOf(floats))),
+                  ofDoubles = m_folder.write("b.npy", npy(npyHeader("<f8", "(48, 64)"), bytesOf(doubles)));
+    const QStringList options{"-o", "-", "--precision", "double", "--depth-is", "z"};
+    const Run run = runCommand(QStringList{"cloud", scene, ofFloats} + options);
+    VERIFY_SUCCEEDED(run);
+    QCOMPARE(run.output, runCommand(QStringList{"cloud", scene, ofDoubles} + options).output);
+}
+
+/// Millimetres of 16 bits.
+void TestDepthMeanings::scaleDividesTheNumbers()
+{
+    QVector<quint16> millimetres;
+    for (int pixel = 0; pixel < kWidth * kHeight; ++pixel)
+        millimetres << quint16(1600 + 20 * pixel);
+    const Run run = runCommand({"cloud", m_folder.write("scene.json", sceneOf(R"("type": "frustum")")),
+                                m_folder.write("mm.npy", npy(npyHeader("<u2", "(48, 64)"), bytesOf(millimetres))), "-o",
+                                "-", "--precision", "double", "--depth-is", "z", "--depth-scale", "1000"});
+    QCOMPARE(run.errors, QByteArray());
+    const QVector<double> points = pointsOf<double>(run.output);
+    for (int pixel = 0; pixel < kWidth * kHeight; ++pixel) {
+        const Vector expected = pointOf(Kind::Frustum, "z", pixel, millimetres[pixel] / 1000.0L);
+        for (int axis = 0; axis < 3; ++axis)
+            QVERIFY(std::abs(points[3 * pixel + axis] - expected[std::size_t(axis)]) < 1e-12L * 100);
+    }
+}
+
+void TestDepthMeanings::whatHasNoPointIsCounted_data()
+{
+    constexpr float kNaN = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<QVector<float>>("bad");
+    QTest::addColumn<QByteArray>("message");
+    const QVector<float> all{0, 0, kNaN, kInfinity, -kInfinity, -3, 1.25f, 2000, 2001, 1.5f};
+    QTest::newRow("z") << QStringList{"--depth-is", "z"} << all
+                       << QByteArray("2 with 0, 1 with NaN, 2 infinite, 1 below 0, 1 before the near plane (1.5), 2 on "
+                                     "the far plane (2000) or behind it\n");
+    QTest::newRow("distance") << QStringList{"--depth-is", "distance"} << QVector<float>{0, 1, 4000}
+                              << QByteArray("1 with 0, 1 before the near plane (1.5), 1 on the far plane (2000) or "
+                                            "behind it\n");
+    QTest::newRow("disparity") << QStringList{"--depth-is", "disparity", "--baseline", "0.125"}
+                               << QVector<float>{0, -1, kInfinity, 100, 0.001f}
+                               << QByteArray("1 with 0, 1 infinite, 1 below 0, 1 before the near plane (1.5), 1 on the "
+                                             "far plane (2000) or behind it\n");
+    QTest::newRow("buffer") << QStringList{} << QVector<float>{kNaN, -0.5f, 1.5f, -kInfinity, 1, 1}
+                            << QByteArray("1 with NaN, 1 infinite, 2 outside the depth range, 2 with the background's "
+                                          "depth\n");
+    QTest::newRow("range") << QStringList{"--depth-is", "range"} << QVector<float>{1.5f, 1}
+                           << QByteArray("1 outside the depth range, 1 with the background's depth\n");
+    QTest::newRow("background alone") << QStringList{} << QVector<float>{1, 1} << QByteArray();
+}
+
+void TestDepthMeanings::whatHasNoPointIsCounted()
+{
+    QFETCH(QStringList, options);
+    QFETCH(QVector<float>, bad);
+    QFETCH(QByteArray, message);
+    const bool isOfWindow = options.isEmpty() || options.contains("range");
+    const float good = isOfWindow ? 0.5f : options.contains("disparity") ? 2.0f : 4.0f;
+    QVector<float> values(qsizetype(kWidth) * kHeight, good);
+    std::copy(bad.begin(), bad.end(), values.begin() + 100);
+    qsizetype kept = values.size();
+    for (const float value : bad)
+        kept -= options.value(1) == "z" && value == 1.5f ? 0 : 1; // the near plane itself
+    const QString scene = m_folder.write("scene.json", sceneOf(R"("type": "frustum")")),
+                  depth = m_folder.write("depth", bytesOf(values));
+    for (const QString method : {"formula", "matrix"}) {
+        const Run run =
+            runCommand(QStringList{"cloud", scene, depth, "--size", "64x48", "-o", "-", "--method", method} + options);
+        QCOMPARE(run.exitCode, 0);
+        QCOMPARE(run.errors, message.isEmpty() ? message : depth.toUtf8() + ": left out: " + message);
+        QCOMPARE(pointsOf(run.output).size(), 3 * kept);
+    }
+}
+
+/// Millimetres taken for world units.
+void TestDepthMeanings::anEmptyCloudNamesTheScale()
+{
+    const QVector<quint16> values(qsizetype(kWidth) * kHeight, quint16(2400));
+    const Run run = runCommand({"cloud", m_folder.write("scene.json", sceneOf(R"("type": "frustum")")),
+                                m_folder.write("mm.npy", npy(npyHeader("<u2", "(48, 64)"), bytesOf(values))), "-o", "-",
+                                "--depth-is", "z"});
+    QCOMPARE(run.exitCode, 0);
+    QVERIFY2(run.errors.contains("mm.npy: no pixel has a point: the scene shows distances from 1.5 to 2000; check "
+                                 "--depth-is and --depth-scale\n"),
+             run.errors.constData());
+}
+
+void TestDepthMeanings::anAssumedMeaningIsSaid()
+{
+    const QString scene = m_folder.write("scene.json", sceneOf(R"("type": "frustum")"));
+    const QVector<quint16> whole(qsizetype(kWidth) * kHeight, quint16(2400));
+    const QString file = m_folder.write("mm.npy", npy(npyHeader("<u2", "(48, 64)"), bytesOf(whole)));
+    const QStringList words{"cloud", scene, file, "-o", "-"};
+    QCOMPARE(
+        runCommand(words).errors,
+        file.toUtf8()
+            + ": the whole numbers are taken for depths of the window, as shares of 65535 (--depth-is buffer); for "
+              "distances give --depth-is z or distance\n");
+    QCOMPARE(runCommand(words + QStringList{"--depth-is", "buffer"}).errors, QByteArray());
+    const QString metres = m_folder.write("metres", bytesOf(QVector<float>(kWidth * kHeight, 2.5f)));
+    const Run run = runCommand({"cloud", scene, metres, "--size", "64x48", "-o", "-"});
+    QCOMPARE(run.errors, metres.toUtf8() + ": left out: 3072 outside the depth range\n" + metres.toUtf8()
+                             + ": no pixel has a point: depths of the window lie from 0 to 1; for distances give "
+                               "--depth-is z or distance\n");
+}
+
+void TestDepthMeanings::optionsThatContradict_data()
+{
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<QByteArray>("message");
+    QTest::newRow("scale of depths") << QStringList{"--depth-scale", "1000"} << QByteArray("--depth-scale goes with");
+    QTest::newRow("no baseline") << QStringList{"--depth-is", "disparity"} << QByteArray("needs --baseline");
+    QTest::newRow("baseline of z") << QStringList{"--depth-is", "z", "--baseline", "1"}
+                                   << QByteArray("--baseline goes with --depth-is disparity");
+    QTest::newRow("scale 0") << QStringList{"--depth-is", "z", "--depth-scale", "0"}
+                             << QByteArray("\"0\" is not a number above 0");
+    QTest::newRow("no such meaning") << QStringList{"--depth-is", "metres"}
+                                     << QByteArray("buffer, disparity, distance, range, z");
+    QTest::newRow("disparity of a box") << QStringList{"--depth-is", "disparity", "--baseline", "1"}
+                                        << QByteArray("a parallel projection has no disparities");
+}
+
+void TestDepthMeanings::optionsThatContradict()
+{
+    QFETCH(QStringList, options);
+    QFETCH(QByteArray, message);
+    const QString scene = m_folder.write("scene.json", sceneOf(R"("type": "ortho")")),
+                  depth = m_folder.write("depth", bytesOf(QVector<float>(kWidth * kHeight, 2.0f)));
+    const Run run = runCommand(QStringList{"cloud", scene, depth, "--size", "64x48", "-o", "-"} + options);
+    QCOMPARE(run.exitCode, 2);
+    QCOMPARE(run.output, QByteArray());
+    QVERIFY2(run.errors.contains(message), run.errors.constData());
+}
+
+QTEST_GUILESS_MAIN(TestDepthMeanings)
+#include "test_depth_meanings.moc"
