@@ -343,7 +343,8 @@ std::string verdictOf(const Hypothesis &best, std::span<const Hypothesis> list, 
     // All depth mistakes are alike with rays alone.
     const bool isByRay = std::any_of(points.begin(), points.end(), [](const Prepared &p) { return p.target.isLine; });
     const auto next = std::find_if(list.begin() + 1, list.end(), [&](const Hypothesis &other) {
-        return other.worst > kCutOff || !isSameHere(given, targets, best, other);
+        const bool isFitted = other.isSolved() && !best.isSolved();
+        return !isFitted && (other.worst > kCutOff || !isSameHere(given, targets, best, other));
     });
     if (isByRay && next != list.end() && next->worst <= kCutOff && !saysDepth(best, given, points.front()))
         return "unknown";

@@ -37,18 +37,17 @@ Key keyOf(const Hypothesis &hypothesis)
     return key;
 }
 
-/// The groups of ranked(), the best first. The first two tiers have four groups each.
-constexpr int kOfTier = 4, kUnexpected = 2 * kOfTier, kOther = kUnexpected + 1;
+/// The groups of ranked(), the best first. The first two tiers have three groups each.
+constexpr int kOfTier = 3, kExpected = 2 * kOfTier, kUnexpected = kExpected + 1, kOther = kExpected + 2;
 
 int rankOf(const Hypothesis &hypothesis)
 {
     const int tier = tierOf(hypothesis);
     if (tier == 2)
         return kOther;
-    if (hypothesis.isSolved() && !hypothesis.isExpected())
-        return kUnexpected;
-    const int simplicity = hypothesis.isSolved() ? 2 : hypothesis.count == 2 ? 3 : int(hypothesis.count);
-    return kOfTier * tier + simplicity;
+    if (hypothesis.isSolved())
+        return hypothesis.isExpected() ? kExpected : kUnexpected;
+    return kOfTier * tier + int(hypothesis.count);
 }
 
 /// True if solved values are fewer, fit better or are rounder. Equal ones stay in their order: the

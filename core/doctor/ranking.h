@@ -19,10 +19,9 @@ std::vector<SolvedValue> valuesOf(const Hypothesis &hypothesis);
 /// occurs once, with its best variant.
 ///
 /// The order is:
-/// - hypotheses that explain all digits as rounded: no mistake, a mistake, a mistake with expected
-///   values, a pair,
-/// - hypotheses that explain all digits as truncated, in the same order,
-/// - mistakes with solved values that are not expected,
+/// - hypotheses of fixed form that explain all digits as rounded: no mistake, a mistake, a pair,
+/// - hypotheses of fixed form that explain all digits as truncated, in the same order,
+/// - mistakes with expected values, and then with other solved values,
 /// - the others by their distance.
 ///
 /// Equal hypotheses are sorted by the number of reports of such mistakes, solved ones by roundness

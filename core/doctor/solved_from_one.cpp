@@ -35,8 +35,8 @@ void addFar(VariantList &list, const Given &given, std::span<const Target> point
     if (!solved || !(solved->value > n))
         return;
     const std::array known{given.nearDistance, given.farDistance};
-    addSolved(list, "far-differs", {&*solved, 1}, known,
-              [&](std::span<const double> values) { return withOtherFar(given, values[0]); });
+    addSolvedNumber(list, "far-differs", given, points, *solved, known,
+                    [&](double value) { return withOtherFar(given, value); });
 }
 
 void addNear(VariantList &list, const Given &given, std::span<const Target> points)
@@ -52,11 +52,11 @@ void addNear(VariantList &list, const Given &given, std::span<const Target> poin
     const std::array known{given.nearDistance, given.farDistance};
     if (!solved || !(solved->value < f) || (given.isPerspective && !isAhead(solved->value)))
         return;
-    addSolved(list, "near-differs", {&*solved, 1}, known,
-              [&](std::span<const double> values) { return withOtherNear(given, values[0]); });
+    addSolvedNumber(list, "near-differs", given, points, *solved, known,
+                    [&](double value) { return withOtherNear(given, value); });
     if (given.isFrustum)
-        addSolved(list, "near-differs", {&*solved, 1}, known,
-                  [&](std::span<const double> values) { return withOtherNearOfFrustum(given, values[0]); });
+        addSolvedNumber(list, "near-differs", given, points, *solved, known,
+                        [&](double value) { return withOtherNearOfFrustum(given, value); });
 }
 
 /// Another vertical angle: both axes are widened by the same factor.
@@ -76,16 +76,16 @@ void addFovy(VariantList &list, const Given &given, std::span<const Target> poin
     const double fovy = degreesFromRadians(2.0 * std::atan(tangent));
     const double fovx = degreesFromRadians(2.0 * std::atan(std::abs(1.0 / given.clipFromEye[0][0])));
     const std::array known{fovx, fovy / 2.0, fovx / 2.0};
-    addSolved(list, "fovy-differs", {&*solved, 1}, known, [&](std::span<const double> values) {
+    addSolvedNumber(list, "fovy-differs", given, points, *solved, known, [&](double value) {
         Variant variant;
         variant.stage = Stage::Lens;
         variant.apply = [](Run &run, const Variant &v) {
             setTangent(run, std::copysign(std::tan(radiansFromDegrees(v.parameter) / 2.0), run.clipFromEye[1][1]));
         };
-        variant.parameter = values[0];
-        variant.name = {marked("fovy is %1 degrees, the scene has %2"), valueText(values[0]),
+        variant.parameter = value;
+        variant.name = {marked("fovy is %1 degrees, the scene has %2"), valueText(value),
                         text::significantText(fovy, 6)};
-        variant.values = {{"fovy", {values[0]}, {}}};
+        variant.values = {{"fovy", {value}, {}}};
         return variant;
     });
 }
@@ -102,10 +102,9 @@ void addShift(VariantList &list, const Given &given, std::span<const Target> poi
             });
         if (!solved)
             return;
-        shift[std::size_t(axis)] = *solved;
+        shift[std::size_t(axis)] = {solved->value, solved->unsure, 0.0};
     }
-    constexpr std::array kUsual{0.0};
-    addSolved(list, "pixel-shifted", shift, kUsual, [](std::span<const double> values) {
+    addSolved(list, "pixel-shifted", shift, {}, [](std::span<const double> values) {
         Variant variant;
         variant.stage = Stage::Pixel;
         variant.apply = [](Run &run, const Variant &v) { run.position += glm::dvec2(v.parameter, v.second); };
@@ -122,6 +121,9 @@ struct UseOfSize {
     bool isFlip = false;   ///< its height flips y
     bool isAspect = false; ///< its aspect is the projection's
 };
+
+/// The number of uses that are tried.
+constexpr int kUsesOfSize = 4;
 
 void useSize(Run &run, const Variant &v, const UseOfSize &use)
 {
@@ -165,16 +167,21 @@ void addViewportSize(VariantList &list, const Given &given, std::span<const Targ
                                   height = solvedFrom(given, points, heightOf);
     if (!width || !height || !(width->value > 0.0) || !(height->value > 0.0))
         return;
-    addSolved(list, "viewport-size-differs", std::array{*width, *height}, known, [&](std::span<const double> values) {
-        Variant variant;
-        variant.stage = Stage::Lens;
-        variant.apply = apply;
-        variant.parameter = values[0];
-        variant.second = values[1];
-        variant.name = {words, valueText(values[0]), valueText(values[1])};
-        variant.values = {{"width", {values[0]}, {}}, {"height", {values[1]}, {}}};
-        return variant;
-    });
+    const std::array size{Solution{width->value, width->unsure, v.width},
+                          Solution{height->value, height->unsure, v.height}};
+    addSolved(
+        list, "viewport-size-differs", size, known,
+        [&](std::span<const double> values) {
+            Variant variant;
+            variant.stage = Stage::Lens;
+            variant.apply = apply;
+            variant.parameter = values[0];
+            variant.second = values[1];
+            variant.name = {words, valueText(values[0]), valueText(values[1])};
+            variant.values = {{"width", {values[0]}, {}}, {"height", {values[1]}, {}}};
+            return variant;
+        },
+        kUsesOfSize);
 }
 
 /// Usual sizes of windows and images, and the scene's.
@@ -247,7 +254,7 @@ void addRatio(VariantList &list, const Given &given, const Case &scene, std::spa
     }
     const bool isLogical = solved->value > 0.0;
     const Solution ratio{std::abs(solved->value), solved->unsure};
-    addSolved(list, "ratio-differs", {&ratio, 1}, known, [&](std::span<const double> values) {
+    addSolvedNumber(list, "ratio-differs", given, points, ratio, known, [&](double value) {
         Variant variant;
         variant.stage = Stage::Pixel;
         if (isFromTop)
@@ -257,14 +264,14 @@ void addRatio(VariantList &list, const Given &given, const Case &scene, std::spa
                 run.position *= v.parameter;
                 run.flipHeight *= v.parameter;
             };
-        variant.parameter = isLogical ? 1.0 / values[0] : values[0];
+        variant.parameter = isLogical ? 1.0 / value : value;
         const char *words = isFromTop   ? isLogical ? marked("ratio %1, logical pixels in a device viewport")
                                                     : marked("ratio %1, device pixels in a logical viewport, flipped "
                                                                "in logical pixels")
                               : isLogical ? marked("ratio %1, pixel and flip in logical pixels")
                                         : marked("ratio %1, device pixels in a logical viewport");
-        variant.name = {words, valueText(values[0])};
-        variant.values = {{"ratio", {values[0]}, {}}};
+        variant.name = {words, valueText(value)};
+        variant.values = {{"ratio", {value}, {}}};
         return variant;
     });
 }
@@ -304,7 +311,7 @@ void addScale(VariantList &list, const Given &given, std::span<const Target> poi
     if (!solved || std::abs(solved->value) <= solved->unsure)
         return;
     static const std::vector<double> known = unitFactors();
-    addSolved(list, "scaled", {&*solved, 1}, known, [&](std::span<const double> values) {
+    addSolvedNumber(list, "scaled", given, points, *solved, known, [&](double value) {
         Variant variant;
         variant.stage = Stage::Point;
         if (isAboutEye)
@@ -314,10 +321,9 @@ void addScale(VariantList &list, const Given &given, std::span<const Target> poi
             };
         else
             variant.apply = [](Run &run, const Variant &v) { run.point *= v.parameter; };
-        variant.parameter = values[0];
-        variant.name = {isAboutEye ? marked("by %1 from the eye") : marked("by %1 from the origin"),
-                        valueText(values[0])};
-        variant.values = {{"factor", {values[0]}, {}}, {"about", {}, isAboutEye ? "eye" : "origin"}};
+        variant.parameter = value;
+        variant.name = {isAboutEye ? marked("by %1 from the eye") : marked("by %1 from the origin"), valueText(value)};
+        variant.values = {{"factor", {value}, {}}, {"about", {}, isAboutEye ? "eye" : "origin"}};
         return variant;
     });
 }
@@ -333,16 +339,16 @@ void addDepthScale(VariantList &list, const Given &given, std::span<const Target
     if (!solved || !(solved->value > 0.0))
         return;
     constexpr std::array kUsual{1.0 / 255.0, 1.0 / 65535.0, 65535.0 / 65536.0, 0.5, 2.0};
-    addSolved(list, "depth-scaled", {&*solved, 1}, kUsual, [](std::span<const double> values) {
+    addSolvedNumber(list, "depth-scaled", given, points, *solved, kUsual, [](double value) {
         Variant variant;
         variant.stage = Stage::Depth;
         variant.apply = [](Run &run, const Variant &v) {
             const auto &[atNear, atFar] = run.given.depthRange;
             run.depth = (v.parameter * run.click.depth - atNear) / (atFar - atNear);
         };
-        variant.parameter = values[0];
-        variant.name = {marked("by %1"), valueText(values[0])};
-        variant.values = {{"factor", {values[0]}, {}}};
+        variant.parameter = value;
+        variant.name = {marked("by %1"), valueText(value)};
+        variant.values = {{"factor", {value}, {}}};
         return variant;
     });
 }

@@ -1,9 +1,11 @@
 #include "core/doctor/solved_mistakes.h"
 
+#include <glm/common.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace unprojector::doctor {
@@ -36,33 +38,95 @@ std::optional<Solution> solvedFromOne(const Given &given, const Target &target, 
     return std::isfinite(unsure) ? std::optional(Solution{*value, unsure}) : std::nullopt;
 }
 
+/// The greatest distance of a variant's answers from the points, in units of the last digit. It is
+/// without the jump of unitsOff(), so that it can be minimised.
+double distanceOf(const Given &given, std::span<const Target> points, const Variant &variant)
+{
+    Hypothesis hypothesis;
+    hypothesis.parts[0] = &variant;
+    hypothesis.count = 1;
+    double worst = 0.0;
+    for (const Target &target : points) {
+        const std::optional<Nearest> found = hypothesis.nearest(given, target);
+        if (!found)
+            return std::numeric_limits<double>::infinity();
+        const glm::dvec3 off = glm::abs(found->point - target.got) / target.lastDigit;
+        worst = std::max({worst, off.x, off.y, off.z});
+    }
+    return worst;
+}
+
+/// The least of a function with one minimum, by golden sections.
+double leastOf(double low, double high, const std::function<double(double)> &f)
+{
+    constexpr double kShare = 0.6180339887498949;
+    constexpr int kSteps = 30; // to a millionth of the range
+    double a = high - kShare * (high - low), b = low + kShare * (high - low);
+    double atA = f(a), atB = f(b);
+    for (int i = 0; i < kSteps; ++i) {
+        if (atA < atB) {
+            high = b;
+            b = a;
+            atB = atA;
+            a = high - kShare * (high - low);
+            atA = f(a);
+        } else {
+            low = a;
+            a = b;
+            atA = atB;
+            b = low + kShare * (high - low);
+            atB = f(b);
+        }
+    }
+    return (low + high) / 2.0;
+}
+
 } // namespace
 
 std::optional<Solution> solvedFrom(const Given &given, std::span<const Target> points, const Solve &solve)
 {
-    std::optional<Solution> all;
+    double low = -std::numeric_limits<double>::infinity(), high = -low;
+    double sum = 0.0, weights = 0.0;
     for (const Target &target : points) {
         const std::optional<Solution> one = solvedFromOne(given, target, solve);
         if (!one)
             continue;
-        all = all ? common(*all, *one) : one;
-        if (!all)
-            return std::nullopt;
+        low = std::max(low, one->value - one->unsure);
+        high = std::min(high, one->value + one->unsure);
+        const double weight = 1.0 / std::max(one->unsure * one->unsure, std::numeric_limits<double>::min());
+        sum += weight * one->value;
+        weights += weight;
     }
-    return all;
+    if (!(weights > 0.0) || !(low <= high))
+        return std::nullopt;
+    const double mean = std::clamp(sum / weights, low, high);
+    return Solution{mean, std::max(mean - low, high - mean)};
+}
+
+/// True if values are round enough that chance hardly made them so. The scene's own values among
+/// several are no evidence against it.
+bool areRound(std::span<const Solution> solutions, std::span<const WrittenValue> values, double coincidence)
+{
+    constexpr double kMostOfOne = 0.1;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (values[i].coincidence > kMostOfOne && values[i].value != solutions[i].ofScene)
+            return false;
+    }
+    return coincidence <= kRoundByChance;
 }
 
 void addSolved(VariantList &list, std::string_view id, std::span<const Solution> solutions,
-               std::span<const double> known, const std::function<Variant(std::span<const double>)> &made)
+               std::span<const double> known, const std::function<Variant(std::span<const double>)> &made, int ways)
 {
     std::vector<double> exact, determined, round;
-    double coincidence = 1.0;
+    std::vector<WrittenValue> writtenValues;
+    double coincidence = ways;
     for (const Solution &solution : solutions) {
         exact.push_back(solution.value);
         determined.push_back(asDetermined(solution).value);
-        const WrittenValue value = written(solution, known);
-        round.push_back(value.value);
-        coincidence *= value.coincidence;
+        writtenValues.push_back(written(solution, known));
+        round.push_back(writtenValues.back().value);
+        coincidence *= writtenValues.back().coincidence;
     }
     const auto add = [&](std::span<const double> values, bool isExpected) {
         Variant variant = made(values);
@@ -71,11 +135,23 @@ void addSolved(VariantList &list, std::string_view id, std::span<const Solution>
         variant.coincidence = isExpected ? coincidence : 1.0;
         list.add(id, std::move(variant));
     };
-    if (coincidence <= kRoundByChance)
+    if (areRound(solutions, writtenValues, coincidence))
         add(round, true);
     add(determined, false);
     // Several points may leave less than a digit.
     add(exact, false);
+}
+
+void addSolvedNumber(VariantList &list, std::string_view id, const Given &given, std::span<const Target> points,
+                     const Solution &solution, std::span<const double> known,
+                     const std::function<Variant(double)> &made)
+{
+    const auto distance = [&](double value) { return distanceOf(given, points, made(value)); };
+    Solution best = solution;
+    best.value = leastOf(solution.value - solution.unsure, solution.value + solution.unsure, distance);
+    if (distance(solution.value) <= distance(best.value))
+        best.value = solution.value;
+    addSolved(list, id, {&best, 1}, known, [&](std::span<const double> values) { return made(values[0]); });
 }
 
 Click middleOf(const Given &given, const Target &target)

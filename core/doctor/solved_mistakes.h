@@ -40,7 +40,14 @@ std::optional<Solution> solvedFrom(const Given &given, std::span<const Target> p
 /// determined. ranked() takes the first that explains the points. `made` builds the variant from the values;
 /// `unknowns`, `isExpected` and `coincidence` are set here.
 void addSolved(VariantList &list, std::string_view id, std::span<const Solution> solutions,
-               std::span<const double> known, const std::function<Variant(std::span<const double>)> &made);
+               std::span<const double> known, const std::function<Variant(std::span<const double>)> &made,
+               int ways = 1);
+
+/// Adds a mistake with one solved value, as addSolved() does. Within its bound the value is the one
+/// whose answers are closest to the points.
+void addSolvedNumber(VariantList &list, std::string_view id, const Given &given, std::span<const Target> points,
+                     const Solution &solution, std::span<const double> known,
+                     const std::function<Variant(double)> &made);
 
 /// The click of a target, in the middle of its possible depths.
 Click middleOf(const Given &given, const Target &target);

@@ -9,7 +9,7 @@ namespace unprojector::doctor {
 namespace {
 
 /// The most significant digits of a round number.
-constexpr int kMostDigits = 6;
+constexpr int kMostDigits = 4;
 
 double power(int exponent)
 {
@@ -25,12 +25,11 @@ double multiple(double value, int exponent, double count)
 }
 
 /// The number of values in a range of a factor e; at least 1.
+/// @param values  not 0
 double densityOf(std::span<const double> values)
 {
     double low = 0.0, high = 0.0, count = 0.0;
     for (const double value : values) {
-        if (value == 0.0)
-            continue;
         const double place = std::log(std::abs(value));
         low = count == 0.0 ? place : std::min(low, place);
         high = count == 0.0 ? place : std::max(high, place);
@@ -40,15 +39,6 @@ double densityOf(std::span<const double> values)
 }
 
 } // namespace
-
-std::optional<Solution> common(const Solution &a, const Solution &b)
-{
-    const double low = std::max(a.value - a.unsure, b.value - b.unsure);
-    const double high = std::min(a.value + a.unsure, b.value + b.unsure);
-    if (!(low <= high))
-        return std::nullopt;
-    return Solution{(low + high) / 2.0, (high - low) / 2.0};
-}
 
 WrittenValue asDetermined(const Solution &solution)
 {
@@ -61,6 +51,8 @@ WrittenValue written(const Solution &solution, std::span<const double> known)
 {
     const double size = std::abs(solution.value), width = 2.0 * solution.unsure;
     WrittenValue best = asDetermined(solution);
+    if (std::abs(solution.ofScene - solution.value) <= solution.unsure)
+        return {solution.ofScene, 1.0};
     const double density = densityOf(known);
     const auto offer = [&](double value, double chance) {
         if (std::abs(value - solution.value) <= solution.unsure && chance < best.coincidence)
@@ -75,7 +67,7 @@ WrittenValue written(const Solution &solution, std::span<const double> known)
             offer(multiple(solution.value, exponent, 0.5), width / (0.5 * power(exponent)));
         }
         for (const double value : known)
-            offer(value, value == 0.0 ? width : width / size * density);
+            offer(value, width / size * density);
     }
     return best;
 }

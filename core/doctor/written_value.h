@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <limits>
 #include <span>
 #include <string>
 
@@ -11,16 +11,15 @@ namespace unprojector::doctor {
 struct Solution {
     double value = 0.0;
     double unsure = 0.0;
+    double ofScene = std::numeric_limits<double>::quiet_NaN(); ///< the right value; NaN: has no part in it
 };
-
-/// The value that two bounds have in common; empty if they contradict each other.
-std::optional<Solution> common(const Solution &a, const Solution &b);
 
 /// A solved value as a person would write it.
 struct WrittenValue {
     double value = 0.0; ///< the roundest number within the bound, or a value of the scene there
     /// The chance that an arbitrary value has so round a number, or a value of the scene, within
     /// its bound; 1 if the value is not round. Then it is rounded to the digits that are determined.
+    /// It is 1 also for the right value: that a program has it is no evidence for the mistake.
     double coincidence = 1.0;
 };
 
@@ -30,7 +29,7 @@ WrittenValue written(const Solution &solution, std::span<const double> known = {
 WrittenValue asDetermined(const Solution &solution);
 
 /// The greatest chance at which values count as round.
-constexpr double kRoundByChance = 0.01;
+constexpr double kRoundByChance = 0.05;
 
 /// The text of a value, with seven digits at most.
 std::string valueText(double value);
