@@ -143,6 +143,10 @@ constexpr Remedy kRemedies[] = {
          "The point in front of the camera has OpenCV's axes, x right, y down, z ahead. The matrix expects OpenGL's, "
          "y up, z back; or the reverse."),
      kOpenCvAxes},
+    {"camera-axes-differ", marked("other camera axes"),
+     marked(
+         "The point in front of the camera has other axes than the matrix expects, as those of ROS, Unreal or Unity."),
+     kCameraAxesDiffer},
     {"translation-not-inverted", marked("translation not inverted"),
      marked(
          "Only the pose's rotation is inverted: t is taken for the eye, or the eye for t. The eye is -transpose(R) t."),

@@ -66,7 +66,7 @@ struct Shot {
 };
 
 /// Four clicks; their points lie in no plane.
-const std::vector<Shot> kShots{{{100.5, 60.5}, 5.0}, {{500.5, 90.5}, 7.5}, {{420.5, 400.5}, 6.0}, {{80.5, 380.5}, 9.0}};
+const std::vector<Shot> kShots{{{110.5, 60.5}, 5.0}, {{500.5, 90.5}, 7.5}, {{420.5, 400.5}, 6.0}, {{80.5, 380.5}, 9.0}};
 
 WrongPoint wrongPoint(const Camera &camera, const Shot &shot, const dvec3 &got)
 {
@@ -169,6 +169,11 @@ void TestDoctorCameras::aMistakeOfTheCameraIsNamed_data()
     row("pixel-corner", [](const Camera &c, const Shot &s) { return c.world(s.pixel - 0.5, s.z); });
     row("opencv-axes", [](const Camera &c, const Shot &s) {
         return c.fromAxes((s.pixel.x - c.cx) / c.fx * s.z, -(s.pixel.y - c.cy) / c.fy * s.z, -s.z);
+    });
+    // A pose of ROS's body axes: ahead, left, up. The point is K's: right, down, ahead.
+    row("camera-axes-differ", [](const Camera &c, const Shot &s) {
+        const double x = (s.pixel.x - c.cx) / c.fx * s.z, y = (s.pixel.y - c.cy) / c.fy * s.z;
+        return c.fromAxes(-y, -s.z, x); // x ahead, y left, z up
     });
     row("z-as-ray-length",
         [](const Camera &c, const Shot &s) { return c.eye + s.z * glm::normalize(c.world(s.pixel, s.z) - c.eye); });
