@@ -152,8 +152,8 @@ void addPixelMistakes(VariantList &list, const Given &given, const std::optional
         [](Run &run, const Variant &) {
             const auto &[atNear, atFar] = run.given.depthRange;
             const double depth = (run.click.depth - atNear) / (atFar - atNear);
-            const double share = run.given.ndcDepth == NdcDepth::ZeroToOne ? (depth + 1.0) / 2.0 : depth;
-            run.window.y = run.viewport.y + share * run.viewport.height;
+            const double z = run.given.ndcDepth == NdcDepth::ZeroToOne ? depth : 2.0 * depth - 1.0;
+            run.window.y = run.viewport.y + (z + 1.0) / 2.0 * run.viewport.height;
         },
         0.0, marked("in NDC"));
     list.add("row-above", Stage::Pixel, shift<0, 2>);
