@@ -196,7 +196,7 @@ constexpr Remedy kRemedies[] = {
     {"ratio-differs", marked("another pixel ratio"),
      marked("The pixel and the viewport are in different pixels: one of them is scaled by a pixel ratio."),
      kRatioDiffers},
-    {"scaled", marked("scaled"),
+    {"scaled", marked("result scaled"),
      marked("The result is scaled: another unit of length, or depths in another unit than the scene."), kScaled},
     {"depth-scaled", marked("depth scaled"),
      marked("The depth is multiplied by a factor: it was read in another format."), kDepthScaled},
