@@ -99,7 +99,7 @@ private:
     {
         const std::optional<PictureSize> size = sizeOf(m_camera, m_choices);
         if (!size)
-            return CameraError{m_text.name, 0, tr("the size of the picture is not given; give it with --size 800x600")};
+            return CameraError{m_text.name, 0, tr("the size of the image is not given; give it with --size 800x600")};
         const auto number = [this](const char *name, double otherwise) {
             return m_values.number({name}).value_or(otherwise);
         };

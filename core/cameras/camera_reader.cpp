@@ -6,11 +6,18 @@ namespace unprojector::cameras {
 
 std::span<const CameraReader> cameraReaders()
 {
-    static constexpr std::array kReaders{CameraReader{"COLMAP", readColmap},   CameraReader{"NeRF", readNerf},
-                                         CameraReader{"Open3D", readOpen3d},   CameraReader{"glTF", readGltf},
-                                         CameraReader{"MuJoCo", readMujoco},   CameraReader{"PyBullet", readPyBullet},
-                                         CameraReader{"Blender", readBlender}, CameraReader{"Unreal", readUnreal},
-                                         CameraReader{"Unity", readUnity},     CameraReader{"pyrender", readPyrender},
+    static constexpr std::array kReaders{CameraReader{"COLMAP", readColmap},
+                                         CameraReader{"NeRF", readNerf},
+                                         CameraReader{"Open3D", readOpen3d},
+                                         CameraReader{"glTF", readGltf},
+                                         CameraReader{"MuJoCo", readMujoco},
+                                         CameraReader{"PyBullet", readPyBullet},
+                                         CameraReader{"Blender", readBlender},
+                                         CameraReader{"Unreal", readUnreal},
+                                         CameraReader{"Unity", readUnity},
+                                         CameraReader{"pyrender", readPyrender},
+                                         CameraReader{"Gaussian splatting", readSplatting},
+                                         CameraReader{"SAPIEN", readSapien},
                                          CameraReader{"OpenCV", readOpenCv}};
     return kReaders;
 }

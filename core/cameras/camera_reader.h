@@ -44,5 +44,9 @@ CameraRead readUnity(std::span<const NamedText> texts, const CameraChoices &choi
 CameraRead readUnreal(std::span<const NamedText> texts, const CameraChoices &choices);
 /// A camera's pose with yfov; trimesh's camera_transform with fov.
 CameraRead readPyrender(std::span<const NamedText> texts, const CameraChoices &choices);
+/// cameras.json, or the printed world_view_transform and full_proj_transform.
+CameraRead readSplatting(std::span<const NamedText> texts, const CameraChoices &choices);
+/// extrinsic_cv or cam2world_gl with intrinsic_cv, as ManiSkill prints them.
+CameraRead readSapien(std::span<const NamedText> texts, const CameraChoices &choices);
 
 } // namespace unprojector::cameras

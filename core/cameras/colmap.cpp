@@ -52,7 +52,9 @@ std::vector<Line> linesOf(std::string_view text)
         if (line.text.ends_with('\r'))
             line.text.remove_suffix(1);
         text::TextScanner scanner(line.text);
-        for (std::string_view word = scanner.nextWord(); !word.empty(); word = scanner.nextWord())
+        constexpr std::size_t kMost = 24; // a line of 2-D points has thousands, which are not read
+        for (std::string_view word = scanner.nextWord(); !word.empty() && line.words.size() < kMost;
+             word = scanner.nextWord())
             line.words.push_back(word);
         if (line.words.empty() || !line.words.front().starts_with('#'))
             lines.push_back(std::move(line));

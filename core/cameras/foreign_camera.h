@@ -73,7 +73,7 @@ struct ForeignCamera {
     std::vector<std::string> assumed; ///< one sentence each, in the language of text::tr()
 };
 
-/// What the user says about a camera; empty members are taken from the file or assumed.
+/// The choices of the user about a camera. Empty members are taken from the file or assumed.
 struct CameraChoices {
     std::string image; ///< the image's or frame's name, or a frame's index from 0; empty: the only one, else the first
     std::optional<PictureSize> size;

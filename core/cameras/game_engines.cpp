@@ -127,7 +127,7 @@ private:
             return fault("orthographic", tr("an orthographic camera needs orthographicSize, nearClipPlane and "
                                             "farClipPlane"));
         if (!size)
-            return CameraError{m_text.name, 0, tr("the size of the picture is not given; give it with --size 800x600")};
+            return CameraError{m_text.name, 0, tr("the size of the image is not given; give it with --size 800x600")};
         const double halfWidth = *half * size->width / size->height;
         const Result<glm::dmat4> clip = clipFromEye(
             Projection(Ortho{-halfWidth, halfWidth, -*half, *half, *m_camera.nearDistance, *m_camera.farDistance}));

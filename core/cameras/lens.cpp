@@ -115,7 +115,7 @@ geometry::Result<Distortion, std::string> distortionOf(std::span<const double> c
             others += (others.empty() ? "" : ", ") + std::string(kNames[i]) + " = " + shortestText(c[i]);
     }
     if (!others.empty())
-        return tr("the distortion has %1; only k1, k2, p1, p2 and k3 are known. Undistort the picture with its own "
+        return tr("the distortion has %1; only k1, k2, p1, p2 and k3 are known. Undistort the image with its own "
                   "program, then give --undistorted",
                   others);
     return Distortion{c[0], c[1], c[2], c[3], c.size() > 4 ? c[4] : 0.0};

@@ -270,7 +270,7 @@ private:
 bool NamedValue::isNamed(std::string_view name) const
 {
     std::string joined;
-    for (auto last = words.rbegin(); last != words.rend(); ++last) {
+    for (auto last = words.rbegin(); last != words.rend() && joined.size() < name.size(); ++last) {
         joined = *last + joined;
         if (joined == name)
             return true;

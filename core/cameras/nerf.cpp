@@ -84,6 +84,8 @@ private:
 
     std::optional<CameraError> refuseModel() const
     {
+        if (m_choices.isUndistorted)
+            return std::nullopt;
         const Json *own = memberOf(*m_frame, "camera_model");
         const Json *model = own ? own : memberOf(m_file, "camera_model");
         const std::string name = model && model->is_string() ? model->get<std::string>() : "OPENCV";
@@ -91,12 +93,15 @@ private:
                                || name == "perspective" || name == "SIMPLE_RADIAL" || name == "RADIAL";
         if (!isPinhole)
             return fault("camera_model", tr("the camera model %1 is not read: it is no pinhole with the distortion of "
-                                            "Brown and Conrady. Undistort the images first",
+                                            "Brown and Conrady. Undistort the images first, then give --undistorted",
                                             name));
         for (const char *key : {"is_fisheye", "k4", "k5", "k6"}) {
             const Json *flag = memberOf(m_file, key);
             if (value(key).value_or(0.0) != 0.0 || (flag && flag->is_boolean() && flag->get<bool>()))
-                return fault(key, tr("%1 is of a distortion that is not read; undistort the images first", key));
+                return fault(
+                    key,
+                    tr("%1 is of a distortion that is not read; undistort the images first, then give --undistorted",
+                       key));
         }
         return std::nullopt;
     }
@@ -141,14 +146,14 @@ private:
         const auto cx = value("cx"), cy = value("cy");
         const std::optional<PictureSize> size = sizeOf(m_camera, m_choices);
         if ((!cx || !cy) && !size)
-            return CameraError{m_text.name, 0, tr("the size of the picture is not given; give it with --size 800x600")};
+            return CameraError{m_text.name, 0, tr("the size of the image is not given; give it with --size 800x600")};
         m_camera.intrinsics->cx = cx ? *cx : size->width / 2.0;
         m_camera.intrinsics->cy = cy ? *cy : size->height / 2.0;
         if (cx && cy)
             m_camera.assumed.push_back(tr("Pixel centres are read at halves, as COLMAP writes cx and cy; "
                                           "--pixel-centers integer says otherwise."));
         else
-            m_camera.assumed.push_back(tr("The principal point is assumed in the picture's centre, because cx and cy "
+            m_camera.assumed.push_back(tr("The principal point is assumed in the image's centre, because cx and cy "
                                           "are missing. Write them into the file to say otherwise."));
         return std::nullopt;
     }

@@ -52,7 +52,8 @@ bool isNear(double value, double wanted, double scale)
 }
 
 /// K by its nine numbers, or fx, fy, cx, cy.
-Intrinsics intrinsicsOf(const OpenCvValue &value, std::vector<std::string> &assumed)
+/// @param isTransposed  set if the numbers are by columns
+Intrinsics intrinsicsOf(const OpenCvValue &value, std::vector<std::string> &assumed, bool &isTransposed)
 {
     std::vector<double> k = value.numbers;
     if (k.size() == 4) {
@@ -60,7 +61,7 @@ Intrinsics intrinsicsOf(const OpenCvValue &value, std::vector<std::string> &assu
         return {k[0], k[1], k[2], k[3], 0.0, PixelCentres::AtIntegers};
     }
     const double scale = std::max(std::abs(k[0]), std::abs(k[4]));
-    const bool isTransposed = (k[6] != 0.0 || k[7] != 0.0) && k[2] == 0.0 && k[5] == 0.0;
+    isTransposed = (k[6] != 0.0 || k[7] != 0.0) && k[2] == 0.0 && k[5] == 0.0;
     if (isTransposed) {
         std::swap(k[1], k[3]);
         std::swap(k[2], k[6]);
@@ -162,7 +163,7 @@ private:
     {
         refuseUnfit(OpenCvPart::Intrinsics, tr("a camera matrix has nine, by rows"));
         if (const OpenCvValue *k = valueOf(OpenCvPart::Intrinsics)) {
-            m_camera.intrinsics = intrinsicsOf(*k, m_camera.assumed);
+            m_camera.intrinsics = intrinsicsOf(*k, m_camera.assumed, m_isTransposed);
         } else if (const auto fx = m_values.number({"fx"}), fy = m_values.number({"fy"}); fx && fy) {
             const auto cx = m_values.number({"cx", "ppx"}), cy = m_values.number({"cy", "ppy"});
             if (!cx || !cy)
@@ -245,6 +246,10 @@ private:
             turn = rotationOf(glm::dvec3(rotation->numbers[0], rotation->numbers[1], rotation->numbers[2]));
         } else {
             turn = glm::dmat3(*matrixByRows(rotation->numbers));
+            if (m_isTransposed) {
+                turn = glm::transpose(turn);
+                m_camera.assumed.push_back(tr("%1 is read by columns, too.", rotation->name));
+            }
             if (glm::determinant(turn) < 0.0)
                 fail(*rotation, tr("its determinant is %1: it mirrors. Check the sign of a row or a column",
                                    significantText(glm::determinant(turn), 3)));
@@ -268,20 +273,19 @@ private:
         if (binning.value_or(0.0) > 1.0 || left.value_or(0.0) != 0.0 || top.value_or(0.0) != 0.0)
             m_camera.assumed.push_back(
                 tr("Binning and region of interest are not applied: pixels are those of the full "
-                   "picture."));
+                   "image."));
         if (const OpenCvValue *pose = valueOf(OpenCvPart::Pose))
             readPoseMatrix(*pose);
         if (!m_choices.isUndistorted) {
-            m_camera.assumed.push_back(
-                tr("Pixels are those of the raw picture, so K counts; --undistorted takes P, for "
-                   "the rectified one."));
+            m_camera.assumed.push_back(tr("Pixels are those of the raw image, so K counts; --undistorted takes P, for "
+                                          "the rectified one."));
             return;
         }
         if (!parts || m_camera.pose) {
-            m_camera.assumed.push_back(tr("P cannot be used here: K counts for the rectified picture."));
+            m_camera.assumed.push_back(tr("P cannot be used here: K counts for the rectified image."));
             return;
         }
-        m_camera.assumed.push_back(tr("Pixels are those of the rectified picture, so P and R count; K is ignored."));
+        m_camera.assumed.push_back(tr("Pixels are those of the rectified image, so P and R count; K is ignored."));
         m_camera.intrinsics = parts->intrinsics;
         m_camera.intrinsics->skew = 0.0;
         const OpenCvValue *rectification = valueOf(OpenCvPart::Rotation);
@@ -298,10 +302,10 @@ private:
         if (isFisheye) {
             if (!m_choices.isUndistorted)
                 fail(*model, tr("the distortion is %1; only k1, k2, p1, p2 and k3 of Brown and Conrady are known. "
-                                "Undistort the picture with its own program, then give --undistorted",
+                                "Undistort the image with its own program, then give --undistorted",
                                 model->word));
             m_camera.assumed.push_back(
-                tr("The distortion %1 is dropped: pixels are those of the undistorted picture.", model->word));
+                tr("The distortion %1 is dropped: pixels are those of the undistorted image.", model->word));
             return;
         }
         const auto k1 = m_values.number({"k1"}), k2 = m_values.number({"k2"}), p1 = m_values.number({"p1"}),
@@ -315,7 +319,7 @@ private:
                 fail(*list, lens.error());
             else
                 m_camera.assumed.push_back(tr("The distortion coefficients are dropped: pixels are those of the "
-                                              "undistorted picture."));
+                                              "undistorted image."));
         } else if (k1 || k2 || p1 || p2 || k3) {
             m_camera.distortion =
                 Distortion{k1.value_or(0.0), k2.value_or(0.0), p1.value_or(0.0), p2.value_or(0.0), k3.value_or(0.0)};
@@ -334,6 +338,7 @@ private:
     OpenCvValues m_values;
     const CameraChoices &m_choices;
     std::string m_file;
+    bool m_isTransposed = false; ///< K is MATLAB's, so R is
     ForeignCamera m_camera;
 };
 

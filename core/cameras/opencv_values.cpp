@@ -1,6 +1,5 @@
 #include "core/cameras/opencv_values.h"
 
-#include "core/cameras/named_values.h"
 #include "core/cameras/printed_text.h"
 
 #include <algorithm>
@@ -156,6 +155,8 @@ OpenCvValues::OpenCvValues(std::span<const NamedText> texts)
                     values.back().columns = value.numbers[0] == 6.0 ? 6 : 0;
                 continue;
             }
+            if (value.numbers.size() == 1)
+                m_numbers.push_back(value);
             values.push_back(
                 {{joined(value.words, " "), value.word, value.numbers, value.line, text.name}, partOf(value), 0});
         }
@@ -167,10 +168,6 @@ OpenCvValues::OpenCvValues(std::span<const NamedText> texts)
             }
             if (owned.part)
                 add(*owned.part, value);
-            if (value.numbers.size() == 1) {
-                std::erase(value.name, ' ');
-                m_numbers.push_back(std::move(value));
-            }
         }
     }
     // Both ROS's messages and its calibration files have a model, K and P; R is then the
@@ -222,8 +219,8 @@ void OpenCvValues::addPoses(OpenCvValue value)
 std::optional<double> OpenCvValues::number(std::initializer_list<std::string_view> names) const
 {
     for (const std::string_view name : names) {
-        for (const OpenCvValue &value : m_numbers) {
-            if (value.name == name)
+        for (const NamedValue &value : m_numbers) {
+            if (value.isNamed(name))
                 return value.numbers[0];
         }
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/cameras/camera_reader.h"
+#include "core/cameras/named_values.h"
 
 #include <array>
 #include <cstddef>
@@ -55,7 +56,7 @@ private:
 
     std::array<std::vector<OpenCvValue>, kOpenCvParts> m_parts;
     std::array<std::optional<OpenCvValue>, kOpenCvParts> m_unfit;
-    std::vector<OpenCvValue> m_numbers; ///< values of one number; their names without blanks
+    std::vector<NamedValue> m_numbers; ///< values of one number
     bool m_isCameraInfo = false;
 };
 

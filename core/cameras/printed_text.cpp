@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstddef>
 #include <utility>
 
 namespace unprojector::cameras {
@@ -91,6 +92,24 @@ void nameConstructed(std::string &text)
     }
 }
 
+/// Writes the comment "# K: pixels from eye" above a line of numbers as "K:".
+void nameCommented(std::string &text)
+{
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string_view line = std::string_view(text).substr(begin, end - begin);
+        const std::size_t colon = line.find(':');
+        const bool isNamed = line.starts_with("# ") && colon != line.npos && colon > 2
+                             && std::all_of(line.begin() + 2, line.begin() + std::ptrdiff_t(colon), isOfName);
+        const char next = end + 1 < text.size() ? text[end + 1] : ' ';
+        if (isNamed && (std::isdigit(static_cast<unsigned char>(next)) != 0 || next == '-')) {
+            text[begin] = ' ';
+            clear(text, begin + colon + 1, end);
+        }
+        begin = end + 1;
+    }
+}
+
 /// Writes out the numbers of calls such as eye(3).
 void writeOutCalls(std::string &text)
 {
@@ -125,6 +144,7 @@ void writeOutCalls(std::string &text)
 std::string withNames(std::string_view text)
 {
     std::string names = isXml(text) ? withoutTags(text) : std::string(text);
+    nameCommented(names);
     clearFillers(names);
     nameConstructed(names);
     writeOutCalls(names);

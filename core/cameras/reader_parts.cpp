@@ -130,7 +130,7 @@ std::optional<CameraError> setVerticalAngle(ForeignCamera &camera, const CameraC
         return error;
     const std::optional<PictureSize> size = sizeOf(camera, choices);
     if (!size)
-        return CameraError{file, 0, tr("the size of the picture is not given; give it with --size 800x600")};
+        return CameraError{file, 0, tr("the size of the image is not given; give it with --size 800x600")};
     const double width = size->width, height = size->height, focal = height / (2.0 * std::tan(radians / 2.0));
     camera.intrinsics = Intrinsics{focal, focal, width / 2.0, height / 2.0, 0.0, PixelCentres::AtHalves};
     constexpr double kSame = 1e-3; // a printed aspect has few digits
@@ -138,7 +138,7 @@ std::optional<CameraError> setVerticalAngle(ForeignCamera &camera, const CameraC
         return CameraError{file, 0, tr("the aspect ratio is %1; it must be greater than 0", shortestText(*aspect))};
     if (aspect && std::abs(*aspect * height / width - 1.0) > kSame) {
         camera.intrinsics->fx = focal * width / (height * *aspect);
-        camera.assumed.push_back(tr("The aspect ratio is %1, but the picture is %2: pixels are not square. Check the "
+        camera.assumed.push_back(tr("The aspect ratio is %1, but the image is %2: pixels are not square. Check the "
                                     "size; --size says another.",
                                     shortestText(*aspect), sizeText(*size)));
     }
@@ -152,7 +152,7 @@ std::optional<CameraError> setHorizontalAngle(ForeignCamera &camera, const Camer
         return error;
     const std::optional<PictureSize> size = sizeOf(camera, choices);
     if (!size)
-        return CameraError{file, 0, tr("the size of the picture is not given; give it with --size 800x600")};
+        return CameraError{file, 0, tr("the size of the image is not given; give it with --size 800x600")};
     const double focal = size->width / (2.0 * std::tan(radians / 2.0));
     camera.intrinsics = Intrinsics{focal, focal, size->width / 2.0, size->height / 2.0, 0.0, PixelCentres::AtHalves};
     return std::nullopt;

@@ -38,7 +38,7 @@ std::optional<std::size_t> imageIndex(const std::vector<std::string> &images, co
 /// @return the error of a wrong choice, which lists the first images
 std::optional<CameraError> chooseImage(ForeignCamera &camera, const CameraChoices &choices, const std::string &file);
 
-/// The picture's size, by the choices or by the camera's file.
+/// The image's size, by the choices or by the camera's file.
 std::optional<PictureSize> sizeOf(const ForeignCamera &camera, const CameraChoices &choices);
 
 /// The size that two numbers give; nothing for anything but whole numbers above 0.
@@ -46,9 +46,9 @@ std::optional<PictureSize> sizeOf(std::optional<double> width, std::optional<dou
 /// The size among named values: width and height, resolution, viewport.
 std::optional<PictureSize> sizeIn(const NamedValues &values);
 
-/// Sets the intrinsics of a vertical angle of view, with the principal point in the picture's
+/// Sets the intrinsics of a vertical angle of view, with the principal point in the image's
 /// centre.
-/// @param aspect  width / height of the picture that the angle belongs to; empty: square pixels
+/// @param aspect  width / height of the image that the angle belongs to; empty: square pixels
 /// @return the error of a missing size or an angle outside (0, pi)
 std::optional<CameraError> setVerticalAngle(ForeignCamera &camera, const CameraChoices &choices, double radians,
                                             const std::optional<double> &aspect, const std::string &file);

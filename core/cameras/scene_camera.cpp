@@ -155,23 +155,23 @@ Result<PictureSize, CameraError> pictureSize(const ForeignCamera &camera, const 
 {
     std::optional<PictureSize> size = choices.size ? choices.size : camera.size;
     if (choices.size && camera.size && *choices.size != *camera.size)
-        assumed.push_back(tr("The picture is %1, as --size says; the file says %2.", sizeText(*choices.size),
-                             sizeText(*camera.size)));
+        assumed.push_back(
+            tr("The image is %1, as --size says; the file says %2.", sizeText(*choices.size), sizeText(*camera.size)));
     if (!size) {
         if (!camera.intrinsics)
-            return errorOf(tr("the size of the picture is not given; give it with --size 800x600"));
+            return errorOf(tr("the size of the image is not given; give it with --size 800x600"));
         const Intrinsics &k = *camera.intrinsics;
         const double toCorner = cornerToCentre(choices.centres.value_or(k.centres));
         const double width = std::round(2.0 * (k.cx + toCorner)), height = std::round(2.0 * (k.cy + toCorner));
         if (!(width >= 1.0 && height >= 1.0 && width <= kMostPixels && height <= kMostPixels))
-            return errorOf(tr("the principal point (%1, %2) gives no size of the picture; give it with --size 800x600",
+            return errorOf(tr("the principal point (%1, %2) gives no size of the image; give it with --size 800x600",
                               shortestText(k.cx), shortestText(k.cy)));
         size = PictureSize{static_cast<int>(width), static_cast<int>(height)};
         assumed.push_back(
-            tr("The picture is assumed to be %1, twice the principal point; --size says otherwise.", sizeText(*size)));
+            tr("The image is assumed to be %1, twice the principal point; --size says otherwise.", sizeText(*size)));
     }
     if (size->width < 1 || size->height < 1 || size->width > kMostPixels || size->height > kMostPixels)
-        return errorOf(tr("a picture of %1 pixels cannot be; each side must be 1 to %2", sizeText(*size), kMostPixels));
+        return errorOf(tr("a image of %1 pixels cannot be; each side must be 1 to %2", sizeText(*size), kMostPixels));
     return *size;
 }
 
@@ -267,12 +267,48 @@ void sayReading(const ForeignCamera &camera, const std::vector<Reading> &reading
         : taken.seen == 0.0 ? tr("as %1 usually writes it. No reading shows the objects", camera.program)
         : others > 0        ? tr("which shows the objects best. Another reading shows them too")
         : isAnother         ? tr("because only this reading shows the objects")
-                            : tr("as %1 usually writes it; the objects are in the picture", camera.program);
+                            : tr("as %1 usually writes it; the objects are in the image", camera.program);
     if (isDirectionOpen)
         assumed.push_back(tr("The pose is read as %1, %2; --pose says otherwise.", keyOf(taken.direction), because));
     if (areAxesOpen)
         assumed.push_back(
             tr("The camera's axes are read as those of %1, %2; --axes says otherwise.", keyOf(taken.axes), because));
+}
+
+/// What to do about a camera that sees none of the objects: the first of the usual mistakes without
+/// which it sees them.
+/// @param scene  as read
+std::string remedyOf(const ForeignCamera &camera, const SceneCamera &scene, const Box &objects)
+{
+    const Reading reading{scene.direction, scene.axes};
+    const glm::dmat4 pose = camera.pose.value_or(glm::dmat4(1.0));
+    const glm::dmat3 turn(pose);
+    const auto withParts = [](const glm::dmat3 &rotation, const glm::dvec3 &shift) {
+        glm::dmat4 m(rotation);
+        m[3] = glm::dvec4(shift, 1.0);
+        return m;
+    };
+    const glm::dvec3 shift(pose[3]);
+    const glm::dmat4 clip =
+        camera.projection ? camera.projection->clipFromEye : clipFromEye(*scene.intrinsics, scene.size, 0.5, 1.0);
+    const auto shows = [&](const glm::dmat4 &other, const Reading &by) {
+        return seenPart(clip, eyeFromWorldOf(camera, other, by), objects) > 0.0;
+    };
+    for (const EyeAxes axes : {scene.axes, EyeAxes::RightDownAhead, EyeAxes::RightUpBack}) {
+        for (const PoseDirection direction : {PoseDirection::WorldToCamera, PoseDirection::CameraToWorld}) {
+            if (shows(pose, {direction, axes}))
+                return tr("with --pose %1 --axes %2 it would", keyOf(direction), keyOf(axes));
+        }
+    }
+    if (shows(withParts(glm::transpose(turn), shift), reading))
+        return tr("with its rotation transposed it would; check the order of the rotation's numbers");
+    if (scene.direction == PoseDirection::WorldToCamera && shows(withParts(turn, -(turn * shift)), reading))
+        return tr("with t as the camera's position C it would; give t = -R C");
+    for (const double factor : {1e3, 1e-3, 1e2, 1e-2}) {
+        if (shows(withParts(turn, factor * shift), reading))
+            return tr("with a translation %1 times as long it would; check the units", shortestText(factor));
+    }
+    return tr("check the pose and its units");
 }
 
 } // namespace
@@ -342,11 +378,10 @@ Result<SceneCamera, CameraError> sceneCamera(const ForeignCamera &camera, const 
         sayReading(camera, readings, *taken, haveObjects, scene.assumed);
     }
     if (glm::determinant(glm::dmat3(scene.eyeFromWorld)) < 0.0)
-        scene.assumed.push_back(tr("The pose mirrors the picture: its axes are left-handed in a right-handed world. "
+        scene.assumed.push_back(tr("The pose mirrors the image: its axes are left-handed in a right-handed world. "
                                    "Check a row's or column's sign."));
     if (haveObjects && taken->seen == 0.0)
-        scene.assumed.push_back(tr("The camera sees none of the objects: check the pose, its units, and whether t is "
-                                   "the camera's position instead of -R C."));
+        scene.assumed.push_back(tr("The camera sees none of the objects: %1.", remedyOf(camera, scene, *objects)));
 
     if (camera.projection) {
         scene.projection = *camera.projection;
@@ -368,7 +403,7 @@ Result<SceneCamera, CameraError> sceneCamera(const ForeignCamera &camera, const 
                                        "answers.",
                                        shortestText(k.skew)));
         if (!(k.cx >= 0.0 && k.cx <= scene.size.width && k.cy >= 0.0 && k.cy <= scene.size.height))
-            scene.assumed.push_back(tr("The principal point (%1, %2) lies outside the picture of %3: check the size.",
+            scene.assumed.push_back(tr("The principal point (%1, %2) lies outside the image of %3: check the size.",
                                        shortestText(k.cx), shortestText(k.cy), sizeText(scene.size)));
         if (k.centres == PixelCentres::AtIntegers && !choices.centres && (choices.size || camera.size)
             && k.cx == scene.size.width / 2.0 && k.cy == scene.size.height / 2.0)
@@ -379,7 +414,7 @@ Result<SceneCamera, CameraError> sceneCamera(const ForeignCamera &camera, const 
     if (camera.distortion && !camera.distortion->isNone()) {
         if (choices.isUndistorted)
             scene.assumed.push_back(tr("The distortion coefficients are dropped: pixels are those of the undistorted "
-                                       "picture."));
+                                       "image."));
         else
             scene.distortion = camera.distortion;
     }

@@ -11,7 +11,7 @@
 #include <span>
 #include <utility>
 
-// MuJoCo and PyBullet. Both have OpenGL's eye axes.
+// MuJoCo, PyBullet and SAPIEN. Their eye axes are OpenGL's, if not named otherwise.
 
 namespace unprojector::cameras {
 using namespace geometry;
@@ -95,7 +95,7 @@ Result<ForeignCamera, CameraError> readGlCamera(const NamedText &text, const Nam
     if (half == 0.0) { // the width follows the viewport
         const std::optional<PictureSize> size = sizeOf(camera, choices);
         if (!size)
-            return CameraError{text.name, 0, tr("the size of the picture is not given; give it with --size 800x600")};
+            return CameraError{text.name, 0, tr("the size of the image is not given; give it with --size 800x600")};
         half = 0.5 * size->width / size->height * (*top - *bottom);
     }
     const NamedValue *flag = values.find({"orthographic"});
@@ -159,6 +159,30 @@ CameraRead readPyBullet(std::span<const NamedText> texts, const CameraChoices & 
         camera.size = sizeIn(values);
         camera.pose = view;
         camera.projection = MatrixProjection{*projection, NdcDepth::MinusOneToOne};
+        return camera;
+    }
+    return std::nullopt;
+}
+
+CameraRead readSapien(std::span<const NamedText> texts, const CameraChoices & /*choices*/)
+{
+    for (const NamedText &text : texts) {
+        const NamedValues values(text.text);
+        const auto extrinsic = matrixByRows(values.numbers({"extrinsiccv"}, 12)),
+                   pose = matrixByRows(values.numbers({"cam2worldgl"}, 12));
+        const std::vector<double> k = values.numbers({"intrinsiccv", "intrinsic", "k"}, 9);
+        const auto lens = matrixByRows(values.numbers({"projectionmatrix", "projection"}, 16));
+        if ((!extrinsic && !pose) || (k.size() != 9 && !lens))
+            continue;
+        ForeignCamera camera =
+            cameraOf("SAPIEN", extrinsic ? PoseDirection::WorldToCamera : PoseDirection::CameraToWorld);
+        camera.axes = extrinsic ? EyeAxes::RightDownAhead : EyeAxes::RightUpBack;
+        camera.pose = extrinsic ? extrinsic : pose;
+        camera.size = sizeIn(values);
+        if (k.size() == 9)
+            camera.intrinsics = Intrinsics{k[0], k[4], k[2], k[5], k[1], PixelCentres::AtHalves};
+        else
+            camera.projection = MatrixProjection{*lens, NdcDepth::MinusOneToOne};
         return camera;
     }
     return std::nullopt;

@@ -88,6 +88,14 @@ std::string mistakeSentence(std::string_view id)
     return sentences;
 }
 
+std::string candidateSentence(const Candidate &candidate)
+{
+    const std::string sentence = mistakeSentence(candidate.id);
+    return candidate.values.empty() || candidate.ways.empty()
+               ? sentence
+               : tr("Your program: %1. %2|values, sentence", waysText(candidate.ways), sentence);
+}
+
 std::string waysText(const std::vector<VariantName> &ways)
 {
     std::string text;

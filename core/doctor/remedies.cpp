@@ -3,10 +3,12 @@
 #include "core/doctor/code_for_cameras.h"
 #include "core/doctor/code_for_pixels.h"
 #include "core/doctor/code_for_points.h"
+#include "core/doctor/written_value.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
 #include <cassert>
+#include <cctype>
 #include <iterator>
 
 namespace unprojector::doctor {
@@ -143,6 +145,10 @@ constexpr Remedy kRemedies[] = {
          "The point in front of the camera has OpenCV's axes, x right, y down, z ahead. The matrix expects OpenGL's, "
          "y up, z back; or the reverse."),
      kOpenCvAxes},
+    {"camera-axes-differ", marked("other camera axes"),
+     marked(
+         "The point in front of the camera has other axes than the matrix expects, as those of ROS, Unreal or Unity."),
+     kCameraAxesDiffer},
     {"translation-not-inverted", marked("translation not inverted"),
      marked(
          "Only the pose's rotation is inverted: t is taken for the eye, or the eye for t. The eye is -transpose(R) t."),
@@ -213,6 +219,20 @@ const Remedy &remedyOf(std::string_view id)
         std::find_if(std::begin(kRemedies), std::end(kRemedies), [&](const Remedy &remedy) { return remedy.id == id; });
     assert(found != std::end(kRemedies));
     return *found;
+}
+
+std::string lineWithValues(std::string_view line, std::span<const SolvedValue> values)
+{
+    std::string filled(line);
+    for (const SolvedValue &value : values) {
+        if (value.name.empty() || value.numbers.size() != 1)
+            continue;
+        std::string name = "other" + value.name;
+        name[5] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[5])));
+        for (std::size_t at = filled.find(name); at != filled.npos; at = filled.find(name, at + 1))
+            filled.replace(at, name.size(), valueText(value.numbers.front()));
+    }
+    return filled;
 }
 
 } // namespace unprojector::doctor

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "core/doctor/diagnosis.h"
+
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace unprojector::doctor {
@@ -23,5 +26,9 @@ struct Remedy {
 
 /// @param id  one of mistakeIds()
 const Remedy &remedyOf(std::string_view id);
+
+/// A line of code with solved values: 50 for otherFar, 60 for otherFovy. Other values are not in
+/// lines.
+std::string lineWithValues(std::string_view line, std::span<const SolvedValue> values);
 
 } // namespace unprojector::doctor

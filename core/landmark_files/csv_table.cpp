@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 
 namespace unprojector::landmark_files::csv {
 using namespace landmarks;
@@ -130,8 +131,8 @@ bool isWholeNumber(std::string_view cell)
 }
 
 /// The columns of a table without a header: a name and three numbers, or three numbers. Four
-/// numbers count as a name and three only if the first are whole and some of the others are not;
-/// otherwise the fourth may be a scanner's measurement.
+/// numbers count as a name and three only if the first are whole and some of the others are not, or if
+/// the first count the rows from 0, as CloudCompare does; otherwise the fourth may be a scanner's measurement.
 /// @return empty if the rows have another form
 std::optional<Header> guessedHeader(std::string_view text, char separator)
 {
@@ -141,7 +142,8 @@ std::optional<Header> guessedHeader(std::string_view text, char separator)
             mark.see(cell.text);
     }
     std::size_t count = 0;
-    bool hasNames = false, allWhole = true, firstsWhole = true;
+    bool hasNames = false, allWhole = true, firstsWhole = true, firstsCount = true;
+    std::size_t rows = 0;
     for (CsvReader reader(text, separator); reader.next();) {
         CsvRow &row = reader.row();
         if (row.isPadding())
@@ -160,9 +162,11 @@ std::optional<Header> guessedHeader(std::string_view text, char separator)
         if (count == 4) {
             hasNames = hasNames || !isNumber(row.cells[0].text, mark);
             firstsWhole = firstsWhole && isWholeNumber(row.cells[0].text);
+            firstsCount = firstsCount && row.cells[0].text == std::to_string(rows);
         }
+        ++rows;
     }
-    if (count == 0 || (count == 4 && !hasNames && (!firstsWhole || allWhole)))
+    if (count == 0 || (count == 4 && !hasNames && (!firstsWhole || (allWhole && (!firstsCount || rows < 2)))))
         return std::nullopt;
     Header header;
     header.places.fill(Header::npos);

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 namespace unprojector::landmark_files {
@@ -123,6 +124,31 @@ Landmark landmarkOf(Point &&point, Axes axes, std::size_t number, Notes &notes)
     return landmark;
 }
 
+/// The unit of a markup: a word, the same word for each axis, or a code of UCUM with its meaning, as a
+/// list or an object. Nothing for other values.
+std::optional<std::string> unitOf(const Json &value)
+{
+    constexpr std::size_t kCount = 3; // axes, or code, scheme and meaning
+    if (value.is_string())
+        return value.get<std::string>();
+    if (value.is_object() && value.contains("CodeValue") && value["CodeValue"].is_string())
+        return value["CodeValue"].get<std::string>();
+    const bool isList = value.is_array() && value.size() == kCount
+                        && std::all_of(value.begin(), value.end(), [](const Json &each) { return each.is_string(); });
+    if (isList && (value[1] == "UCUM" || (value[0] == value[1] && value[0] == value[2])))
+        return value[0].get<std::string>();
+    return std::nullopt;
+}
+
+/// Removes the unit from a markup's other values, if it is understood.
+std::optional<std::string> takeUnit(Json &extra)
+{
+    std::optional<std::string> unit = extra.contains(kUnits) ? unitOf(extra[kUnits]) : std::nullopt;
+    if (unit)
+        extra.erase(kUnits);
+    return unit;
+}
+
 /// True if each control point is a semilandmark as this program writes them: "NAME:01" and so on.
 /// The control points of another curve stay points, since each has a name of its own.
 bool isOurCurve(const Markup &markup)
@@ -161,8 +187,7 @@ Curve curveOf(Markup &&markup, Notes &notes)
     curve.extra = std::move(markup.extra);
     Json &extra = curve.extra.edit();
     extra.erase("type");
-    if (extra.contains(kUnits) && extra[kUnits].is_string()) // the set's
-        extra.erase(kUnits);
+    static_cast<void>(takeUnit(extra)); // the set's
     const Json names = takenFrom(extra, kCurvePoints), kind = takenFrom(extra, kCurveWay),
                count = takenFrom(extra, kCurveCount);
     if (names.is_array()
@@ -195,10 +220,7 @@ LandmarkSet setOf(Markup &&markup, Notes &notes)
     set.axes = markup.axes;
     set.extra = std::move(markup.extra);
     if (Json &extra = set.extra.edit(); extra.is_object()) {
-        if (extra.contains(kUnits) && extra[kUnits].is_string()) { // otherwise a code, which stays unchanged
-            set.unit = extra[kUnits].get<std::string>();
-            extra.erase(kUnits);
-        }
+        set.unit = takeUnit(extra).value_or(std::string()); // others stay unchanged
         if (extra.contains("type") && extra["type"] == "Fiducial")
             extra.erase("type");
         if (extra.empty())

@@ -1,6 +1,6 @@
 #include "core/landmarks/distinct_names.h"
 
-#include "core/landmarks/point_template.h"
+#include "core/landmarks/name_key.h"
 
 #include <algorithm>
 #include <map>

@@ -27,6 +27,12 @@ std::optional<MeasureError> firstMissing(std::span<const Landmark *const> points
     return std::nullopt;
 }
 
+/// Doesn't overflow, as the squares of coordinates of 1e200 do.
+double lengthOf(const glm::dvec3 &v)
+{
+    return std::hypot(v.x, v.y, v.z);
+}
+
 glm::dvec3 placeOf(const Landmark &landmark)
 {
     return landmark.world->coordinates();
@@ -35,7 +41,7 @@ glm::dvec3 placeOf(const Landmark &landmark)
 /// The largest error of a point in any direction; 0 if unknown.
 double reachOf(const Landmark &landmark)
 {
-    return landmark.uncertainty ? glm::length(landmark.uncertainty->coordinates()) : 0.0;
+    return landmark.uncertainty ? lengthOf(landmark.uncertainty->coordinates()) : 0.0;
 }
 
 /// A value and its error, summed over the points.
@@ -52,7 +58,7 @@ public:
     /// @param rate  of the value by the length of the point's movement
     void addAnyWay(const Landmark &landmark, double rate)
     {
-        addIfKnown(landmark, [&](const glm::dvec3 &off) { return rate * glm::length(off); });
+        addIfKnown(landmark, [&](const glm::dvec3 &off) { return rate * lengthOf(off); });
     }
     /// @param most  largest possible error
     void limit(double most)
@@ -96,7 +102,7 @@ Measured lengthAlong(std::span<const Landmark *const> points)
     double sum = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i) {
         const glm::dvec3 along = placeOf(*points[i]) - placeOf(*points[i - 1]);
-        const double length = glm::length(along);
+        const double length = lengthOf(along);
         sum += length;
         if (length > reachOf(*points[i]) + reachOf(*points[i - 1])) {
             gradients[i] += along / length;
@@ -120,14 +126,14 @@ Measured angleAt(const Landmark &vertex, const Landmark &a, const Landmark &c)
     if (const auto missing = firstMissing(points))
         return *missing;
     const glm::dvec3 toA = placeOf(a) - placeOf(vertex), toC = placeOf(c) - placeOf(vertex);
-    const double lengthA = glm::length(toA), lengthC = glm::length(toC);
+    const double lengthA = lengthOf(toA), lengthC = lengthOf(toC);
     if (!(lengthA > 0.0))
         return MeasureError{Code::SamePoint, 1};
     if (!(lengthC > 0.0))
         return MeasureError{Code::SamePoint, 2};
     const glm::dvec3 ea = toA / lengthA, ec = toC / lengthC;
     const glm::dvec3 normal = glm::cross(ea, ec);
-    const double sine = glm::length(normal);
+    const double sine = lengthOf(normal);
     const double angle = std::atan2(sine, glm::dot(ea, ec)), fromStraight = std::min(angle, kPi - angle);
     const double open = (reachOf(a) + reachOf(vertex)) / lengthA + (reachOf(c) + reachOf(vertex)) / lengthC;
     Summed measure(angle);
@@ -152,10 +158,16 @@ Measured heightOver(const Landmark &a, const Landmark &b, const Landmark &c, con
     const std::array points{&a, &b, &c, &landmark};
     if (const auto missing = firstMissing(points))
         return *missing;
-    const glm::dvec3 ab = placeOf(b) - placeOf(a), ac = placeOf(c) - placeOf(a), ap = placeOf(landmark) - placeOf(a);
+    glm::dvec3 ab = placeOf(b) - placeOf(a), ac = placeOf(c) - placeOf(a), ap = placeOf(landmark) - placeOf(a);
+    // In units of the longest leg, products do not overflow; a power of 2 rounds nothing.
+    const double longestLeg = std::max({lengthOf(ab), lengthOf(ac), lengthOf(ap)});
+    const double scale = longestLeg > 0.0 ? std::exp2(std::ilogb(longestLeg)) : 1.0;
+    ab /= scale;
+    ac /= scale;
+    ap /= scale;
     const glm::dvec3 normal = glm::cross(ab, ac);
-    const double twiceArea = glm::length(normal);
-    const double longest = std::max({glm::length(ab), glm::length(ac), glm::distance(placeOf(b), placeOf(c))});
+    const double twiceArea = lengthOf(normal);
+    const double longest = std::max({lengthOf(ab), lengthOf(ac), lengthOf(ac - ab)});
     // The limit is the rounding error of coordinates far from 0, or the points' uncertainty.
     double size = 0.0;
     for (const Landmark *corner : {&a, &b, &c}) {
@@ -163,12 +175,12 @@ Measured heightOver(const Landmark &a, const Landmark &b, const Landmark &c, con
         size = std::max({size, place.x, place.y, place.z});
     }
     constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
-    const double open = std::max(kRounding * size, reachOf(a) + reachOf(b) + reachOf(c));
+    const double open = std::max(kRounding * size, reachOf(a) + reachOf(b) + reachOf(c)) / scale;
     if (!(twiceArea > open * longest)) // twice the area is the longest side times the least height
         return MeasureError{Code::NoPlane, 0};
     const glm::dvec3 n = normal / twiceArea;
     const double ofB = glm::dot(glm::cross(ap, ac), n) / twiceArea, ofC = glm::dot(glm::cross(ab, ap), n) / twiceArea;
-    Summed measure(glm::dot(n, ap));
+    Summed measure(scale * glm::dot(n, ap));
     measure.add(landmark, n);
     measure.add(a, -(1.0 - ofB - ofC) * n);
     measure.add(b, -ofB * n);

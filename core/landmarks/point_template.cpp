@@ -1,33 +1,29 @@
 #include "core/landmarks/point_template.h"
 
+#include "core/landmarks/name_key.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
 namespace unprojector::landmarks {
 namespace {
 
-/// The name with ASCII letters in lower case; other characters must match exactly.
-std::string inLowerCase(std::string_view name)
-{
-    std::string lower(name);
-    for (char &c : lower)
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return lower;
-}
-
 const Landmark *find(std::string_view name, std::span<const Landmark> names)
 {
-    const std::string wanted = nameKey(name);
-    auto found =
-        std::find_if(names.begin(), names.end(), [&](const Landmark &landmark) { return landmark.name == name; });
-    if (found == names.end() && !wanted.empty())
-        found = std::find_if(names.begin(), names.end(),
-                             [&](const Landmark &landmark) { return nameKey(landmark.name) == wanted; });
-    return found != names.end() ? &*found : nullptr;
+    const std::optional<std::size_t> found = indexOfName(names, name);
+    return found ? &names[*found] : nullptr;
+}
+
+/// The nameKey; a name without one has only its own spelling.
+std::string keyOrName(const std::string &name)
+{
+    std::string key = nameKey(name);
+    return key.empty() ? name : key;
 }
 
 Landmark toPlaceOf(const Landmark &wanted)
@@ -40,34 +36,27 @@ Landmark toPlaceOf(const Landmark &wanted)
 
 } // namespace
 
-std::string nameKey(std::string_view name)
-{
-    constexpr std::string_view kWrittenOtherwise = " _#\"'\\\x7f";
-    std::string key;
-    bool isApart = false;
-    for (const char c : inLowerCase(name)) {
-        if (static_cast<unsigned char>(c) < ' ' || kWrittenOtherwise.find(c) != kWrittenOtherwise.npos) {
-            isApart = !key.empty();
-            continue;
-        }
-        if (std::exchange(isApart, false))
-            key += '_';
-        key += c;
-    }
-    return key;
-}
-
 std::vector<Landmark> withTemplate(std::vector<Landmark> landmarks, std::span<const Landmark> names)
 {
-    std::map<std::string, std::size_t> there;
-    for (const Landmark &landmark : landmarks)
-        ++there[inLowerCase(landmark.name)];
+    std::map<std::string, std::size_t> spelled, there; // by name, and by its key without those spelled so
+    for (const Landmark &landmark : landmarks) {
+        ++spelled[landmark.name];
+        ++there[keyOrName(landmark.name)];
+    }
+    std::vector<const Landmark *> others; // "a b" must not stand for "a_b" if that is there too
     for (const Landmark &wanted : names) {
-        if (std::size_t &count = there[inLowerCase(wanted.name)]; count > 0) {
+        if (std::size_t &count = spelled[wanted.name]; count > 0) {
             --count;
-            continue;
+            --there[keyOrName(wanted.name)];
+        } else {
+            others.push_back(&wanted);
         }
-        landmarks.push_back(toPlaceOf(wanted));
+    }
+    for (const Landmark *wanted : others) {
+        if (std::size_t &count = there[keyOrName(wanted->name)]; count > 0)
+            --count;
+        else
+            landmarks.push_back(toPlaceOf(*wanted));
     }
     return landmarks;
 }

@@ -15,14 +15,9 @@ namespace unprojector::landmarks {
 /// The column of a template's table with image files, see pictureFor.
 constexpr const char *kPictureColumn = "picture";
 
-/// The part of a name that survives every file format. ASCII letters become lower case. One '_'
-/// replaces blanks, '_' and the characters # " ' \, which some formats lack; at both ends they are
-/// removed. Empty for a name of only such characters.
-std::string nameKey(std::string_view name);
-
 /// Appends the landmarks of a template that are absent, to be placed: without a position, a note or
-/// an object. Names are compared in any case. If the template has a name twice, two landmarks must
-/// exist.
+/// an object. A spelling that is there comes first, else one of the same nameKey counts. If the
+/// template has a name twice, two landmarks must exist.
 std::vector<Landmark> withTemplate(std::vector<Landmark> landmarks, std::span<const Landmark> names);
 
 /// The landmarks in the order of a template: for each name the landmark of that name, else one of

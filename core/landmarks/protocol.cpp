@@ -1,7 +1,7 @@
 #include "core/landmarks/protocol.h"
 
 #include "core/geometry/angle.h"
-#include "core/landmarks/point_template.h"
+#include "core/landmarks/name_key.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
@@ -13,13 +13,7 @@ using text::tr;
 
 std::optional<std::size_t> landmarkNamed(const LandmarkSet &set, const std::string &name)
 {
-    auto found = std::find_if(set.landmarks.begin(), set.landmarks.end(),
-                              [&name](const Landmark &landmark) { return landmark.name == name; });
-    if (const std::string key = nameKey(name); found == set.landmarks.end() && !key.empty())
-        found = std::find_if(set.landmarks.begin(), set.landmarks.end(),
-                             [&key](const Landmark &landmark) { return nameKey(landmark.name) == key; });
-    return found != set.landmarks.end() ? std::optional(static_cast<std::size_t>(found - set.landmarks.begin()))
-                                        : std::nullopt;
+    return indexOfName(set.landmarks, name);
 }
 
 namespace {

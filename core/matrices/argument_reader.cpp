@@ -30,7 +30,11 @@ std::string plain(std::string_view name)
 
 std::optional<double> constant(std::string_view name)
 {
-    constexpr std::array<std::pair<std::string_view, double>, 20> kConstants{{{"pi", kPi},
+    constexpr std::array<std::pair<std::string_view, double>, 24> kConstants{{{"pi", kPi},
+                                                                              {"d3dxpi", kPi},
+                                                                              {"fracpi2", kPi / 2.0},
+                                                                              {"fracpi3", kPi / 3.0},
+                                                                              {"fracpi4", kPi / 4.0},
                                                                               {"mpi", kPi},
                                                                               {"xmpi", kPi},
                                                                               {"piv", kPi},
@@ -271,7 +275,20 @@ ArgumentReader::ArgumentReader(std::string_view text) : m_assignments(assignment
 
 std::optional<ArgumentNumber> ArgumentReader::number(std::string_view argument) const
 {
-    return Expression(argument, m_assignments, 0).read();
+    // Rust: 45.0_f32.to_radians()
+    constexpr std::string_view kToRadians = ".to_radians()";
+    std::string_view text = trimmed(argument);
+    const bool areDegrees = text.ends_with(kToRadians);
+    if (areDegrees)
+        text.remove_suffix(kToRadians.size());
+    for (const std::string_view type : {"_f32", "_f64", "f32", "f64"}) {
+        if (text.ends_with(type) && text.size() > type.size() && isDigit(text[text.size() - type.size() - 1]))
+            text.remove_suffix(type.size());
+    }
+    std::optional<ArgumentNumber> number = Expression(text, m_assignments, 0).read();
+    if (number && areDegrees)
+        number->value = radiansFromDegrees(number->value);
+    return number;
 }
 
 std::optional<glm::dvec3> ArgumentReader::vector(std::string_view argument) const
@@ -279,6 +296,8 @@ std::optional<glm::dvec3> ArgumentReader::vector(std::string_view argument) cons
     std::string_view text = trimmed(argument);
     if (text.starts_with("new "))
         text = trimmed(text.substr(4));
+    if (text.starts_with('&')) // D3DX takes pointers
+        text = trimmed(text.substr(1));
     if (text.starts_with('-') && !text.starts_with("--")) {
         const auto opposite = vector(text.substr(1));
         return opposite ? std::optional(-*opposite) : std::nullopt;

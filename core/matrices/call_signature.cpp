@@ -55,6 +55,54 @@ std::optional<CallSignature> ofOpenGl(std::string_view name)
     return signature;
 }
 
+/// The signature of PyBullet's functions.
+std::optional<CallSignature> ofPyBullet(std::string_view name)
+{
+    constexpr std::array<Named, 3> kCalls{{{"computeViewMatrix", CallShape::LookAtPoints},
+                                           {"computeProjectionMatrixFOV", CallShape::FieldOfView},
+                                           {"computeProjectionMatrix", CallShape::Edges}}};
+    std::optional<CallSignature> signature = found(kCalls, name);
+    if (signature) {
+        signature->areDegrees = true;
+        signature->dropsRest = false;
+    }
+    return signature;
+}
+
+/// The signature of Android's Matrix: setLookAtM(result, offset, …).
+std::optional<CallSignature> ofAndroid(std::string_view name)
+{
+    constexpr std::array<Named, 4> kCalls{{{"setLookAtM", CallShape::LookAtNumbers},
+                                           {"perspectiveM", CallShape::FieldOfView},
+                                           {"frustumM", CallShape::Edges},
+                                           {"orthoM", CallShape::Edges, false}}};
+    std::optional<CallSignature> signature = found(kCalls, name);
+    if (signature) {
+        signature->areDegrees = true;
+        signature->firstArgument = 2;
+    }
+    return signature;
+}
+
+/// The signature of glam's functions: Mat4::perspective_rh_gl. Without _gl, NDC depths are from 0.
+std::optional<CallSignature> ofGlam(std::string_view name)
+{
+    constexpr std::array<Named, 5> kCalls{{{"perspective", CallShape::FieldOfView},
+                                           {"frustum", CallShape::Edges},
+                                           {"orthographic", CallShape::Edges, false},
+                                           {"look_at", CallShape::LookAtPoints},
+                                           {"look_to", CallShape::LookTo}}};
+    const bool isOpenGl = takeEnd(name, "_gl"), isLeftHanded = takeEnd(name, "_lh");
+    if (!isLeftHanded && !takeEnd(name, "_rh"))
+        return std::nullopt;
+    std::optional<CallSignature> signature = found(kCalls, name);
+    if (signature) {
+        signature->isLeftHanded = isLeftHanded;
+        signature->ndcDepth = isOpenGl ? NdcDepth::MinusOneToOne : NdcDepth::ZeroToOne;
+    }
+    return signature;
+}
+
 /// The signature for GLM's names, which QMatrix4x4 and gl-matrix share: "perspectiveLH_ZO".
 std::optional<CallSignature> ofGlm(const CallText &call, std::string_view program)
 {
@@ -109,32 +157,43 @@ std::optional<CallSignature> ofThree(std::string_view name)
 /// The signature for names that DirectXMath and System.Numerics share: "PerspectiveOffCenter".
 std::optional<CallSignature> ofMatrix(std::string_view name)
 {
-    constexpr std::array<Named, 8> kCalls{{{"PerspectiveFov", CallShape::FieldOfView},
-                                           {"PerspectiveFieldOfView", CallShape::FieldOfView},
-                                           {"Perspective", CallShape::Size},
-                                           {"PerspectiveOffCenter", CallShape::Edges},
-                                           {"Orthographic", CallShape::Size, false},
-                                           {"OrthographicOffCenter", CallShape::Edges, false},
-                                           {"LookAt", CallShape::LookAtPoints},
-                                           {"LookTo", CallShape::LookTo}}};
+    constexpr std::array<Named, 10> kCalls{{{"PerspectiveFov", CallShape::FieldOfView},
+                                            {"Ortho", CallShape::Size, false},
+                                            {"OrthoOffCenter", CallShape::Edges, false},
+                                            {"PerspectiveFieldOfView", CallShape::FieldOfView},
+                                            {"Perspective", CallShape::Size},
+                                            {"PerspectiveOffCenter", CallShape::Edges},
+                                            {"Orthographic", CallShape::Size, false},
+                                            {"OrthographicOffCenter", CallShape::Edges, false},
+                                            {"LookAt", CallShape::LookAtPoints},
+                                            {"LookTo", CallShape::LookTo}}};
     std::optional<CallSignature> signature = found(kCalls, name);
     if (signature)
         signature->ndcDepth = NdcDepth::ZeroToOne;
     return signature;
 }
 
-std::optional<CallSignature> ofDirectXMath(std::string_view name)
+/// The signature of DirectXMath, of D3DX, whose first argument is the result, and of SharpDX's
+/// Matrix.
+std::optional<CallSignature> ofDirectXMath(const CallText &call)
 {
-    constexpr std::string_view kPrefix = "XMMatrix";
-    if (!name.starts_with(kPrefix))
+    std::string_view name = call.name;
+    const bool isD3dx = name.starts_with("D3DXMatrix"), isSharpDx = syntax::lastName(call.object) == "Matrix";
+    constexpr std::string_view kPrefix = "XMMatrix", kD3dx = "D3DXMatrix";
+    if (isD3dx)
+        name.remove_prefix(kD3dx.size());
+    else if (name.starts_with(kPrefix))
+        name.remove_prefix(kPrefix.size());
+    else if (!isSharpDx)
         return std::nullopt;
-    name.remove_prefix(kPrefix.size());
     const bool isLeftHanded = takeEnd(name, "LH");
     if (!isLeftHanded && !takeEnd(name, "RH"))
         return std::nullopt;
     std::optional<CallSignature> signature = ofMatrix(name);
-    if (signature)
+    if (signature) {
         signature->isLeftHanded = isLeftHanded;
+        signature->firstArgument = isD3dx ? 1 : 0;
+    }
     return signature;
 }
 
@@ -187,7 +246,13 @@ std::optional<CallSignature> signatureOf(const CallText &call, std::string_view 
         return signature;
     if (auto signature = ofThree(call.name))
         return signature;
-    if (auto signature = ofDirectXMath(call.name))
+    if (auto signature = ofPyBullet(call.name))
+        return signature;
+    if (auto signature = ofAndroid(call.name))
+        return signature;
+    if (auto signature = ofGlam(call.name))
+        return signature;
+    if (auto signature = ofDirectXMath(call))
         return signature;
     if (auto signature = ofNumerics(call))
         return signature;

@@ -87,7 +87,7 @@ void MatrixPaste::takeNumbers(MatrixRole role, std::string_view text)
     if (const auto one = pastedMatrix(text)) {
         here.own = *one;
         const auto numbers = pastedNumbers(text);
-        const bool isProduct = numbers && numbers->front().part == PastedPart::Product;
+        const bool isProduct = numbers && numbers->numbers.front().part == PastedPart::Product;
         if (isProduct && role != MatrixRole::Product)
             here.named = MatrixRole::Product;
         return;
@@ -133,7 +133,7 @@ bool MatrixPaste::takeCalls(MatrixRole role, std::string_view text)
     here.parts = calls->parts;
     here.hasCalls = true;
     // Matrices may accompany the calls; fewer numbers belong to other statements.
-    if (const auto numbers = pastedNumbers(calls->rest); numbers && numbers->size() >= kEntries) {
+    if (const auto numbers = pastedNumbers(calls->rest); numbers && numbers->numbers.size() >= kEntries) {
         const auto beside = pastedParts(calls->rest);
         if (!beside) {
             here.error = beside.error();

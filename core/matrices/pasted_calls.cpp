@@ -5,6 +5,7 @@
 #include "core/matrices/argument_reader.h"
 #include "core/matrices/call_matrices.h"
 #include "core/matrices/call_signature.h"
+#include "core/matrices/call_syntax.h"
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
 
@@ -139,6 +140,7 @@ private:
         if (call.arguments.size() >= signature.firstArgument)
             call.arguments.erase(call.arguments.begin(),
                                  call.arguments.begin() + std::ptrdiff_t(signature.firstArgument));
+        std::transform(call.arguments.begin(), call.arguments.end(), call.arguments.begin(), withoutKeyword);
         const bool isCamera = call.name.ends_with("Camera");
         if (isCamera) {
             addDefaults(call, signature);
@@ -156,6 +158,15 @@ private:
         } else {
             readView(call, signature);
         }
+    }
+
+    /// An argument without Python's keyword: "60" of "fov=60".
+    static std::string withoutKeyword(const std::string &argument)
+    {
+        const std::size_t end = syntax::behindNames(argument, 0), sign = syntax::behindBlanks(argument, end);
+        const bool isKeyword =
+            end > 0 && sign + 1 < argument.size() && argument[sign] == '=' && argument[sign + 1] != '=';
+        return isKeyword ? std::string(syntax::trimmed(std::string_view(argument).substr(sign + 1))) : argument;
     }
 
     /// Adds the default arguments of three.js.

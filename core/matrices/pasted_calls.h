@@ -26,7 +26,11 @@ struct PastedCalls {
 ///     …OffCenter, CreateLookAt, and the same names of OpenTK's Matrix4, with OpenGL's NDC depths
 ///   - DirectXMath: XMMatrixPerspectiveFov, Perspective, Orthographic, …OffCenter, LookAt, LookTo,
 ///     RH and LH
+///   - D3DX: the same with the result as first argument; SharpDX: Matrix.PerspectiveFovLH
 ///   - QMatrix4x4 and gl-matrix: perspective, frustum, ortho, lookAt
+///   - PyBullet: computeViewMatrix, computeProjectionMatrix, computeProjectionMatrixFOV
+///   - Android: setLookAtM, perspectiveM, frustumM, orthoM
+///   - glam: perspective_rh, orthographic_rh_gl, look_at_rh, look_to_lh
 ///
 /// Angles are in the unit of the API. Matrices are for column vectors in every API.
 /// @return the call and the argument that cannot be read

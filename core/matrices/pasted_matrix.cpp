@@ -48,6 +48,66 @@ bool haveSubscripts(Numbers numbers, std::size_t count)
                        [&](const PastedNumber &n) { return n.subscripts.size() == count; });
 }
 
+/// Returns whether columns are named X, Y, Z and a fourth name, as Godot prints them.
+bool areAxes(Numbers numbers, std::size_t rows, std::string_view fourth)
+{
+    const std::array<std::string_view, 4> names{"x", "y", "z", fourth};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::vector<std::string> &words = numbers[i * rows].words;
+        if (words.empty() || words.back() != names[i])
+            return false;
+    }
+    return true;
+}
+
+/// Completes twelve numbers to sixteen by the row 0 0 0 1: three rows of four, or Godot's four
+/// columns of three.
+void completeRows(std::vector<PastedNumber> &numbers)
+{
+    constexpr std::size_t kGiven = 12;
+    if (numbers.size() != kGiven)
+        return;
+    const auto added = [&numbers](double value, std::size_t at) {
+        PastedNumber number = numbers[at];
+        number.value = value;
+        number.words.clear();
+        number.isBehindSemicolon = false;
+        return number;
+    };
+    if (areAxes(numbers, 3, "o")) {
+        std::vector<PastedNumber> columns;
+        for (std::size_t i = 0; i < kGiven; ++i) {
+            columns.push_back(numbers[i]);
+            if (i % 3 == 2)
+                columns.push_back(added(i == kGiven - 1 ? 1.0 : 0.0, i));
+        }
+        columns.front().words.emplace_back("vec4"); // by columns
+        numbers = std::move(columns);
+        return;
+    }
+    const auto areRows = [&numbers](const auto &keyOf) {
+        for (std::size_t i = 1; i < kGiven; ++i) {
+            if ((keyOf(numbers[i]) == keyOf(numbers[i - 1])) != (i % 4 != 0))
+                return false;
+        }
+        return true;
+    };
+    const bool areSemicolonsBetween =
+        std::count_if(numbers.begin(), numbers.end(), [](const PastedNumber &n) { return n.isBehindSemicolon; }) == 2;
+    if (!areRows([](const PastedNumber &n) { return n.bracket; })
+        && !areRows([](const PastedNumber &n) { return n.line; })
+        && !(areSemicolonsBetween && numbers[4].isBehindSemicolon && numbers[8].isBehindSemicolon))
+        return;
+    for (const double value : {0.0, 0.0, 0.0, 1.0}) {
+        PastedNumber number = added(value, kGiven - 1);
+        number.line = numbers[kGiven - 1].line + 1;
+        number.bracket =
+            numbers[0].bracket == numbers[kGiven - 1].bracket ? numbers[0].bracket : numbers[kGiven - 1].bracket + 1;
+        number.isBehindSemicolon = areSemicolonsBetween && numbers.size() == kGiven;
+        numbers.push_back(std::move(number));
+    }
+}
+
 MatrixForm formOf(Numbers numbers)
 {
     if (haveSubscripts(numbers, 1))
@@ -58,7 +118,7 @@ MatrixForm formOf(Numbers numbers)
     if (anyWord(numbers, kEntries, "mat4") || anyWord(numbers, kEntries, "vec4"))
         return MatrixForm::GlmColumns;
     if (isFourTimesFour(numbers, [](const PastedNumber &n) { return n.bracket; }))
-        return MatrixForm::NestedRows;
+        return areAxes(numbers, 4, "w") ? MatrixForm::GlmColumns : MatrixForm::NestedRows;
     bool areSemicolonsBetweenRows = true;
     for (std::size_t i = 1; i < kEntries; ++i)
         areSemicolonsBetweenRows = areSemicolonsBetweenRows && numbers[i].isBehindSemicolon == (i % 4 == 0);
@@ -175,6 +235,14 @@ void sort(std::vector<PastedNumber> &numbers, Parts &parts)
             unnamed.push_back(std::move(number));
     }
     sortInverses(parts);
+    // "VP = [0 0 800 600]"
+    std::vector<PastedNumber> &product = parts[PastedPart::Product].numbers;
+    if (product.size() == 4 && !parts.has(PastedPart::Viewport) && product[2].value > 0.0 && product[3].value > 0.0)
+        parts[PastedPart::Viewport].numbers = std::exchange(product, {});
+    for (const PastedPart part : kParts) {
+        if (part != PastedPart::Viewport)
+            completeRows(parts[part].numbers);
+    }
     std::vector<PastedPart> needed = parts.needed();
     if (isUnnamed && unnamed.size() == kProductAndViewport)
         needed = {PastedPart::Product, PastedPart::Viewport};
@@ -308,13 +376,15 @@ std::string reasonText(const PasteError &error)
 
 Result<PastedMatrix, PasteError> pastedMatrix(std::string_view text)
 {
-    Result<std::vector<PastedNumber>, PasteError> numbers = pastedNumbers(text);
-    if (!numbers)
-        return numbers.error();
-    if (numbers->size() == kEntries)
-        return assembled(*numbers);
+    Result<PastedNumbers, PasteError> read = pastedNumbers(text);
+    if (!read)
+        return read.error();
+    std::vector<PastedNumber> numbers = std::move(read).value().numbers;
+    completeRows(numbers);
+    if (numbers.size() == kEntries)
+        return assembled(numbers);
     PasteError error;
-    error.found = error.all = numbers->size();
+    error.found = error.all = numbers.size();
     return error;
 }
 
@@ -323,15 +393,16 @@ namespace {
 /// @param isComplete  whether all parts of a scene are required
 Result<PastedScene, PasteError> sceneOf(std::string_view text, bool isComplete)
 {
-    Result<std::vector<PastedNumber>, PasteError> numbers = pastedNumbers(text);
-    if (!numbers)
-        return numbers.error();
+    Result<PastedNumbers, PasteError> read = pastedNumbers(text);
+    if (!read)
+        return read.error();
     Parts parts;
-    std::vector<PastedNumber> all = std::move(numbers).value();
-    const std::size_t count = all.size();
-    sort(all, parts);
+    PastedNumbers all = std::move(read).value();
+    const std::size_t count = all.numbers.size();
+    sort(all.numbers, parts);
     const std::vector<PastedPart> needed = isComplete ? parts.needed() : std::vector<PastedPart>();
     PastedScene scene;
+    scene.aside = std::move(all.aside);
     for (const PastedPart part : kParts) {
         if (parts[part].keepFirst())
             scene.more.push_back(part);

@@ -82,7 +82,8 @@ struct PastedScene {
     std::optional<PastedMatrix> modelView, view, model, projection, product;
     std::optional<geometry::Viewport> viewport;
     std::optional<PastedMatrix> viewportMatrix; ///< window from NDC, if the viewport is given as a matrix
-    std::vector<PastedPart> more; ///< parts that occur several times, as for several objects: only the first is used
+    std::vector<PastedPart> more;   ///< parts that occur several times, as for several objects: only the first is used
+    std::vector<std::string> aside; ///< names whose numbers belong to no part: "near", "Mouse"
     std::vector<PastedPart> inversesLeft; ///< parts whose inverse is also in the text; the inverse is ignored
 };
 
@@ -111,6 +112,7 @@ std::string reasonText(const PasteError &error);
 
 /// Reads one matrix. Skips brackets, commas, quotes and words, as well as subscripts (m[3], m(0,1),
 /// "3":) and the numbers in comments, that is lines that begin with #, % or //.
+/// Three rows of four get the row 0 0 0 1.
 /// @return 16 numbers; the error
 geometry::Result<PastedMatrix, PasteError> pastedMatrix(std::string_view text);
 

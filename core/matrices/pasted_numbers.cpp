@@ -1,5 +1,7 @@
 #include "core/matrices/pasted_numbers.h"
 
+#include "core/matrices/paste_marks.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -69,6 +71,8 @@ std::optional<PastedPart> partOf(const std::string &letters)
     const auto has = [&letters](const char *name) { return letters.find(name) != std::string::npos; };
     if (has("viewport") || letters == "windowfromndc" || letters == "qrect" || letters == "qrectf")
         return PastedPart::Viewport;
+    if (letters == "windowmatrix") // Blender
+        return PastedPart::Projection;
     if (has("window") || has("mvpw"))
         return PastedPart::ToWindow;
     for (const char *name :
@@ -77,14 +81,17 @@ std::optional<PastedPart> partOf(const std::string &letters)
             return has("fromworld") || has("worldto") ? PastedPart::Product : PastedPart::Projection;
     }
     const bool isProjection = has("projection") || letters == "proj" || letters == "p" || has("projmat");
-    if (has("mvp") || has("product") || (isProjection && has("view")) || letters == "vp" || letters == "pv"
-        || letters == "clipfromworld" || letters == "viewproj")
+    if (letters == "perspectivematrix") // Blender: projection * view
+        return PastedPart::Product;
+    if (has("mvp") || has("product") || has("fullproj") || (isProjection && has("view")) || letters == "vp"
+        || letters == "pv" || letters == "clipfromworld" || letters == "viewproj")
         return PastedPart::Product;
     if (isProjection)
         return PastedPart::Projection;
     if (has("modelview") || letters == "mv")
         return PastedPart::ModelView;
-    if (has("view") || letters == "v" || letters == "eyefromworld" || has("worldtocamera"))
+    if (has("view") || letters == "v" || letters == "eyefromworld" || has("worldtocamera") || has("worldcam")
+        || has("worldtocam") || letters.starts_with("extrinsic"))
         return PastedPart::View;
     // matrixWorld of a three.js object, matrix_world of Blender; without an object's name it is the
     // camera's, see namedBy
@@ -166,7 +173,8 @@ std::optional<Named> namedBy(std::string_view names)
         return Named{PastedPart::View};
     // The name refers to a camera or to no object: worldFromEye, the inverse of the view.
     if (letters == "matrixworld" || (hasAny({"matrixworld"}) && hasAny({"camera"}))
-        || hasAny({"worldfromeye", "worldfromcamera", "worldfromview", "cameratoworld", "viewtoworld", "eyetoworld"}))
+        || hasAny({"worldfromeye", "worldfromcamera", "worldfromview", "cameratoworld", "viewtoworld", "eyetoworld",
+                   "camworld", "camtoworld"}))
         return Named{PastedPart::View, !isInverse};
     if (hasAny({"eyefromclip", "viewfromclip", "cliptoeye", "cliptoview", "cliptocamera"}))
         return Named{PastedPart::Projection, !isInverse};
@@ -174,6 +182,46 @@ std::optional<Named> namedBy(std::string_view names)
         return Named{PastedPart::Product, !isInverse};
     const std::optional<PastedPart> part = partOf(letters);
     return part ? std::optional(Named{*part, isInverse}) : std::nullopt;
+}
+
+/// The letters of a name, in lower case.
+std::string lettersOf(std::string_view names)
+{
+    std::string letters;
+    for (const std::string &word : wordsOf(names))
+        letters += word;
+    return letters;
+}
+
+bool isAnyOf(const std::string &word, std::initializer_list<std::string_view> words)
+{
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Returns whether a name is of numbers that people paste beside matrices, which belong to none.
+bool isAside(const std::string &letters)
+{
+    return isAnyOf(letters, {"near",        "far",          "znear",
+                             "zfar",        "nearplane",    "farplane",
+                             "fov",         "fovy",         "fovx",
+                             "fieldofview", "aspect",       "aspectratio",
+                             "cx",          "cy",           "fx",
+                             "fy",          "focal",        "focallength",
+                             "depth",       "time",         "frame",
+                             "fps",         "zoom",         "dpr",
+                             "pixelratio",  "mouse",        "cursor",
+                             "click",       "mousepos",     "mouseposition",
+                             "pixel",       "length",       "bytelength",
+                             "byteoffset",  "modifiedtime", "referencecount",
+                             "cuda",        "mps",          "devicepixelratio",
+                             "winz",        "winx",         "winy"});
+}
+
+/// Returns whether a name is of a picture's width and height, together.
+bool isSize(const std::string &letters)
+{
+    return isAnyOf(letters, {"screen", "size", "resolution", "screensize", "windowsize", "imagesize", "canvas",
+                             "canvassize", "framebuffer", "framebuffersize"});
 }
 
 /// One or two integers in the brackets that open at `at`, as in m[3] and m(0, 1), or nothing. A
@@ -222,7 +270,7 @@ class Reader {
 public:
     explicit Reader(std::string_view text) : m_text(text) {}
 
-    Result<std::vector<PastedNumber>, PasteError> read()
+    Result<PastedNumbers, PasteError> read()
     {
         while (m_at < m_text.size()) {
             if (isWordHere()) {
@@ -232,7 +280,8 @@ public:
                 readMark();
             }
         }
-        return std::move(m_numbers);
+        addSize();
+        return PastedNumbers{std::move(m_numbers), std::move(m_aside)};
     }
 
 private:
@@ -269,8 +318,52 @@ private:
         } else if (c == '\n') {
             ++m_line;
             m_lineStart = m_at + 1;
+            m_isAside = false;
+            m_size = SizePart::None;
         }
         ++m_at;
+    }
+
+    /// The viewport of a width and a height, 0 0 width height, if the text names no other.
+    void addSize()
+    {
+        const bool hasViewport = std::any_of(m_numbers.begin(), m_numbers.end(), [](const PastedNumber &number) {
+            return number.part == PastedPart::Viewport;
+        });
+        if (m_numbers.empty() || hasViewport || !m_width || !m_height) {
+            if (m_width)
+                m_aside.emplace_back("width");
+            if (m_height)
+                m_aside.emplace_back("height");
+            return;
+        }
+        m_named = Named{PastedPart::Viewport};
+        for (const double value : {0.0, 0.0, *m_width, *m_height})
+            add(value, m_text.size(), {});
+    }
+
+    /// Returns whether the number is a factor alone on its line: 1.0e+03 * before MATLAB's matrices.
+    bool isFactor() const
+    {
+        const std::size_t star = m_text.find_first_not_of(" \t", m_at);
+        return star != m_text.npos && m_text[star] == '*'
+               && m_text.find_first_not_of(" \t\r", star + 1) == m_text.find('\n', star);
+    }
+
+    /// Takes a number that belongs to no matrix. Returns whether it is one.
+    bool takeAside(double value)
+    {
+        if (m_size == SizePart::Height && !m_height)
+            m_height = value;
+        else if (m_size != SizePart::None && !m_width)
+            m_width = value;
+        else if (m_size == SizePart::Both && !m_height)
+            m_height = value;
+        else if (!m_isAside)
+            return false;
+        else if (m_aside.empty() || m_aside.back() != m_name)
+            m_aside.push_back(m_name);
+        return true;
     }
 
     /// Reads LaTeX's \cdot 10^{-16} after a number.
@@ -343,9 +436,12 @@ private:
         }
         // Qt prints the size of a rectangle as 300x200.
         const bool isOfViewport = m_named && m_named->part == PastedPart::Viewport;
-        if (const std::size_t cross = word.find('x'); isOfViewport && cross != word.npos) {
+        if (const std::size_t cross = word.find('x');
+            (isOfViewport || m_size == SizePart::Both) && cross != word.npos) {
             const auto width = numberOf(word.substr(0, cross)), height = numberOf(word.substr(cross + 1));
             if (width && height && *width > 0.0 && std::isfinite(*width) && std::isfinite(*height)) {
+                if (takeAside(*width) && takeAside(*height))
+                    return std::nullopt;
                 add(*width, start, word);
                 add(*height, start + cross + 1, word);
                 return std::nullopt;
@@ -362,6 +458,12 @@ private:
         if (!std::isfinite(*value)) {
             return wordError(word, start);
         }
+        if (takeAside(*value))
+            return std::nullopt;
+        if (isFactor()) {
+            m_factor = *value;
+            return std::nullopt;
+        }
         if (isKey(m_at) && word.find_first_not_of("0123456789") == word.npos && word.size() <= 2) {
             m_subscripts = {int(*value)};
             return std::nullopt;
@@ -373,7 +475,7 @@ private:
     void add(double value, std::size_t start, const std::string &word)
     {
         PastedNumber number;
-        number.value = value;
+        number.value = value * m_factor;
         number.at = start;
         number.line = m_line;
         number.bracket = m_open.empty() ? 0 : m_open.back();
@@ -404,9 +506,21 @@ private:
         m_nameEnd = m_at;
         m_words.push_back(inSmallLetters(word));
         m_subscripts = subscriptsOfName(m_words.back());
+        m_factor = 1.0;
+        const std::string letters = lettersOf(m_name);
+        m_isAside = isAside(letters);
+        m_size = letters == "width"    ? SizePart::Width
+                 : letters == "height" ? SizePart::Height
+                 : isSize(letters)     ? SizePart::Both
+                                       : SizePart::None;
+        if (m_isAside || m_size != SizePart::None)
+            return;
         if (const auto named = namedBy(m_name))
             m_named = named;
     }
+
+    /// The numbers of this line that are a picture's size.
+    enum class SizePart { None, Width, Height, Both };
 
     std::string_view m_text;
     std::size_t m_at = 0, m_line = 0, m_lineStart = 0;
@@ -419,14 +533,20 @@ private:
     std::string m_name;
     std::size_t m_nameEnd = 0;
     std::optional<Named> m_named;
+    double m_factor = 1.0;  ///< of the numbers up to the next name
+    bool m_isAside = false; ///< the numbers of this line belong to no matrix
+    SizePart m_size = SizePart::None;
+    std::optional<double> m_width, m_height;
+    std::vector<std::string> m_aside; ///< names of numbers that belong to no matrix
     std::vector<PastedNumber> m_numbers;
 };
 
 } // namespace
 
-Result<std::vector<PastedNumber>, PasteError> pastedNumbers(std::string_view text)
+Result<PastedNumbers, PasteError> pastedNumbers(std::string_view text)
 {
-    return Reader(text).read();
+    const std::string cleaned = withoutPrintersMarks(text);
+    return Reader(cleaned).read();
 }
 
 } // namespace unprojector::matrices

@@ -22,7 +22,14 @@ struct PastedNumber {
     bool isInverse = false;           ///< that name is of the part's inverse
 };
 
+struct PastedNumbers {
+    std::vector<PastedNumber> numbers;
+    std::vector<std::string> aside; ///< names whose numbers belong to no matrix: "near", "Mouse"
+};
+
+/// The numbers of matrices and viewports. A width and a height are the viewport 0 0 width height, if
+/// the text names no other.
 /// @return the word, line and column of NotFinite
-geometry::Result<std::vector<PastedNumber>, PasteError> pastedNumbers(std::string_view text);
+geometry::Result<PastedNumbers, PasteError> pastedNumbers(std::string_view text);
 
 } // namespace unprojector::matrices

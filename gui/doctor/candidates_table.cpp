@@ -7,7 +7,6 @@
 #include "gui/widgets/digits_font.h"
 
 #include <QHeaderView>
-#include <QScrollBar>
 #include <QSignalBlocker>
 
 namespace unprojector::gui {
@@ -15,11 +14,10 @@ using namespace doctor;
 namespace {
 
 enum Column { Name, Answer, Digits, Off, ColumnCount };
-constexpr int kRowsSeen = 5;
 
 } // namespace
 
-CandidatesTable::CandidatesTable(QWidget *parent) : QTableWidget(0, ColumnCount, parent)
+CandidatesTable::CandidatesTable(QWidget *parent) : WholeTable(0, ColumnCount, parent)
 {
     setHorizontalHeaderLabels({tr("Mistake"), tr("Its answer"), tr("Digits"), tr("Off by")});
     horizontalHeaderItem(Off)->setToolTip(tr("Greatest difference of a coordinate, in units of the last given digit"));
@@ -30,14 +28,8 @@ CandidatesTable::CandidatesTable(QWidget *parent) : QTableWidget(0, ColumnCount,
     verticalHeader()->hide();
     setSelectionBehavior(SelectRows);
     setSelectionMode(SingleSelection);
-    setEditTriggers(NoEditTriggers);
-    setTabKeyNavigation(false);
-    setWordWrap(false);
     setAccessibleName(tr("Candidates"));
     setToolTip(tr("Mistakes that explain the point, the best first. The code to change belongs to the selected one"));
-    const int row = lineHeight(font(), tr("Mistake")) + 6;
-    verticalHeader()->setDefaultSectionSize(row);
-    setFixedHeight(kRowsSeen * row + horizontalHeader()->sizeHint().height() + 2 * frameWidth());
     connect(this, &QTableWidget::currentCellChanged, this, [this](int current) {
         if (current >= 0)
             emit chosen(current);
@@ -65,6 +57,7 @@ void CandidatesTable::setDiagnosis(const Diagnosis &diagnosis, const WrongPoint 
         put(Off, significantText(candidate.distance, 3), Qt::AlignRight);
     }
     setCurrentCell(diagnosis.namesMistake() ? 0 : -1, 0);
+    fit();
 }
 
 } // namespace unprojector::gui

@@ -1,14 +1,13 @@
 #pragma once
 
 #include "core/doctor/diagnosis.h"
-
-#include <QTableWidget>
+#include "gui/widgets/whole_table.h"
 
 namespace unprojector::gui {
 
 /// The mistakes that may explain the wrong points, the best first: its answer, the number of
-/// explained digits, its error.
-class CandidatesTable : public QTableWidget {
+/// explained digits, its error. Long names wrap.
+class CandidatesTable : public WholeTable {
     Q_OBJECT
 public:
     explicit CandidatesTable(QWidget *parent = nullptr);

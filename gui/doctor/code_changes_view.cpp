@@ -12,8 +12,10 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <array>
 
 namespace unprojector::gui {
@@ -25,13 +27,24 @@ constexpr std::array<const char *, 5> kLibraries{"GLU", "GLM", "Qt", "three.js",
 constexpr QColor kWrongColor(0xd5, 0x5e, 0x00), kRightColor(0x00, 0x72, 0xb2);
 constexpr double kShareOfColor = 0.22;
 
-QString lineOf(const QString &sign, std::string_view code, const QColor &color, const QPalette &palette)
+QString lineOf(const QString &sign, const QString &code, const QColor &color, const QPalette &palette)
 {
     const QColor ground = mixed(palette.color(QPalette::Base), color, kShareOfColor);
     return QStringLiteral(
                "<tr><td style='background:%1; padding:2px 4px'><b>%2</b></td><td style='background:%1; padding:2px "
                "4px'>%3</td></tr>")
-        .arg(ground.name(), sign, QString::fromUtf8(code.data(), static_cast<qsizetype>(code.size())).toHtmlEscaped());
+        .arg(ground.name(), sign, code.toHtmlEscaped());
+}
+
+/// The number of a candidate's mistakes that a library has lines for.
+int mistakesWithLines(const std::string &id, std::string_view library)
+{
+    int count = 0;
+    for (const std::string &part : doctor::partsOf(id)) {
+        const auto code = doctor::remedyOf(part).code;
+        count += std::any_of(code.begin(), code.end(), [library](const auto &line) { return line.library == library; });
+    }
+    return count;
 }
 
 } // namespace
@@ -61,17 +74,20 @@ CodeChangesView::CodeChangesView(QWidget *parent)
     layout->addWidget(m_title);
     layout->addLayout(tools);
     layout->addWidget(m_lines);
-    connect(m_library, &SegmentedSwitch::chosen, this, &CodeChangesView::showLines);
+    connect(m_library, &SegmentedSwitch::chosen, this, [this](int index) {
+        m_chosen = index;
+        showLines();
+    });
     connect(m_copy, &QPushButton::clicked, this, [this] { copyToClipboard(m_text); });
     hide();
 }
 
-void CodeChangesView::setMistake(const std::string &id)
+void CodeChangesView::setMistake(const std::string &id, const std::vector<doctor::SolvedValue> &values)
 {
-    if (m_id != id) {
-        m_id = id;
-        showLines();
-    }
+    m_id = id;
+    m_values = values;
+    showLibrary();
+    showLines();
     setVisible(!m_id.empty());
 }
 
@@ -80,12 +96,32 @@ QString CodeChangesView::library() const
     return QLatin1String(kLibraries[static_cast<std::size_t>(m_library->choice())]);
 }
 
+QString CodeChangesView::chosenLibrary() const
+{
+    return QLatin1String(kLibraries[static_cast<std::size_t>(m_chosen)]);
+}
+
 void CodeChangesView::setLibrary(const QString &library)
 {
     for (std::size_t i = 0; i < kLibraries.size(); ++i) {
         if (library == QLatin1String(kLibraries[i]))
-            m_library->setChoice(static_cast<int>(i));
+            m_chosen = static_cast<int>(i);
     }
+    showLibrary();
+    showLines();
+}
+
+void CodeChangesView::showLibrary()
+{
+    std::array<int, kLibraries.size()> counts{};
+    for (std::size_t i = 0; i < kLibraries.size(); ++i)
+        counts[i] = mistakesWithLines(m_id, kLibraries[i]);
+    const auto most = std::max_element(counts.begin(), counts.end());
+    const auto chosen = static_cast<std::size_t>(m_chosen);
+    const QSignalBlocker blocker(m_library); // this is not the user's choice
+    for (std::size_t i = 0; i < kLibraries.size(); ++i)
+        m_library->setChoiceEnabled(static_cast<int>(i), counts[i] > 0 || *most == 0);
+    m_library->setChoice(counts[chosen] == *most ? m_chosen : static_cast<int>(most - counts.begin()));
 }
 
 void CodeChangesView::changeEvent(QEvent *event)
@@ -108,11 +144,11 @@ void CodeChangesView::showLines()
             if (library() != QLatin1String(change.library.data(), static_cast<qsizetype>(change.library.size())))
                 continue;
             hasLine = true;
-            rows += lineOf(QStringLiteral("−"), change.wrong, kWrongColor, palette())
-                    + lineOf(QStringLiteral("+"), change.right, kRightColor, palette());
-            m_text += QStringLiteral("- %1\n+ %2\n")
-                          .arg(QString::fromUtf8(change.wrong.data(), static_cast<qsizetype>(change.wrong.size())),
-                               QString::fromUtf8(change.right.data(), static_cast<qsizetype>(change.right.size())));
+            const QString wrong = QString::fromStdString(doctor::lineWithValues(change.wrong, m_values)),
+                          right = QString::fromStdString(doctor::lineWithValues(change.right, m_values));
+            rows += lineOf(QStringLiteral("−"), wrong, kWrongColor, palette())
+                    + lineOf(QStringLiteral("+"), right, kRightColor, palette());
+            m_text += QStringLiteral("- %1\n+ %2\n").arg(wrong, right);
         }
         if (!hasLine)
             rows +=

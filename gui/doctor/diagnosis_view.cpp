@@ -28,17 +28,30 @@ DiagnosisView::DiagnosisView(QWidget *parent)
         label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_click->setToolTip(
         tr("Pick that pixel and type your program's result there; it separates the first mistake from the others"));
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(6);
-    layout->addWidget(m_verdict);
-    layout->addWidget(m_facts);
-    layout->addWidget(m_click, 0, Qt::AlignLeft);
+    m_layout = new QVBoxLayout(this);
+    m_layout->setContentsMargins(0, 0, 0, 0);
+    m_layout->setSpacing(6);
+    m_layout->addWidget(m_verdict);
+    m_layout->addWidget(m_click, 0, Qt::AlignLeft);
+    m_layout->addWidget(m_facts);
     connect(m_click, &QPushButton::clicked, this, [this] {
         if (m_shown && m_shown->diagnosis.next)
             emit clickRequested(*m_shown->diagnosis.next);
     });
     setMessage({});
+}
+
+void DiagnosisView::setBelowVerdict(QWidget *widget)
+{
+    m_below = widget;
+    m_layout->insertWidget(1, widget);
+}
+
+void DiagnosisView::placeClick(bool isOfSeveral)
+{
+    m_layout->removeWidget(m_click);
+    const int first = m_layout->indexOf(m_verdict) + 1;
+    m_layout->insertWidget(isOfSeveral || !m_below ? first : first + 1, m_click, 0, Qt::AlignLeft);
 }
 
 void DiagnosisView::setMessage(const QString &text)
@@ -117,8 +130,12 @@ void DiagnosisView::showAnswer(const Shown &shown)
                                 pointText(candidate.point, shown.first.lastDigit),
                                 QString::fromStdString(digitsText(candidate, diagnosis))));
     };
-    for (const Candidate &alike : diagnosis.alike())
-        addCandidate(tr("As well"), alike);
+    const std::vector<Candidate> alike = diagnosis.alike();
+    for (const Candidate &each : alike)
+        addCandidate(tr("As well"), each);
+    const std::vector<Candidate> open = openExplanations(diagnosis);
+    for (std::size_t i = 1; i < open.size(); ++i) // the first one is the row above
+        addCandidate(tr("As well"), open[i]);
     if (const Candidate *next = isKnown ? nullptr : diagnosis.runnerUp())
         addCandidate(tr("Next best"), *next);
     if (!diagnosis.known.empty() && diagnosis.namesMistake())
@@ -137,7 +154,10 @@ void DiagnosisView::showAnswer(const Shown &shown)
         const QString pixel =
             QStringLiteral("%1, %2").arg(writtenText(diagnosis.next->x, 9), writtenText(diagnosis.next->y, 9));
         addPlain(tr("To be sure"), QString::fromStdString(nextClickText(diagnosis)));
-        m_click->setText(tr("Click &there: %1").arg(pixel));
+        const bool areSeveral = !alike.empty() || !open.empty();
+        m_click->setText(areSeveral ? tr("Click &there to tell them apart: %1").arg(pixel)
+                                    : tr("Click &there to be sure: %1").arg(pixel));
+        placeClick(areSeveral);
     }
     m_click->setVisible(asks);
     m_verdict->setText(verdictText(diagnosis));

@@ -8,6 +8,7 @@
 
 class QLabel;
 class QPushButton;
+class QVBoxLayout;
 
 namespace unprojector::gui {
 
@@ -22,6 +23,8 @@ public:
     void setMessage(const QString &text);
     /// @param first  of the points; determines the digits of the others
     void setDiagnosis(const doctor::Diagnosis &diagnosis, const doctor::WrongPoint &first);
+    /// Puts a widget directly below the verdict.
+    void setBelowVerdict(QWidget *widget);
     /// The whole text, a line each.
     QString text() const;
 
@@ -37,12 +40,17 @@ private:
         doctor::WrongPoint first;
     };
 
+    /// Puts the button directly below the verdict, or after the widget below it.
+    /// @param isOfSeveral  the verdict names several mistakes
+    void placeClick(bool isOfSeveral);
     void showAnswer(const Shown &shown);
     void enlargeVerdict();
     /// The wrong point, its explained digits in the text's colour and the rest in grey.
     QString gotMarkup(const Shown &shown) const;
 
     std::optional<Shown> m_shown;
+    QVBoxLayout *m_layout = nullptr;
+    QWidget *m_below = nullptr; ///< of the verdict
     QLabel *m_verdict;
     QLabel *m_facts;
     QPushButton *m_click;

@@ -1,8 +1,8 @@
 #include "gui/doctor/doctor_panel.h"
 
 #include "core/doctor/mesh_vertices.h"
-#include "core/doctor/written_points.h"
 #include "core/ray/mesh_depth.h"
+#include "gui/doctor/camera_step.h"
 #include "gui/doctor/candidates_table.h"
 #include "gui/doctor/code_changes_view.h"
 #include "gui/doctor/diagnoser.h"
@@ -11,18 +11,11 @@
 #include "gui/document/picks.h"
 #include "gui/text/bundled_names.h"
 #include "gui/text/error_text.h"
-#include "gui/widgets/help_link.h"
-#include "gui/widgets/refused_field.h"
-#include "gui/widgets/typing_pause.h"
 
 #include <QComboBox>
-#include <QFormLayout>
+#include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
-#include <QPushButton>
-#include <QTimer>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <glm/matrix.hpp>
@@ -43,40 +36,12 @@ namespace {
 constexpr int kEyeItem = 1;
 constexpr int kFirstObjectItem = 2;
 
-/// A window's size in whole device pixels, "1000 x 700"; nothing for other texts.
-std::optional<Surface> sizeOf(QString text)
-{
-    text.replace(u'x', u' ').replace(u'×', u' ').replace(u'X', u' ').replace(u'*', u' ');
-    const auto numbers = writtenNumbers(text.toStdString(), 2);
-    constexpr double kMost = 1e6;
-    if (!numbers)
-        return std::nullopt;
-    for (const WrittenNumber &number : *numbers) {
-        if (!(number.value >= 1.0 && number.value <= kMost) || std::floor(number.value) != number.value)
-            return std::nullopt;
-    }
-    return Surface{static_cast<int>((*numbers)[0].value), static_cast<int>((*numbers)[1].value), 1.0};
-}
-
-QString sizeText(const Surface &surface)
-{
-    return QStringLiteral("%1 × %2").arg(surface.widthPixels).arg(surface.heightPixels);
-}
-
-QLineEdit *sizeField(const QString &name, const QString &help)
-{
-    auto *field = new QLineEdit;
-    field->setAccessibleName(name);
-    field->setToolTip(help);
-    return field;
-}
-
 } // namespace
 
 DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
-    : QWidget(parent), m_document(document), m_diagnoser(new Diagnoser(this)), m_form(new WrongPointsForm),
-      m_space(new QComboBox), m_setupText(new QLabel), m_currentSetup(new QPushButton(tr("Use curre&nt view"))),
-      m_answer(new DiagnosisView), m_code(new CodeChangesView), m_candidates(new CandidatesTable)
+    : QWidget(parent), m_document(document), m_diagnoser(new Diagnoser(this)), m_camera(new CameraStep),
+      m_form(new WrongPointsForm), m_space(new QComboBox), m_answer(new DiagnosisView), m_code(new CodeChangesView),
+      m_candidates(new CandidatesTable)
 {
     auto *spaceLine = new QHBoxLayout;
     auto *spaceLabel = new QLabel(tr("&In the space:"));
@@ -88,48 +53,52 @@ DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
     spaceLine->addWidget(spaceLabel);
     spaceLine->addWidget(m_space, 1);
 
-    m_setupText->setWordWrap(true);
-    m_setupText->setTextFormat(Qt::PlainText); // it repeats the typed text
-    m_setupText->setAccessibleName(tr("Setup of the pixels"));
-    m_currentSetup->setToolTip(tr("Read the pixels in the current view"));
-    // The widgets below don't move when this appears.
-    QSizePolicy policy = m_currentSetup->sizePolicy();
-    policy.setRetainSizeWhenHidden(true);
-    m_currentSetup->setSizePolicy(policy);
-    auto *setupLine = new QHBoxLayout;
-    setupLine->addWidget(m_setupText, 1);
-    setupLine->addWidget(m_currentSetup);
-
     // Counted in digits, as in the comparison.
     constexpr int kLeastDigits = 48;
     setMinimumWidth(kLeastDigits * fontMetrics().horizontalAdvance(u'0'));
 
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 6, 8, 6);
+    layout->addWidget(m_camera);
     layout->addWidget(m_form);
     layout->addLayout(spaceLine);
-    layout->addLayout(setupLine);
-    layout->addWidget(createProgram());
     auto *line = new QFrame;
     line->setFrameShape(QFrame::HLine);
     line->setFrameShadow(QFrame::Sunken);
     layout->addWidget(line);
+    m_answer->setBelowVerdict(m_code);
     layout->addWidget(m_answer);
-    layout->addWidget(m_code);
     layout->addWidget(m_candidates);
     layout->addStretch();
     m_candidates->hide();
+    connectSteps();
+    connectDocument();
+    showSpaces();
+    showSetup();
+    ask();
+}
 
-    connect(m_form, &WrongPointsForm::changed, this, &DoctorPanel::refresh);
-    connect(m_space, &QComboBox::activated, this, &DoctorPanel::ask);
-    connect(m_currentSetup, &QPushButton::clicked, this, [this] {
+DoctorPanel::~DoctorPanel() = default;
+
+void DoctorPanel::connectSteps()
+{
+    connect(m_camera, &CameraStep::pasteWanted, this, &DoctorPanel::pasteCameraWanted);
+    connect(m_camera, &CameraStep::currentViewWanted, this, [this] {
         m_setup = setupNow();
         refresh();
     });
+    connect(m_camera, &CameraStep::windowEntered, this, [this](bool isNew) {
+        if (isNew && !m_form->isEmpty())
+            m_setup = setupNow();
+        refresh();
+    });
+    connect(m_camera, &CameraStep::otherSizeEntered, this, &DoctorPanel::ask);
+    connect(m_form, &WrongPointsForm::changed, this, &DoctorPanel::refresh);
+    connect(m_space, &QComboBox::activated, this, &DoctorPanel::ask);
     connect(m_answer, &DiagnosisView::clickRequested, this, &DoctorPanel::goToPixel);
     connect(m_candidates, &CandidatesTable::chosen, this, [this](int index) {
-        const std::string &id = m_diagnosis->candidates[static_cast<std::size_t>(index)].id;
-        m_code->setMistake(id == "right" ? std::string() : id);
+        const Candidate &candidate = m_diagnosis->candidates[static_cast<std::size_t>(index)];
+        m_code->setMistake(candidate.id == "right" ? std::string() : candidate.id, candidate.values);
     });
     connect(m_diagnoser, &Diagnoser::answered, this, [this](const Result<Diagnosis> &answer) {
         if (answer)
@@ -141,14 +110,20 @@ DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
         showNothing(
             tr("The mistakes could not be tried: %1. Close other programs, then try again.").arg(failureText(failure)));
     });
-    connect(&document, &SceneDocument::opened, this, [this] {
+}
+
+void DoctorPanel::connectDocument()
+{
+    connect(&m_document, &SceneDocument::opened, this, [this] {
         m_setup.reset();
         m_taken.reset();
         m_takenBefore.reset();
     });
-    connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
+    connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (!isVisible())
             return;
+        if (changes & Change::Setup)
+            takeGivenCamera();
         if (changes & Change::Pick)
             takePick();
         if (!(changes & (kVisibleChanges | Change::Names)))
@@ -160,91 +135,32 @@ DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
         else
             refresh();
     });
-    connect(&document.picks().rayCasters(), &RayCasters::built, this, [this] {
+    connect(&m_document.picks().rayCasters(), &RayCasters::built, this, [this] {
         if (isVisible())
             ask();
     });
-    showSpaces();
-    showSetup();
-    ask();
 }
 
-DoctorPanel::~DoctorPanel() = default;
-
-QWidget *DoctorPanel::createProgram()
+void DoctorPanel::takeGivenCamera()
 {
-    m_fold = new QToolButton;
-    m_fold->setText(tr("More about your program"));
-    m_fold->setToolTip(tr("The size of its window, and another size that it may use by mistake"));
-    m_fold->setCheckable(true);
-    m_fold->setAutoRaise(true);
-    m_fold->setArrowType(Qt::RightArrow);
-    m_fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_window = sizeField(tr("Its window"), tr("Device pixels, such as 1000 x 700. Empty: as large as the view"));
-    m_otherSize =
-        sizeField(tr("Another size"),
-                  tr("Device pixels, such as 640 x 480: an earlier size of the window, or another framebuffer's"));
-    m_otherSize->setPlaceholderText(tr("none"));
-    m_sizeFault = new QLabel;
-    m_sizeFault->setWordWrap(true);
-    m_sizeFault->setTextFormat(Qt::PlainText);
-    m_sizeFault->hide();
-    m_program = new QWidget;
-    auto *form = new QFormLayout(m_program);
-    form->setContentsMargins(16, 0, 0, 0);
-    form->addRow(tr("Its &window:"), m_window);
-    form->addRow(tr("Another &size it may use:"), m_otherSize);
-    form->addRow(m_sizeFault);
-    m_program->hide();
-    auto *whole = new QWidget;
-    auto *layout = new QVBoxLayout(whole);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(2);
-    auto *head = new QHBoxLayout;
-    head->addWidget(m_fold);
-    head->addStretch();
-    head->addWidget(new HelpLink(QStringLiteral("wrong")));
-    layout->addLayout(head);
-    layout->addWidget(m_program);
-    connect(m_fold, &QToolButton::toggled, this, [this](bool isOpen) {
-        m_fold->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
-        m_program->setVisible(isOpen);
-    });
-    const auto finish = [this] {
-        QString fault;
-        for (QLineEdit *field : {m_window, m_otherSize}) {
-            const QString text = field->text().trimmed();
-            const bool isBad = !text.isEmpty() && !sizeOf(text);
-            setRefused(*field, isBad);
-            if (isBad && fault.isEmpty())
-                fault = tr("“%1” is not a size: type width and height in whole pixels, such as 1000 x 700.").arg(text);
-        }
-        m_sizeFault->setText(fault);
-        m_sizeFault->setVisible(!fault.isEmpty());
-    };
-    auto *pause = new QTimer(whole);
-    pause->setSingleShot(true);
-    pause->setInterval(kTypingPause);
-    connect(pause, &QTimer::timeout, this, finish);
-    for (const QLineEdit *field : {m_window, m_otherSize})
-        connect(field, &QLineEdit::textEdited, pause, qOverload<>(&QTimer::start));
-    connect(m_window, &QLineEdit::editingFinished, this, [this, finish] {
-        finish();
-        if (m_window->isModified() && !m_form->isEmpty())
-            m_setup = setupNow();
-        m_window->setModified(false);
-        refresh();
-    });
-    connect(m_otherSize, &QLineEdit::editingFinished, this, [this, finish] {
-        finish();
-        ask();
-    });
-    return whole;
+    const Scene &scene = m_document.scene();
+    const MatrixProjection *projection = scene.projection.matrix();
+    const glm::dmat4 *view = scene.camera.matrix();
+    const GivenCamera given{projection ? std::optional(*projection) : std::nullopt,
+                            view ? std::optional(*view) : std::nullopt};
+    const bool isNew = (given.projection && given.projection != m_given.projection)
+                       || (given.eyeFromWorld && given.eyeFromWorld != m_given.eyeFromWorld);
+    m_given = given;
+    if (!isNew || m_form->isEmpty())
+        return;
+    m_setup = setupNow();
+    m_form->forgetClickedDepths();
+    refresh();
 }
 
 std::optional<Setup> DoctorPanel::setupNow() const
 {
-    std::optional<Surface> own = sizeOf(m_window->text());
+    std::optional<Surface> own = m_camera->window();
     if (!own)
         return m_document.setup();
     own->devicePixelRatio = m_document.setup().surface.devicePixelRatio; // a window on the same screen
@@ -286,7 +202,7 @@ void DoctorPanel::takePick()
     m_takenBefore = std::exchange(m_taken, taken);
     m_setupBefore = m_setup;
     m_form->forgetClick(); // of the former pick: this one may not fill anything
-    const bool isOfView = !sizeOf(m_window->text());
+    const bool isOfView = !m_camera->window();
     const std::optional<Setup> own = !m_form->points().empty() ? setup() : isOfView ? pick->setup : setupNow();
     if (!own)
         return; // showSetup says why
@@ -298,12 +214,12 @@ void DoctorPanel::takePick()
     // The clicked point in the program's own setup.
     const std::optional<WorldPoint> world = m_document.picks().pickedPoint();
     if (!world) {
-        m_setupText->setText(tr("Not used: a click on the background has no pixel in another setup."));
+        m_camera->showUnused(tr("a click on the background has no pixel in another setup."));
         return;
     }
     const Result<WindowPoint> window = windowFromWorld(*own, *world);
     if (!window) {
-        m_setupText->setText(tr("Not used: %1").arg(errorText(window.error())));
+        m_camera->showUnused(errorText(window.error()));
         return;
     }
     m_setup = own;
@@ -324,6 +240,7 @@ void DoctorPanel::goToPixel(const DevicePoint &pixel)
 void DoctorPanel::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);
+    takeGivenCamera();
     takePick(); // the last click, wherever it was made
     refresh();
 }
@@ -351,19 +268,8 @@ void DoctorPanel::refresh()
 
 void DoctorPanel::showSetup()
 {
-    m_window->setPlaceholderText(tr("as the view, %1").arg(sizeText(m_document.setup().surface)));
-    const std::optional<Setup> own = setup(), now = setupNow();
-    if (!own) {
-        m_setupText->setText(tr("The scene cannot be drawn in a window of %1.").arg(m_window->text()));
-        m_currentSetup->hide();
-        return;
-    }
-    const QString size = sizeText(own->surface);
-    const bool isPast = now && *own != *now;
-    m_setupText->setText(isPast                     ? tr("Pixels of %1, of the view when they were entered").arg(size)
-                         : sizeOf(m_window->text()) ? tr("Pixels of your program's window, %1").arg(size)
-                                                    : tr("Pixels of the view, %1").arg(size));
-    m_currentSetup->setVisible(isPast);
+    m_camera->showCamera(m_document.scene(), m_document.setup());
+    m_camera->showSetup(setup(), setupNow(), m_document.setup().surface);
 }
 
 void DoctorPanel::showSpaces()
@@ -405,7 +311,7 @@ void DoctorPanel::ask()
     scene.setup = *own;
     for (const SceneObject &object : m_document.objects())
         scene.models.push_back({object.name, worldFromObject(object.transform)});
-    scene.otherSize = sizeOf(m_otherSize->text());
+    scene.otherSize = m_camera->otherSize();
     if (auto rays = raysOf(*own))
         scene.depthOnMesh = ray::MeshDepth(std::move(rays));
     scene.verticesIn = [objects = m_document.objects()](const Box &world) { return verticesIn(objects, world); };
@@ -418,7 +324,8 @@ void DoctorPanel::showDiagnosis(const Diagnosis &diagnosis)
     m_answer->setDiagnosis(diagnosis, m_asked.front());
     m_candidates->setDiagnosis(diagnosis, m_asked.front());
     m_candidates->show();
-    m_code->setMistake(diagnosis.namesMistake() ? diagnosis.verdict : std::string());
+    m_code->setMistake(diagnosis.namesMistake() ? diagnosis.verdict : std::string(),
+                       diagnosis.candidates.front().values);
     mark();
 }
 

@@ -11,21 +11,18 @@
 #include <vector>
 
 class QComboBox;
-class QLabel;
-class QLineEdit;
-class QPushButton;
-class QToolButton;
 
 namespace unprojector::gui {
 
+class CameraStep;
 class CandidatesTable;
 class CodeChangesView;
 class Diagnoser;
 class DiagnosisView;
 class WrongPointsForm;
 
-/// The doctor's panel: the clicks and another program's points for them, and the mistake that
-/// explains them.
+/// The doctor's panel: the program's camera, the clicks and the program's points for them, in three
+/// steps, and the mistake that explains them.
 ///
 /// Pixels belong to a setup: the click's, or the other program's window. It is kept with them when
 /// the view changes later.
@@ -41,13 +38,16 @@ public:
 signals:
     /// Emitted when this pixel of the view should be picked.
     void pickRequested(const unprojector::geometry::DevicePixel &pixel);
+    /// Emitted when another program's camera should be pasted.
+    void pasteCameraWanted();
 
 protected:
     void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;
 
 private:
-    QWidget *createProgram();
+    void connectSteps();
+    void connectDocument();
     /// The setup of the present scene in the program: in a window of its own size, or in the
     /// view's.
     std::optional<geometry::Setup> setupNow() const;
@@ -63,6 +63,9 @@ private:
     void refresh();
     void showSetup();
     void showSpaces();
+    /// Lets the points belong to a camera that was given as matrices since the last call. Depths of
+    /// clicks belong to the former one, and are dropped.
+    void takeGivenCamera();
     /// Starts the diagnosis of the entered points.
     void ask();
     void showDiagnosis(const doctor::Diagnosis &diagnosis);
@@ -84,15 +87,17 @@ private:
     std::vector<doctor::WrongPoint> m_asked;
     std::optional<doctor::Diagnosis> m_diagnosis; ///< of m_asked
 
+    /// The scene's matrices that another program gave, as last seen.
+    struct GivenCamera {
+        std::optional<geometry::MatrixProjection> projection;
+        std::optional<glm::dmat4> eyeFromWorld;
+        friend bool operator==(const GivenCamera &, const GivenCamera &) = default;
+    };
+    GivenCamera m_given;
+
+    CameraStep *m_camera;
     WrongPointsForm *m_form;
     QComboBox *m_space;
-    QLabel *m_setupText;
-    QPushButton *m_currentSetup;
-    QToolButton *m_fold;
-    QWidget *m_program;
-    QLineEdit *m_window;
-    QLineEdit *m_otherSize;
-    QLabel *m_sizeFault;
     DiagnosisView *m_answer;
     CodeChangesView *m_code;
     CandidatesTable *m_candidates;

@@ -1,6 +1,7 @@
 #include "gui/doctor/wrong_points_form.h"
 
 #include "core/doctor/written_points.h"
+#include "gui/doctor/step_heading.h"
 #include "gui/text/number_text.h"
 #include "gui/text/sentences.h"
 #include "gui/widgets/refused_field.h"
@@ -34,6 +35,8 @@ namespace {
 
 // Qt's own text in the menu of a field, which Qt translates; in Qt 6.4 the entry has no name.
 constexpr const char *kPaste = "&Paste";
+
+constexpr int kHeadRows = 2;
 
 /// A field that offers pasted text to a callback first: it would lose line breaks.
 class PasteField : public QLineEdit {
@@ -173,9 +176,11 @@ WrongPointsForm::WrongPointsForm(QWidget *parent)
     m_grid->setColumnStretch(0, 9);
     m_grid->setColumnStretch(1, 6);
     m_grid->setColumnStretch(2, 14);
-    const QStringList heads{tr("Pixel x, y"), tr("Depth"), tr("Your program got")};
+    m_grid->addWidget(stepHeading(2, tr("Your click")), 0, 0, 1, 2);
+    m_grid->addWidget(stepHeading(3, tr("What your program printed")), 0, 2, 1, 2);
+    const QStringList heads{tr("Pixel x, y"), tr("Depth"), tr("x, y, z")};
     for (int column = 0; column < heads.size(); ++column)
-        m_grid->addWidget(new QLabel(heads[column]), 0, column);
+        m_grid->addWidget(new QLabel(heads[column]), 1, column);
     m_fault->setWordWrap(true);
     m_fault->setTextFormat(Qt::PlainText);
     m_fault->setAccessibleName(tr("Reason why the input is rejected"));
@@ -209,11 +214,12 @@ WrongPointsForm::Row &WrongPointsForm::addRow()
     m_rows.push_back(std::make_unique<Row>());
     Row &row = *m_rows.back();
     row.pixel = new QLineEdit;
-    row.pixel->setPlaceholderText(tr("click, or 400.5, 300.5"));
+    row.pixel->setPlaceholderText(QStringLiteral("400.5, 300.5"));
     row.pixel->setAccessibleName(tr("Pixel"));
-    row.pixel->setToolTip(tr("Device pixels from the top-left corner; the first pixel's centre is 0.5, 0.5"));
+    row.pixel->setToolTip(
+        tr("Click in the view, or type device pixels from the top-left corner; the first pixel's centre is 0.5, 0.5"));
     row.depth = new QLineEdit;
-    row.depth->setPlaceholderText(tr("from the mesh"));
+    row.depth->setPlaceholderText(tr("of mesh"));
     row.depth->setAccessibleName(tr("Depth"));
     row.depth->setToolTip(tr("Correct depth of the pixel, in the view's depth range. Empty: the mesh's depth; without "
                              "a mesh, any depth is possible. A click's depth is used with all digits"));
@@ -270,7 +276,7 @@ void WrongPointsForm::arrange()
         int column = 0;
         for (QWidget *widget : {static_cast<QWidget *>(row.pixel), static_cast<QWidget *>(row.depth),
                                 static_cast<QWidget *>(row.got), static_cast<QWidget *>(row.remove)}) {
-            m_grid->addWidget(widget, static_cast<int>(i) + 1, column++);
+            m_grid->addWidget(widget, static_cast<int>(i) + kHeadRows, column++);
             widget->show(); // at once, so that it can get the focus
             if (last)
                 setTabOrder(last, widget);
@@ -461,6 +467,16 @@ bool WrongPointsForm::takeBackClick()
     markFaults();
     emit changed();
     return true;
+}
+
+void WrongPointsForm::forgetClickedDepths()
+{
+    m_beforeClick.reset();
+    for (const auto &row : m_rows) {
+        if (row->clickedDepth && row->depth->text() == clickedText(*row->clickedDepth))
+            row->setClickedDepth({});
+    }
+    markFaults();
 }
 
 void WrongPointsForm::focusWaiting()

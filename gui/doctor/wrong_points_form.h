@@ -17,8 +17,8 @@ class QTimer;
 
 namespace unprojector::gui {
 
-/// A form for wrong points of one program, a row each: the pixel, the depth if known, and the
-/// program's point.
+/// The doctor's second and third step, for the clicks and the points that a program printed for
+/// them: a row each, with the pixel, the depth if known, and the program's point.
 class WrongPointsForm : public QWidget {
     Q_OBJECT
 public:
@@ -41,6 +41,8 @@ public:
     bool takeBackClick();
     /// Keeps the last click: it cannot be reverted any more.
     void forgetClick() { m_beforeClick.reset(); }
+    /// Drops the depths of clicks, which belong to the camera of their view. Typed depths stay.
+    void forgetClickedDepths();
     /// Focuses the first row without a program's point.
     void focusWaiting();
 

@@ -1,5 +1,6 @@
 #include "gui/document/landmark_joining.h"
 
+#include "core/landmarks/name_key.h"
 #include "core/landmarks/point_template.h"
 
 #include <nlohmann/json.hpp>
@@ -22,10 +23,9 @@ struct Texts {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::LandmarkFiles)
 };
 
-/// The nameKey, applied to all letters.
 QString keyOf(const std::string &name)
 {
-    return QString::fromStdString(landmarks::nameKey(name)).toCaseFolded();
+    return QString::fromStdString(landmarks::nameKey(name));
 }
 
 /// Adds other programs' keys that only one of both has. Returns the ones left out.

@@ -144,7 +144,7 @@ Check editLandmarkSet(SceneDocument &document, landmarks::LandmarkSet set, const
 
 Check editMatrices(SceneDocument &document, const std::optional<MatrixProjection> &projection,
                    const std::optional<glm::dmat4> &eyeFromWorld, const EditLabel &label,
-                   const std::optional<Viewport> &viewport)
+                   const std::optional<Viewport> &viewport, const std::optional<Surface> &size)
 {
     Setup given = document.setup();
     if (projection)
@@ -156,6 +156,10 @@ Check editMatrices(SceneDocument &document, const std::optional<MatrixProjection
         return settings.error();
     return document.edit(label, [&](Scene &scene) {
         static_cast<SceneSettings &>(scene) = *settings;
+        if (size) {
+            scene.windowSize = *size;
+            scene.viewport.kind = ViewportRule::Kind::WholeWindow;
+        }
         if (viewport) {
             scene.viewport.kind = ViewportRule::Kind::Fixed;
             scene.viewport.fixed = *viewport;

@@ -1,5 +1,6 @@
 #include "gui/document/scene_landmarks.h"
 
+#include "core/landmarks/protocol.h"
 #include "core/ray/placed_landmark.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"
@@ -223,10 +224,22 @@ Changes SceneLandmarks::follow(const std::vector<Landmark> &before, const std::v
     }
     m_order = selection;
     std::optional<std::size_t> next = waitingAgain(before, after);
+    const bool isUndone = next.has_value();
     if (!next && m_nextUnplaced && *m_nextUnplaced < before.size())
         next = nextAfter(before, after, *m_nextUnplaced, IndicesAfter(before, after).of(*m_nextUnplaced));
     else if (!next)
         next = nextToPlace(after, std::nullopt);
+    // A landmark to place that was next is selected no more: the next click does not place it.
+    const std::optional<std::size_t> wasNext =
+        m_nextUnplaced ? IndicesAfter(before, after).of(*m_nextUnplaced) : std::nullopt;
+    if (next) {
+        std::erase_if(selection, [&](std::size_t index) {
+            return after[index].isToPlace() && index != *next && (isUndone || index == wasNext);
+        });
+        if (isUndone && selection.empty())
+            selection = {*next};
+        m_order = selection;
+    }
     return take(std::move(selection), current, next) ? Change::LandmarkSelection : Changes();
 }
 
@@ -310,7 +323,14 @@ Check SceneLandmarks::rename(std::size_t index, const QString &name)
 {
     Q_ASSERT(index < all().size());
     landmarks::LandmarkSet set = m_document.scene().landmarks;
-    const std::string before = std::exchange(set.landmarks[index].name, name.trimmed().toStdString());
+    const std::string wanted = name.trimmed().toStdString();
+    for (landmarks::KeptMeasure &measure : set.measures) {
+        for (std::string &point : measure.landmarks) {
+            if (landmarks::landmarkNamed(set, point) == index && !wanted.empty())
+                point = wanted;
+        }
+    }
+    const std::string before = std::exchange(set.landmarks[index].name, wanted);
     for (landmarks::Curve &curve : set.curves) { // which refer to landmarks by name
         if (!before.empty())
             std::replace(curve.points.begin(), curve.points.end(), before, set.landmarks[index].name);

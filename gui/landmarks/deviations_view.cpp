@@ -43,14 +43,8 @@ DeviationsView::DeviationsView(ScanSeries &series, QWidget *parent)
         if (isVisible())
             m_pause.start();
     });
-    const auto want = [this](const QModelIndex &index) {
-        if (!index.isValid())
-            return;
-        const Deviation &deviation = m_model->at(index.row());
-        emit wanted(deviation.specimen, m_model->landmarkName(deviation.landmark));
-    };
-    connect(m_rows, &QTreeView::clicked, this, want);
-    connect(m_rows, &QTreeView::activated, this, want);
+    connect(m_rows, &QTreeView::clicked, this, &DeviationsView::want);
+    connect(m_rows, &QTreeView::activated, this, &DeviationsView::want);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins({});
     layout->addWidget(m_summary);
@@ -68,6 +62,20 @@ void DeviationsView::showEvent(QShowEvent *event)
     m_series.readAgain();
     if (m_isStale)
         m_pause.start();
+}
+
+void DeviationsView::want(const QModelIndex &row)
+{
+    if (!row.isValid())
+        return;
+    const Deviation &deviation = m_model->at(row.row());
+    if (deviation.specimen >= std::min(m_series.scans().size(), m_compared.places.size()))
+        return;
+    const std::vector<Landmark> &landmarks = m_series.scans()[deviation.specimen].points.landmarks;
+    const std::vector<std::size_t> &places = m_compared.places[deviation.specimen];
+    const auto place = std::find(places.begin(), places.end(), deviation.landmark);
+    if (const auto index = static_cast<std::size_t>(place - places.begin()); index < landmarks.size())
+        emit wanted(deviation.specimen, namedLandmark(landmarks, index));
 }
 
 void DeviationsView::compare()

@@ -2,6 +2,7 @@
 
 #include "core/landmarks/out_of_place.h"
 #include "gui/document/background.h"
+#include "gui/landmarks/scan.h"
 #include "gui/landmarks/series_shapes.h"
 
 #include <QTimer>
@@ -10,6 +11,7 @@
 #include <cstddef>
 
 class QLabel;
+class QModelIndex;
 class QTreeView;
 
 namespace unprojector::gui {
@@ -26,12 +28,13 @@ public:
 
 signals:
     /// Emitted when a row is clicked.
-    void wanted(std::size_t scan, const QString &landmark);
+    void wanted(std::size_t scan, const unprojector::gui::NamedLandmark &landmark);
 
 protected:
     void showEvent(QShowEvent *event) override;
 
 private:
+    void want(const QModelIndex &row);
     void compare();
     void showResult(landmarks::Deviations deviations, const SeriesShapes &shapes);
     QString summaryOf(const landmarks::Deviations &deviations, const SeriesShapes &shapes) const;

@@ -17,6 +17,8 @@ GuidedPlacing::GuidedPlacing(SceneDocument &document, QObject *parent) : QObject
     const auto begin = [this] {
         m_hasNext = false;
         m_count = m_document.landmarks().size();
+        m_hasWaited = std::exchange(m_isWaiting, false) && m_isOnScan;
+        m_isOnScan = false;
     };
     connect(&document, &SceneDocument::opened, this, begin);
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
@@ -30,6 +32,14 @@ void GuidedPlacing::setPlacing(bool isPlacing)
 {
     m_isPlacing = isPlacing;
     m_isWaiting = false; // the user has decided
+}
+
+void GuidedPlacing::continueOnScan()
+{
+    m_isOnScan = true;
+    m_isWaiting = std::exchange(m_hasWaited, false) || m_isWaiting;
+    if (m_isWaiting && m_document.sceneLandmarks().nextUnplaced())
+        emit placingWanted(true);
 }
 
 void GuidedPlacing::follow()

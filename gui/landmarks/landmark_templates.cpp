@@ -2,6 +2,7 @@
 
 #include "core/files/path_text.h"
 #include "core/landmark_files/landmark_file.h"
+#include "core/landmarks/name_key.h"
 #include "core/landmarks/point_template.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"
@@ -53,9 +54,7 @@ LandmarkTemplates::LandmarkTemplates()
 
 bool LandmarkTemplates::isChosen(const QString &name) const
 {
-    const std::string wanted = landmarks::nameKey(name.toStdString());
-    return std::any_of(m_chosen.begin(), m_chosen.end(),
-                       [&](const landmarks::Landmark &each) { return landmarks::nameKey(each.name) == wanted; });
+    return landmarks::indexOfName(m_chosen, name.toStdString()).has_value();
 }
 
 QString LandmarkTemplates::hintFor(const QString &name) const

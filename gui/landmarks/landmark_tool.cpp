@@ -3,16 +3,12 @@
 #include "gui/document/landmark_placing.h"
 #include "gui/document/picks.h"
 #include "gui/landmarks/expected_landmarks.h"
-#include "gui/landmarks/expected_marks.h"
-#include "gui/landmarks/landmark_loupe.h"
-#include "gui/landmarks/measure_mark.h"
 #include "gui/view/scene_view.h"
 
 #include <QApplication>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QPainter>
 #include <QScopedValueRollback>
 #include <QToolTip>
 
@@ -57,7 +53,7 @@ std::optional<QPointF> nudgeOf(const QKeyEvent &event)
 } // namespace
 
 LandmarkTool::LandmarkTool(SceneDocument &document, SceneView &view)
-    : QObject(&view), m_document(document), m_view(view)
+    : QObject(&view), m_document(document), m_view(view), m_drawing(document, view)
 {
     connect(&m_document, &SceneDocument::opened, this, &LandmarkTool::endDrag);
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
@@ -66,13 +62,12 @@ LandmarkTool::LandmarkTool(SceneDocument &document, SceneView &view)
         if (m_arrows != Arrows::Hidden && visibleCurrent() != m_arrowsOf)
             setArrows(Arrows::Hidden);
         if (changes & (kVisibleChanges | Change::Landmarks | Change::LandmarkSelection))
-            m_marks.reset();
-        m_drawn.reset();
+            m_drawing.forgetMarks();
+        m_drawing.forgetImage();
     });
     // Only now is it known which landmarks are hidden.
     connect(&m_document.picks().rayCasters(), &RayCasters::built, this, [this] {
-        m_marks.reset();
-        m_drawn.reset();
+        m_drawing.forgetMarks();
         if (!m_document.landmarks().empty())
             m_view.update();
     });
@@ -80,9 +75,9 @@ LandmarkTool::LandmarkTool(SceneDocument &document, SceneView &view)
 
 void LandmarkTool::setExpected(ExpectedLandmarks &expected)
 {
-    m_expected = &expected;
-    connect(m_expected, &ExpectedLandmarks::changed, this, [this] {
-        m_drawn.reset();
+    m_drawing.setExpected(expected);
+    connect(&expected, &ExpectedLandmarks::changed, this, [this] {
+        m_drawing.forgetImage();
         m_view.update();
     });
 }
@@ -91,34 +86,15 @@ void LandmarkTool::setPlacing(bool isPlacing)
 {
     if (std::exchange(m_isPlacing, isPlacing) == isPlacing)
         return;
-    aimLoupe(std::nullopt);
+    m_drawing.aimLoupe(std::nullopt);
     setArrows(Arrows::Hidden);
     emit placingChanged(isPlacing);
 }
 
-void LandmarkTool::setLooks(const LandmarkLooks &looks)
-{
-    m_looks = looks;
-    m_drawn.reset();
-    m_view.update();
-}
-
-const std::vector<LandmarkMark> &LandmarkTool::marks()
-{
-    if (!m_marks)
-        m_marks = landmarkMarks(m_document);
-    return *m_marks;
-}
-
 bool LandmarkTool::prepareToDraw()
 {
-    m_loupe = m_loupeAt ? m_view.pixelsIn(loupePixels(*m_loupeAt)) : QImage();
-    return m_loupeAt || hasMarks();
-}
-
-bool LandmarkTool::hasMarks()
-{
-    return !marks().empty() || (m_expected && m_expected->isShown() && !m_expected->all().empty());
+    m_drawing.prepareLoupe();
+    return m_drawing.hasLoupe() || m_drawing.hasMarks();
 }
 
 void LandmarkTool::draw(QPainter &painter, const std::vector<QRectF> &taken)
@@ -129,104 +105,11 @@ void LandmarkTool::draw(QPainter &painter, const std::vector<QRectF> &taken)
         if (arrow.isUsable)
             lines.emplace_back(arrow.from, arrow.to);
     }
-    if (hasMarks())
-        drawMarksOnce(painter, taken, std::move(lines));
+    if (m_drawing.hasMarks())
+        m_drawing.draw(painter, taken, std::move(lines));
     if (shownArrows)
         drawAxes(painter, *shownArrows, m_drag == Drag::Axis ? std::optional(m_axis) : std::nullopt);
-    if (m_loupeAt) {
-        const ray::SceneRays *rays = m_looks.loupeEdges == LoupeEdges::Never ? nullptr : m_document.picks().rays();
-        std::vector<QLineF> edges = rays ? loupeEdges(*rays, *m_loupeAt) : std::vector<QLineF>();
-        if (m_looks.loupeEdges == LoupeEdges::WhereLong && !leaveSurfaceVisible(edges))
-            edges.clear();
-        drawLoupe(painter, loupeBox(m_document.setup().surface, *m_loupeAt, m_view.cornerWidth()), *m_loupeAt, m_loupe,
-                  edges);
-    }
-}
-
-void LandmarkTool::drawMarksOnce(QPainter &painter, const std::vector<QRectF> &taken, std::vector<QLineF> lines)
-{
-    const QRectF area = m_view.surfaceRect();
-    const double ratio = m_document.setup().surface.devicePixelRatio;
-    if (!m_drawn || m_drawn->area != area || m_drawn->ratio != ratio || m_drawn->taken != taken
-        || m_drawn->font != painter.font()) {
-        m_drawn = {area, ratio, taken, painter.font(), {}};
-        m_drawn->image = marksImage(*m_drawn, marks(), std::move(lines));
-    }
-    painter.drawImage(area.topLeft(), m_drawn->image);
-}
-
-QImage LandmarkTool::marksImage(const Drawn &drawn, const std::vector<LandmarkMark> &shown,
-                                std::vector<QLineF> lines) const
-{
-    QImage image((drawn.area.size() * drawn.ratio).toSize(), QImage::Format_ARGB32_Premultiplied);
-    if (image.isNull()) // too little memory for a large one
-        return image;
-    image.setDevicePixelRatio(drawn.ratio);
-    image.fill(Qt::transparent);
-    QPainter painter(&image);
-    painter.setFont(drawn.font);
-    painter.translate(-drawn.area.topLeft());
-    drawMarks(painter, drawn.area, drawn.taken, shown, std::move(lines));
-    return image;
-}
-
-void LandmarkTool::drawPicture(QPainter &painter, const QRectF &area, const std::vector<QRectF> &taken)
-{
-    const std::vector<LandmarkMark> shown = landmarkMarks(m_document);
-    if (shown.empty())
-        return;
-    // An image as in the view: OpenGL draws letters slightly differently.
-    const QImage image =
-        marksImage({area, painter.device()->devicePixelRatioF(), taken, painter.font(), {}}, shown, {});
-    if (image.isNull())
-        drawMarks(painter, area, taken, shown, {});
-    else
-        painter.drawImage(area.topLeft(), image);
-}
-
-void LandmarkTool::drawMarks(QPainter &painter, const QRectF &area, const std::vector<QRectF> &taken,
-                             const std::vector<LandmarkMark> &shown, std::vector<QLineF> lines) const
-{
-    std::vector<QRectF> occupied = taken;
-    if (m_expected && m_expected->isShown()) {
-        const std::vector<ExpectedMark> expected = expectedMarks(m_document, m_expected->all());
-        const QRectF label = expectedLabelBox(expected, QFontMetricsF(painter.font()), area, taken);
-        for (const ExpectedMark &mark : expected) // the next click may go there
-            occupied.push_back(boxOf(mark));
-        occupied.push_back(label);
-        drawExpected(painter, expected, occupied.back());
-    }
-    const std::optional<MeasureMark> measure = measureMark(m_document);
-    std::vector<LandmarkMark> labelled = shown;
-    for (LandmarkMark &mark : labelled) { // their marks still keep the measure's label away
-        if (!m_looks.hasLabels)
-            mark.label.clear();
-    }
-    if (measure) { // beside its line, and clear of the landmarks' labels
-        lines.insert(lines.end(), measure->lines.begin(), measure->lines.end());
-        labelled.push_back(measure->label);
-    }
-    const double radius = radiusOf(m_looks.size);
-    std::vector<PlacedLabel> labels =
-        placedLabels(labelled, QFontMetricsF(painter.font()), area, lines, occupied, radius);
-    std::optional<PlacedLabel> ofMeasure;
-    std::erase_if(labels, [&](const PlacedLabel &label) {
-        if (label.mark < shown.size())
-            return false;
-        ofMeasure = label;
-        return true;
-    });
-    if (measure)
-        drawMeasure(painter, *measure, ofMeasure);
-    drawLandmarks(painter, shown, labels, radius);
-}
-
-void LandmarkTool::aimLoupe(const std::optional<DevicePoint> &at)
-{
-    if (!at && !m_loupeAt)
-        return;
-    m_loupeAt = at;
-    m_view.update();
+    m_drawing.drawLoupe(painter);
 }
 
 std::optional<DevicePoint> LandmarkTool::pointedAt(const QPointF &local) const
@@ -239,7 +122,7 @@ ViewTool::Press LandmarkTool::press(const QMouseEvent &event, const QString &mer
 {
     const WidgetPoint position = m_view.widgetPosition(event.position());
     const QPointF pointer(position.x, position.y);
-    const LandmarkMark *mark = markUnder(marks(), pointer, true);
+    const LandmarkMark *mark = markUnder(m_drawing.marks(), pointer, true);
     m_mergeKey = mergeKey;
     if (!mark)
         return pressArrow(pointer) ? Press::Drags : Press::Passed;
@@ -258,7 +141,7 @@ ViewTool::Press LandmarkTool::press(const QMouseEvent &event, const QString &mer
     m_dragged = pressed.index;
     m_dragStart = pressed.at;
     m_draggedWith.clear();
-    for (const LandmarkMark &other : marks()) {
+    for (const LandmarkMark &other : m_drawing.marks()) {
         if (other.isSelected && !other.isBehind && other.index != pressed.index)
             m_draggedWith.emplace_back(other.index, other.at);
     }
@@ -291,7 +174,7 @@ void LandmarkTool::dragTo(const QPointF &local)
 
 void LandmarkTool::release(const QPointF &local)
 {
-    aimLoupe(m_isPlacing ? pointedAt(local) : std::nullopt);
+    m_drawing.aimLoupe(m_isPlacing ? pointedAt(local) : std::nullopt);
     const Drag ended = std::exchange(m_drag, Drag::None);
     if (ended == Drag::Landmark && m_hasMoved && m_leftBehind > 0)
         tellUnmoved(m_leftBehind, local);
@@ -307,9 +190,9 @@ void LandmarkTool::hover(const std::optional<QPointF> &local)
 {
     hoverArrows(local);
     if (!local)
-        aimLoupe(std::nullopt);
+        m_drawing.aimLoupe(std::nullopt);
     else if (m_isPlacing)
-        aimLoupe(pointedAt(*local));
+        m_drawing.aimLoupe(pointedAt(*local));
 }
 
 void LandmarkTool::dragLandmark(const QPointF &local)
@@ -336,7 +219,7 @@ void LandmarkTool::dragLandmark(const QPointF &local)
     m_leftBehind = wantedMoves - std::min(wantedMoves, moves.size());
     const QScopedValueRollback<bool> moving(m_isMoving, true);
     static_cast<void>(m_document.sceneLandmarks().moveAll(moves, m_mergeKey));
-    aimLoupe(deviceOf(m_document.setup().surface, wanted));
+    m_drawing.aimLoupe(deviceOf(m_document.setup().surface, wanted));
 }
 
 std::optional<std::size_t> LandmarkTool::visibleCurrent() const
@@ -370,7 +253,7 @@ void LandmarkTool::setArrows(Arrows arrows)
     const Arrows before = std::exchange(m_arrows, arrows);
     if (before == arrows)
         return;
-    m_drawn.reset();
+    m_drawing.forgetImage();
     m_view.update();
     if ((before == Arrows::Asked) != (arrows == Arrows::Asked))
         emit arrowsChanged(arrows == Arrows::Asked);
@@ -385,7 +268,7 @@ void LandmarkTool::hoverArrows(const std::optional<QPointF> &local)
     if (local) {
         const WidgetPoint position = m_view.widgetPosition(*local);
         pointer = QPointF(position.x, position.y);
-        for (const LandmarkMark &mark : marks()) {
+        for (const LandmarkMark &mark : m_drawing.marks()) {
             if (mark.isCurrent && !mark.isBehind)
                 away = std::hypot(mark.at.x() - pointer.x(), mark.at.y() - pointer.y());
         }
@@ -457,7 +340,7 @@ void LandmarkTool::endDrag()
 {
     if (m_isMoving || std::exchange(m_drag, Drag::None) == Drag::None)
         return;
-    aimLoupe(std::nullopt);
+    m_drawing.aimLoupe(std::nullopt);
     m_view.endToolDrag();
 }
 
@@ -513,7 +396,7 @@ void LandmarkTool::nudge(const QPointF &way)
     std::vector<SceneLandmarks::Move> moves;
     std::optional<QPointF> left;
     std::optional<DevicePoint> aim;
-    for (const LandmarkMark &mark : marks()) {
+    for (const LandmarkMark &mark : m_drawing.marks()) {
         if (!landmarks.isSelected(mark.index))
             continue;
         DevicePoint to = deviceOf(m_document.setup().surface, mark.at);
@@ -533,7 +416,7 @@ void LandmarkTool::nudge(const QPointF &way)
         key += u' ' + QString::number(move.index);
     static_cast<void>(landmarks.moveAll(moves, key));
     if (aim) {
-        aimLoupe(*aim);
+        m_drawing.aimLoupe(*aim);
         m_view.reportHover(widgetFromDevice(m_document.setup().surface, *aim));
     }
     const auto unmoved = static_cast<int>(wanted) - static_cast<int>(moves.size());
@@ -554,7 +437,7 @@ void LandmarkTool::tellUnmoved(std::size_t count, const QPointF &at)
 bool LandmarkTool::showMenu(const QPointF &local, const QPoint &global)
 {
     const WidgetPoint position = m_view.widgetPosition(local);
-    const LandmarkMark *mark = markUnder(marks(), QPointF(position.x, position.y));
+    const LandmarkMark *mark = markUnder(m_drawing.marks(), QPointF(position.x, position.y));
     if (!mark)
         return false;
     const std::size_t index = mark->index; // the selection changes the marks
@@ -569,7 +452,7 @@ bool LandmarkTool::showTip(const QHelpEvent &event)
     if (m_document.landmarks().empty())
         return false;
     const WidgetPoint position = m_view.widgetPosition(QPointF(event.pos()));
-    const LandmarkMark *mark = markUnder(marks(), QPointF(position.x, position.y));
+    const LandmarkMark *mark = markUnder(m_drawing.marks(), QPointF(position.x, position.y));
     QToolTip::showText(event.globalPos(), mark ? landmarkTip(m_document, *mark) : QString(), &m_view);
     return true;
 }

@@ -2,12 +2,9 @@
 
 #include "gui/document/scene_document.h"
 #include "gui/landmarks/axis_dragger.h"
-#include "gui/landmarks/landmark_looks.h"
-#include "gui/landmarks/landmark_marks.h"
+#include "gui/landmarks/landmark_drawing.h"
 #include "gui/view/view_tool.h"
 
-#include <QFont>
-#include <QImage>
 #include <QObject>
 
 #include <array>
@@ -41,8 +38,8 @@ public:
     /// @return false if no placed landmark is current
     bool setArrowsShown(bool areShown);
 
-    const LandmarkLooks &looks() const { return m_looks; }
-    void setLooks(const LandmarkLooks &looks);
+    const LandmarkLooks &looks() const { return m_drawing.looks(); }
+    void setLooks(const LandmarkLooks &looks) { m_drawing.setLooks(looks); }
 
     /// Selects a visible mark. A mark that was already selected can be dragged; in placing mode,
     /// any mark can.
@@ -58,7 +55,10 @@ public:
     bool showTip(const QHelpEvent &event) override;
     bool prepareToDraw() override;
     void draw(QPainter &painter, const std::vector<QRectF> &taken) override;
-    void drawPicture(QPainter &painter, const QRectF &area, const std::vector<QRectF> &taken) override;
+    void drawPicture(QPainter &painter, const QRectF &area, const std::vector<QRectF> &taken) override
+    {
+        m_drawing.drawPicture(painter, area, taken);
+    }
 
 signals:
     void placingChanged(bool isPlacing);
@@ -80,28 +80,6 @@ private:
         Asked    ///< until another landmark is current
     };
 
-    /// The marks with their labels as an image, and what they depend on.
-    struct Drawn {
-        QRectF area;
-        double ratio = 1.0;
-        std::vector<QRectF> taken;
-        QFont font;
-        QImage image;
-    };
-
-    /// Draws marks with their labels, and the chosen measure.
-    /// @param lines  that no label may cover
-    void drawMarks(QPainter &painter, const QRectF &area, const std::vector<QRectF> &taken,
-                   const std::vector<LandmarkMark> &shown, std::vector<QLineF> lines) const;
-    /// Draws the marks in the present view. They are kept as an image: a move of the pointer changes
-    /// only the loupe, and 500 labels take longer than a frame.
-    void drawMarksOnce(QPainter &painter, const std::vector<QRectF> &taken, std::vector<QLineF> lines);
-    /// The image for that area; null if there is too little memory.
-    QImage marksImage(const Drawn &drawn, const std::vector<LandmarkMark> &shown, std::vector<QLineF> lines) const;
-    /// The marks in the present view.
-    const std::vector<LandmarkMark> &marks();
-    /// Returns whether there are marks to draw, of landmarks or of expected places.
-    bool hasMarks();
     /// Moves the landmark to the surface under the pointer, and the other selected ones by as many
     /// pixels.
     void dragLandmark(const QPointF &local);
@@ -124,19 +102,13 @@ private:
     void nudge(const QPointF &way);
     /// Reports how many selected landmarks could not be moved.
     void tellUnmoved(std::size_t count, const QPointF &at);
-    /// Shows a position in the loupe during placing and dragging.
-    /// @param at  device pixels; nothing: hides it
-    void aimLoupe(const std::optional<geometry::DevicePoint> &at);
     /// The centre of the pixel under a position; nothing outside the view.
     std::optional<geometry::DevicePoint> pointedAt(const QPointF &local) const;
 
     SceneDocument &m_document;
     SceneView &m_view;
-    ExpectedLandmarks *m_expected = nullptr;
+    LandmarkDrawing m_drawing;
     bool m_isPlacing = false;
-    LandmarkLooks m_looks;
-    std::optional<std::vector<LandmarkMark>> m_marks; ///< nothing: must be computed
-    std::optional<Drawn> m_drawn;                     ///< nothing: they must be drawn
     Arrows m_arrows = Arrows::Hidden;
     std::optional<std::size_t> m_arrowsOf; ///< the landmark that was current when they appeared
     bool m_isOverCurrent = false;          ///< the pointer is on the current landmark's mark
@@ -154,8 +126,6 @@ private:
     int m_axis = 0;
     geometry::WorldPoint m_axisStart; ///< start position of the dragged landmark
     double m_axisFrom = 0.0;          ///< where along the axis it was grabbed, relative to m_axisStart
-    std::optional<geometry::DevicePoint> m_loupeAt;
-    QImage m_loupe; ///< the pixels around it
 };
 
 } // namespace unprojector::gui

@@ -22,6 +22,7 @@
 #include "gui/widgets/save_name.h"
 #include "gui/window/actions.h"
 #include "gui/window/feature.h"
+#include "gui/window/scan_list.h"
 #include "gui/window/window.h"
 
 #include <QAction>
@@ -35,7 +36,7 @@
 
 namespace unprojector::gui {
 
-class LandmarksFeature : public Feature {
+class LandmarksFeature : public Feature, public ScanList {
     Q_OBJECT
 public:
     explicit LandmarksFeature(Window &window);
@@ -53,6 +54,12 @@ public:
     }
     void addActions(MenuKind kind, QMenu &menu, QToolBar &bar) override;
     ViewTool *tool() override { return m_tool; }
+    ScanList *scans() override { return this; }
+    bool open(const std::filesystem::path &folder) override { return m_series->open(folder); }
+    bool openReadOnly(const std::filesystem::path &folder, QString &problem) override;
+    std::size_t count() const override { return m_series->scans().size(); }
+    void show(std::size_t index) override { m_series->show(index); }
+    Report report(std::size_t index) const override;
     QVariantMap state() const override { return {{kIsPlacing, m_placing->isChecked()}}; }
     void restore(const QVariantMap &state) override { m_placing->setChecked(state[kIsPlacing].toBool()); }
     void keep(QSettings &settings) const override { m_looks->keep(settings); }
@@ -74,7 +81,7 @@ private:
     void showArrows(bool areShown);
     void putSelectedOnSurface();
     /// Shows a scan of the series, and selects a landmark once the scan is in the view.
-    void showLandmark(std::size_t scan, const QString &name);
+    void showLandmark(std::size_t scan, const NamedLandmark &landmark);
     void selectWanted();
     void join(landmarks::CurveKind kind);
 
@@ -92,7 +99,7 @@ private:
     GuidedPlacing *m_guided;
     QAction *m_placing = nullptr;
     QAction *m_arrows = nullptr;
-    std::optional<std::pair<std::size_t, QString>> m_wanted; ///< scan and landmark to select
+    std::optional<std::pair<std::size_t, NamedLandmark>> m_wanted; ///< scan and landmark to select
 };
 
 LandmarksFeature::LandmarksFeature(Window &window)
@@ -120,6 +127,8 @@ LandmarksFeature::LandmarksFeature(Window &window)
     connect(m_tool, &LandmarkTool::menuRequested, m_panel, &LandmarksPanel::openMenu);
     connect(m_guided, &GuidedPlacing::placingWanted, this, [this](bool isOn) { m_placing->setChecked(isOn); });
     connect(m_guided, &GuidedPlacing::noticed, &window, &Window::notice);
+    connect(m_series, &ScanSeries::scanShown, m_guided, &GuidedPlacing::continueOnScan);
+    connect(m_series, &ScanSeries::leaving, &window, [&window] { window.notice({}); });
     connect(m_series, &ScanSeries::failed, &window, &Window::showFailure);
     connect(m_series, &ScanSeries::warned, &session, &Session::warned);
     connect(m_series, &ScanSeries::noticed, &session, &Session::noticed);
@@ -155,6 +164,20 @@ void LandmarksFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &bar)
     } else if (kind == MenuKind::View) {
         m_looks->addTo(menu);
     }
+}
+
+bool LandmarksFeature::openReadOnly(const std::filesystem::path &folder, QString &problem)
+{
+    QObject context;
+    connect(m_series, &ScanSeries::failed, &context, [&problem](const QString &reason) { problem = reason; });
+    m_series->setReadOnly();
+    return m_series->open(folder);
+}
+
+ScanList::Report LandmarksFeature::report(std::size_t index) const
+{
+    const Scan &scan = m_series->scans()[index];
+    return {pathText(scan.file.filename()), scan.problem, m_series->progressText(scan)};
 }
 
 void LandmarksFeature::openFiles(const std::vector<std::filesystem::path> &files)
@@ -317,11 +340,11 @@ void LandmarksFeature::putSelectedOnSurface()
             tr("Select placed landmarks first: their markers in the view, or their rows in the Landmarks panel."));
 }
 
-void LandmarksFeature::showLandmark(std::size_t scan, const QString &name)
+void LandmarksFeature::showLandmark(std::size_t scan, const NamedLandmark &landmark)
 {
     if (scan >= m_series->scans().size()) // of a series that is closed
         return;
-    m_wanted = {scan, name};
+    m_wanted = {scan, landmark};
     if (m_series->current() != scan)
         m_series->show(scan);
     selectWanted();
@@ -331,17 +354,11 @@ void LandmarksFeature::selectWanted()
 {
     if (!m_wanted || m_window.session().isLoading())
         return;
-    const auto [scan, name] = *std::exchange(m_wanted, std::nullopt);
+    const auto [scan, landmark] = *std::exchange(m_wanted, std::nullopt);
     if (m_series->current() != scan) // another scan was chosen, or this one cannot be read
         return;
-    const std::vector<landmarks::Landmark> &all = m_document.landmarks();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const QString own = all[i].name.empty() ? QString::number(i + 1) : QString::fromStdString(all[i].name);
-        if (own.compare(name, Qt::CaseInsensitive) == 0) {
-            m_document.sceneLandmarks().selectOnly(i);
-            return;
-        }
-    }
+    if (const std::optional<std::size_t> index = indexOf(m_document.landmarks(), landmark))
+        m_document.sceneLandmarks().selectOnly(*index);
 }
 
 void LandmarksFeature::join(landmarks::CurveKind kind)

@@ -3,6 +3,7 @@
 #include "core/files/path_text.h"
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmark_files/landmark_folder.h"
+#include "core/landmarks/name_key.h"
 #include "core/landmarks/point_template.h"
 #include "gui/landmarks/scan_series.h"
 #include "gui/text/error_text.h"
@@ -120,10 +121,27 @@ void takeExact(std::vector<Landmark> &landmarks, const std::vector<Landmark> &we
     }
 }
 
+NamedLandmark namedLandmark(const std::vector<Landmark> &landmarks, std::size_t index)
+{
+    const std::string &name = landmarks[index].name;
+    const auto before = std::count_if(landmarks.begin(), landmarks.begin() + static_cast<std::ptrdiff_t>(index),
+                                      [&name](const Landmark &landmark) { return landmark.name == name; });
+    return {name, static_cast<std::size_t>(before)};
+}
+
+std::optional<std::size_t> indexOf(const std::vector<Landmark> &landmarks, const NamedLandmark &landmark)
+{
+    std::size_t before = 0;
+    for (std::size_t i = 0; i < landmarks.size(); ++i) {
+        if (landmarks[i].name == landmark.name && before++ == landmark.before)
+            return i;
+    }
+    return std::nullopt;
+}
+
 bool has(const std::vector<Landmark> &landmarks, const std::string &name)
 {
-    return std::any_of(landmarks.begin(), landmarks.end(),
-                       [key = nameKey(name)](const Landmark &each) { return nameKey(each.name) == key; });
+    return indexOfName(landmarks, name).has_value();
 }
 
 void withoutUnwanted(std::vector<Landmark> &landmarks, const std::vector<Landmark> &wanted)

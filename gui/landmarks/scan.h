@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,17 @@ bool isStill(const landmarks::Landmark &now, const landmarks::Landmark &was);
 /// Gives landmarks that kept their position the exact coordinates that they had: a transform and
 /// its inverse leave rounding.
 void takeExact(std::vector<landmarks::Landmark> &landmarks, const std::vector<landmarks::Landmark> &were);
+
+/// A landmark by its name, which several landmarks of a scan may have.
+struct NamedLandmark {
+    std::string name;
+    std::size_t before = 0; ///< number of earlier landmarks of the same name
+};
+
+/// @pre index < landmarks.size()
+NamedLandmark namedLandmark(const std::vector<landmarks::Landmark> &landmarks, std::size_t index);
+/// The index of a landmark; nothing if the list lacks it.
+std::optional<std::size_t> indexOf(const std::vector<landmarks::Landmark> &landmarks, const NamedLandmark &landmark);
 
 /// Returns whether there is a landmark of this name, up to blanks and case.
 bool has(const std::vector<landmarks::Landmark> &landmarks, const std::string &name);

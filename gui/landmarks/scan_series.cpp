@@ -17,21 +17,11 @@
 namespace unprojector::gui {
 using namespace landmarks;
 using namespace scene;
-
-namespace {
-
 using namespace landmark_files;
-
-std::string nameOrNumber(const LandmarkSet &set, std::size_t index)
-{
-    return set.landmarks[index].name.empty() ? std::to_string(index + 1) : set.landmarks[index].name;
-}
-
-} // namespace
 
 ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *parent)
     : QObject(parent), m_document(document), m_session(session), m_history(document),
-      m_shownScan(document, session, m_files, m_protocol, [this] { return m_shown ? &m_scans[*m_shown] : nullptr; })
+      m_shownScan(document, session, m_files, m_protocol, [this] { return m_now.shownScan(); })
 {
     m_session.setKeeper(this);
     connect(this, &QObject::destroyed, &m_session, [&session] { session.setKeeper(nullptr); });
@@ -42,18 +32,18 @@ ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *paren
     connect(&m_history, &SeriesHistory::refused, this, &ScanSeries::warned);
     // Handled before the other scene's landmarks are reported, which are not this scan's.
     connect(&m_document, &SceneDocument::opened, this, [this] {
-        if (m_inView)
-            m_aside = SuspendedScan{*m_inView, m_shown.has_value(), m_placing};
-        m_inView = m_shown = std::nullopt;
+        if (m_now.inView)
+            m_now.aside = SuspendedScan{*m_now.inView, m_now.shown.has_value(), m_now.placing};
+        m_now.inView = m_now.shown = std::nullopt;
         m_history.setNoneShown();
     });
     connect(&m_session, &Session::opened, this, [this](const QString &lesson, bool isBack) {
-        if (isBack && m_aside) {
+        if (isBack && m_now.aside) {
             comeBack();
             return;
         }
         if (lesson.isEmpty())
-            m_aside.reset();
+            m_now.aside.reset();
         if (m_isOpening && isBack) { // only to be saved
             if (const auto aside = m_former ? std::exchange(m_former->aside, std::nullopt) : std::nullopt;
                 aside && aside->placing == m_former->placing) {
@@ -63,8 +53,8 @@ ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *paren
         } else if (m_isOpening) {
             m_former.reset();
             takeShown(true);
-        } else if (m_current) { // another scene
-            m_current = std::nullopt;
+        } else if (m_now.current) { // another scene
+            m_now.current = std::nullopt;
             emit changed();
         }
     });
@@ -72,7 +62,7 @@ ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *paren
     connect(&m_session, &Session::loadingEnded, this, [this] {
         if (!std::exchange(m_isOpening, false))
             return;
-        m_current = m_inView;
+        m_now.current = m_now.inView;
         m_target.reset();
         m_passedOver.reset();
         if (m_former && m_wasAsked) // the user did not want to leave the scene
@@ -80,21 +70,25 @@ ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *paren
         emit changed();
     });
     connect(&m_session, &Session::failed, this, [this](const QString &reason) {
-        if (!m_isOpening || !m_current || m_session.isLoading()) // during loading, something else has failed
+        if (!m_isOpening || !m_now.current || m_session.isLoading()) // during loading, something else has failed
             return;
         m_isOpening = false;
         m_target.reset();
-        m_scans[*m_current].problem = reason;
+        m_now.scans[*m_now.current].problem = reason;
         emit changed();
         if (m_passedOver)
             passOver(reason);
     });
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (!(changes & Change::Landmarks) || !m_shown)
+        if (!(changes & Change::Landmarks) || !m_now.shown)
             return;
-        const std::vector<Landmark> before = m_scans[*m_shown].points.landmarks;
-        if (m_shownScan.take(m_scans[*m_shown])) // saving waits for the curves
-            dropRemoved(before);
+        const std::vector<Landmark> before = m_now.scans[*m_now.shown].points.landmarks;
+        const std::vector<KeptMeasure> measures = m_protocol.measures();
+        if (m_shownScan.take(m_now.scans[*m_now.shown])) // saving waits for the curves
+            m_now.dropRemoved(before);
+        if (const QString text = leftBehindText(measures, m_protocol.measures(), m_now.scans, *m_now.shown);
+            !text.isEmpty())
+            emit warned(text);
         emit this->changed();
     });
 }
@@ -109,16 +103,15 @@ bool ScanSeries::open(const std::filesystem::path &folder)
         emit failed(scans.error());
         return false;
     }
-    PreviousSeries former{m_folder, m_scans, m_names, m_curves, m_inView, m_shown, m_aside, m_placing};
-    m_aside.reset();
-    m_current = m_inView = m_shown = std::nullopt;
+    keepTemplate();
+    SeriesState former = std::exchange(m_now, {});
     m_isOpening = false;
     takeSeries(absolute, std::move(scans).value(), 1);
     emit changed();
     m_passedOver = QStringList();
-    const std::size_t first = firstIncomplete(0);
-    for (std::size_t i = first; i > 0 && !m_scans[first].isKept && m_curves.empty(); --i)
-        addCurves(m_curves, m_scans[i - 1].points.curves); // a new scan takes them from the one before
+    const std::size_t first = m_now.firstIncomplete(0);
+    for (std::size_t i = first; i > 0 && !m_now.scans[first].isKept && m_now.curves.empty(); --i)
+        addCurves(m_now.curves, m_now.scans[i - 1].points.curves); // a new scan takes them from the one before
     show(first);
     if (m_isOpening)
         m_former = std::move(former);
@@ -127,53 +120,43 @@ bool ScanSeries::open(const std::filesystem::path &folder)
 
 void ScanSeries::takeSeries(const std::filesystem::path &folder, std::vector<Scan> scans, int placing)
 {
-    m_folder = folder;
-    m_scans = std::move(scans);
-    m_placing = placing;
-    m_names.clear();
-    m_curves.clear();
+    m_now = {};
+    m_now.folder = folder;
+    m_now.scans = std::move(scans);
+    m_now.placing = placing;
     m_target.reset();
     geometry::Result<std::optional<std::vector<Landmark>>, QString> own = m_files.readTemplate(folder);
     const bool hasTemplate = own && *own;
     if (hasTemplate)
-        m_names = withTemplate({}, **own);
-    for (Scan &scan : m_scans) {
-        readKept(scan, m_placing);
+        m_now.names.add(**own);
+    for (Scan &scan : m_now.scans) {
+        readKept(scan, m_now.placing);
         if (!hasTemplate)
-            m_names = withTemplate(std::move(m_names), scan.points.landmarks);
+            m_now.names.add(scan.points.landmarks);
     }
     m_toWarn.clear();
     if (const QString problem = openProtocol(); !problem.isEmpty())
         m_toWarn << problem;
-    if (m_names.empty()) { // the scene's names to place define the series
-        m_names = withTemplate({}, m_document.landmarks());
-        addCurves(m_curves, m_document.scene().landmarks.curves);
+    if (m_now.names.all().empty()) { // the scene's names to place define the series
+        m_now.names.add(m_document.landmarks());
+        addCurves(m_now.curves, m_document.scene().landmarks.curves);
     }
-    for (Scan &scan : m_scans)
-        withoutUnwanted(scan.points.landmarks, m_names);
+    for (Scan &scan : m_now.scans)
+        withoutUnwanted(scan.points.landmarks, m_now.names.all());
     if (!own)
         m_toWarn << own.error() + u'\n'
                         + tr("Names and hints of the series are not kept. Repair the file or move it away.");
     else if (hasTemplate)
-        emit noticed(tr("The series takes its %1 names from %2.")
-                         .arg(m_names.size())
-                         .arg(pathText(landmark_files::seriesTemplate({}))));
-}
-
-void ScanSeries::read(Scan &scan)
-{
-    const QString unreadable = scan.isDamaged ? QString() : scan.problem; // the scan itself
-    readKept(scan, m_placing);
-    if (scan.problem.isEmpty())
-        scan.problem = unreadable;
-    withoutUnwanted(scan.points.landmarks, m_names);
+        m_toNotice << tr("The series takes its %1 names from %2.")
+                          .arg(m_now.names.all().size())
+                          .arg(pathText(seriesTemplate({})));
 }
 
 void ScanSeries::readAgain()
 {
-    for (std::size_t i = 0; i < m_scans.size(); ++i) {
-        if (i != m_shown)
-            read(m_scans[i]);
+    for (std::size_t i = 0; i < m_now.scans.size(); ++i) {
+        if (i != m_now.shown)
+            m_now.read(m_now.scans[i]);
     }
     emit changed();
 }
@@ -184,27 +167,15 @@ void ScanSeries::keepChosenTemplate()
     keepTemplate();
 }
 
-std::size_t ScanSeries::firstIncomplete(std::size_t from) const
-{
-    for (std::size_t i = from; i < m_scans.size(); ++i) {
-        const Scan &scan = m_scans[i];
-        if (scan.problem.isEmpty() && (!scan.isKept || !scan.isComplete(m_names)))
-            return i;
-    }
-    const auto readable =
-        std::find_if(m_scans.begin(), m_scans.end(), [](const Scan &scan) { return scan.problem.isEmpty(); });
-    return readable != m_scans.end() ? static_cast<std::size_t>(readable - m_scans.begin()) : 0;
-}
-
 void ScanSeries::passOver(const QString &reason)
 {
     *m_passedOver << reason;
-    const std::size_t index = firstIncomplete(*m_current + 1);
-    if (!m_scans[index].problem.isEmpty()) {
+    const std::size_t index = m_now.firstIncomplete(*m_now.current + 1);
+    if (!m_now.scans[index].problem.isEmpty()) {
         m_passedOver.reset();
         return;
     }
-    std::optional<PreviousSeries> former = std::move(m_former);
+    std::optional<SeriesState> former = std::move(m_former);
     show(index);
     if (m_isOpening)
         m_former = std::move(former);
@@ -212,7 +183,7 @@ void ScanSeries::passOver(const QString &reason)
 
 QString ScanSeries::openProtocol()
 {
-    return m_protocol.open(m_folder, m_document.scene().landmarks.measures);
+    return m_protocol.open(m_now.folder, m_document.scene().landmarks.measures);
 }
 
 bool ScanSeries::close()
@@ -221,98 +192,58 @@ bool ScanSeries::close()
         return false;
     keepTemplate();
     m_history.forget();
-    m_folder.clear();
-    m_scans.clear();
-    m_names.clear();
-    m_curves.clear();
+    m_now = {};
     m_protocol.close();
-    m_current = m_inView = m_shown = std::nullopt;
     m_former.reset();
-    m_aside.reset();
     m_look.reset();
     m_passedOver.reset();
     m_target.reset();
     m_isOpening = false;
-    m_placing = 1;
     emit changed();
     return true;
 }
 
 void ScanSeries::goBack()
 {
-    m_folder = std::move(m_former->folder);
-    m_scans = std::move(m_former->scans);
-    m_names = std::move(m_former->names);
-    m_curves = std::move(m_former->curves);
-    m_current = m_inView = m_former->inView;
-    m_shown = m_former->shown;
-    m_aside = m_former->aside;
-    m_placing = m_former->placing;
-    m_former.reset();
-    static_cast<void>(m_files.readTemplate(m_folder)); // chooses its hints again; its names are known
+    m_now = *std::exchange(m_former, std::nullopt);
+    m_now.current = m_now.inView;
+    static_cast<void>(m_files.readTemplate(m_now.folder)); // chooses its hints again; its names are known
     openProtocol();
-}
-
-QStringList ScanSeries::landmarkNames() const
-{
-    QStringList names;
-    for (const Landmark &name : m_names)
-        names << QString::fromStdString(name.name);
-    for (const Scan &scan : m_scans) {
-        for (std::size_t i = 0; i < scan.points.landmarks.size(); ++i) {
-            const QString name = QString::fromStdString(nameOrNumber(scan.points, i));
-            if (!names.contains(name, Qt::CaseInsensitive))
-                names << name;
-        }
-    }
-    return names;
-}
-
-std::size_t ScanSeries::wantedCount(const Scan &scan) const
-{
-    std::vector<Landmark> all = withTemplate(scan.points.landmarks, m_names);
-    if (m_shown) // what is added there is wanted on every scan
-        all = withTemplate(std::move(all), m_scans[*m_shown].points.landmarks);
-    return all.size();
-}
-
-QString ScanSeries::progressText(const Scan &scan) const
-{
-    const std::size_t placed = scan.placedCount(), wanted = wantedCount(scan), missing = scan.missingCount();
-    return missing > 0 ? tr("%1 of %2, %3 missing").arg(placed).arg(wanted).arg(missing)
-                       : tr("%1 of %2").arg(placed).arg(wanted);
 }
 
 void ScanSeries::step(int by)
 {
-    if (m_scans.empty())
+    if (m_now.scans.empty())
         return;
     m_target.reset();
-    const auto count = static_cast<int>(m_scans.size());
-    const int from = index() ? static_cast<int>(*index()) : by > 0 ? -1 : count;
+    const auto count = static_cast<int>(m_now.scans.size());
+    const std::optional<std::size_t> index = m_now.index();
+    const int from = index ? static_cast<int>(*index) : by > 0 ? -1 : count;
     if (const int to = from + by; to >= 0 && to < count)
         show(static_cast<std::size_t>(to));
 }
 
 void ScanSeries::show(std::size_t index)
 {
-    Q_ASSERT(index < m_scans.size());
+    Q_ASSERT(index < m_now.scans.size());
+    emit leaving();
+    if (const QStringList texts = std::exchange(m_toNotice, {}); !texts.isEmpty())
+        emit noticed(texts.join(u' '));
     if (!keep())
         return;
-    if (m_shown || (m_aside && m_aside->isShown)) {
-        const LandmarkSet &before = m_scans[m_shown.value_or(m_aside ? m_aside->inView : 0)].points;
-        m_names = withTemplate(std::move(m_names), before.landmarks);
-        m_curves = before.curves;
-        std::erase_if(m_curves, [this](const Curve &curve) { return m_isReadOnly || curve.points.empty(); });
+    if (const Scan *before = m_now.lastShown()) {
+        m_now.names.add(m_now.names.with(before));
+        m_now.curves = before->points.curves;
+        std::erase_if(m_now.curves, [this](const Curve &curve) { return m_isReadOnly || curve.points.empty(); });
     }
     m_isOpening = true;
     m_wasAsked = false;
     m_former.reset();
-    m_current = index;
-    m_session.openFiles({m_scans[index].file});
+    m_now.current = index;
+    m_session.openFiles({m_now.scans[index].file});
     if (m_session.isLoading()) { // the earlier loading was cancelled and reported
         m_isOpening = true;
-        m_current = index;
+        m_now.current = index;
     }
     emit changed();
 }
@@ -320,17 +251,18 @@ void ScanSeries::show(std::size_t index)
 void ScanSeries::takeShown(bool isLoaded)
 {
     m_isOpening = false;
-    m_inView = m_current;
-    Scan &scan = m_scans[*m_current];
+    m_now.inView = m_now.current;
+    Scan &scan = m_now.scans[*m_now.current];
     if (isLoaded && m_look)
         fitAllFrom(m_document, m_look->first, m_look->second);
     if (const QStringList passed = std::exchange(m_passedOver, std::nullopt).value_or(QStringList()); passed.size() > 1)
         m_toWarn << passed;
     if (const QStringList texts = std::exchange(m_toWarn, {}); !texts.isEmpty())
         emit warned(texts.join(u'\n'));
-    m_shownScan.begin(scan.file, landmarksBeside(scan.file, m_placing));
+    m_shownScan.begin(scan.file, landmarksBeside(scan.file, m_now.placing));
     scan.problem.clear();
-    read(scan);
+    m_now.read(scan);
+    m_now.names.begin(scan);
     if (scan.isDamaged) { // not overwritten: the user may want to repair it
         putHistoryBack();
         emit failed(scan.problem + u'\n'
@@ -339,45 +271,44 @@ void ScanSeries::takeShown(bool isLoaded)
         emit changed();
         return;
     }
-    const QString loose = m_shownScan.takeRead(scan, m_names, m_curves);
+    const QString loose = m_shownScan.takeRead(scan, m_now.names.all(), m_now.curves);
     m_shownScan.showSaved();
     putHistoryBack();
     m_document.markSaved();
-    m_shown = m_current;
+    m_now.shown = m_now.current;
     m_document.sceneLandmarks().waitForNext(std::nullopt);
     if (!loose.isEmpty())
-        emit warned(QStringLiteral("%1: %2").arg(pathText(landmarksBeside(scan.file, m_placing).filename()), loose));
+        emit warned(
+            QStringLiteral("%1: %2").arg(pathText(landmarksBeside(scan.file, m_now.placing).filename()), loose));
     emit changed();
+    emit scanShown();
     runTarget();
 }
 
 ScanPlacing ScanSeries::shownPlacing() const
 {
-    return {m_scans[*m_inView].file, m_placing};
+    return {m_now.scans[*m_now.inView].file, m_now.placing};
 }
 
 void ScanSeries::putHistoryBack()
 {
-    m_history.putBack(shownPlacing(), [this](const std::filesystem::path &file) {
-        return std::any_of(m_scans.begin(), m_scans.end(), [&file](const Scan &scan) { return scan.file == file; });
-    });
+    m_history.putBack(shownPlacing(),
+                      [this](const std::filesystem::path &file) { return m_now.indexOf(file).has_value(); });
 }
 
 void ScanSeries::goTo(const std::shared_ptr<const ScanStep> &step, bool isRedo)
 {
-    const auto scan = std::find_if(m_scans.begin(), m_scans.end(),
-                                   [&step](const Scan &each) { return each.file == step->where.scan; });
-    if (scan == m_scans.end() || m_isOpening)
+    const std::optional<std::size_t> index = m_now.indexOf(step->where.scan);
+    if (!index || m_isOpening)
         return;
-    const auto index = static_cast<std::size_t>(scan - m_scans.begin());
     m_target = {step, isRedo};
-    if (step->where.placing != m_placing)
+    if (step->where.placing != m_now.placing)
         setPlacing(step->where.placing);
-    if (!m_target || step->where.placing != m_placing) { // done, or refused with a reason
+    if (!m_target || step->where.placing != m_now.placing) { // done, or refused with a reason
         m_target.reset();
         return;
     }
-    show(index);
+    show(*index);
     if (!m_isOpening)
         m_target.reset();
 }
@@ -394,38 +325,22 @@ void ScanSeries::runTarget()
 
 void ScanSeries::comeBack()
 {
-    const SuspendedScan aside = *std::exchange(m_aside, std::nullopt);
-    if (aside.placing != m_placing) {
-        m_placing = aside.placing;
-        for (Scan &scan : m_scans)
-            read(scan);
+    const SuspendedScan aside = *std::exchange(m_now.aside, std::nullopt);
+    if (aside.placing != m_now.placing) {
+        m_now.placing = aside.placing;
+        for (Scan &scan : m_now.scans)
+            m_now.read(scan);
     }
-    m_inView = aside.inView;
+    m_now.inView = aside.inView;
     if (!m_isOpening) // else it is restored only to be saved
-        m_current = m_inView;
+        m_now.current = m_now.inView;
     if (aside.isShown) {
-        m_shown = m_inView;
-        m_shownScan.take(m_scans[*m_shown]);
+        m_now.shown = m_now.inView;
+        m_shownScan.take(m_now.scans[*m_now.shown]);
     }
     putHistoryBack();
     emit changed();
-}
-
-void ScanSeries::dropRemoved(const std::vector<Landmark> &before)
-{
-    std::vector<Landmark> removed = before;
-    std::erase_if(removed, [this](const Landmark &landmark) {
-        return !landmark.isToPlace() || has(m_scans[*m_shown].points.landmarks, landmark.name);
-    });
-    if (removed.empty())
-        return;
-    std::erase_if(m_names, [&removed](const Landmark &name) { return has(removed, name.name); });
-    for (std::size_t i = 0; i < m_scans.size(); ++i) {
-        if (i != *m_shown)
-            std::erase_if(m_scans[i].points.landmarks, [&removed](const Landmark &landmark) {
-                return landmark.isToPlace() && has(removed, landmark.name);
-            });
-    }
+    emit scanShown();
 }
 
 bool ScanSeries::keep()
@@ -437,10 +352,10 @@ bool ScanSeries::keep()
 bool ScanSeries::keepBeforeLeaving()
 {
     m_wasAsked = m_isOpening;
-    if (m_inView)
+    if (m_now.inView)
         m_look = {*m_document.scene().camera, *m_document.scene().projection};
     const ShownScan::Kept kept = keepShown(false);
-    if (m_shown)
+    if (m_now.shown)
         m_history.collect(shownPlacing());
     if (kept != ShownScan::Kept::Cancelled)
         keepTemplate();
@@ -449,12 +364,12 @@ bool ScanSeries::keepBeforeLeaving()
 
 std::optional<bool> ScanSeries::save()
 {
-    if (!m_shown)
+    if (!m_now.shown)
         return std::nullopt;
     const ShownScan::Kept kept = keepShown(true);
-    const Scan &scan = m_scans[*m_shown];
+    const Scan &scan = m_now.scans[*m_now.shown];
     const QString name = pathText(scan.file.filename()),
-                  file = pathText(landmarksBeside(scan.file, m_placing).filename());
+                  file = pathText(landmarksBeside(scan.file, m_now.placing).filename());
     if (kept == ShownScan::Kept::AsBefore)
         emit noticed(scan.isKept ? tr("The landmarks of %1 are saved in %2 already.").arg(name, file)
                                  : tr("%1 has no landmark yet, so there is nothing to save.").arg(name));
@@ -471,9 +386,10 @@ std::optional<bool> ScanSeries::save()
 ShownScan::Kept ScanSeries::keepShown(bool isWanted)
 {
     m_session.commitTyped();
-    if (!m_shown || m_isReadOnly)
+    if (!m_now.shown || m_isReadOnly)
         return ShownScan::Kept::AsBefore;
-    const ShownScan::Kept kept = m_shownScan.keep(landmarksBeside(m_scans[*m_shown].file, m_placing), isWanted);
+    const ShownScan::Kept kept =
+        m_shownScan.keep(landmarksBeside(m_now.scans[*m_now.shown].file, m_now.placing), isWanted);
     if (const QString problem = m_protocol.keep(kept == ShownScan::Kept::Written); !problem.isEmpty())
         emit failed(problem);
     return kept;
@@ -483,20 +399,19 @@ void ScanSeries::keepTemplate()
 {
     if (!isOpen())
         return;
-    const std::vector<Landmark> names = m_shown ? withTemplate(m_names, m_scans[*m_shown].points.landmarks) : m_names;
-    const geometry::Result<bool, QString> kept = m_files.keepTemplate(m_folder, names);
+    const auto kept = m_files.keepTemplate(m_now.folder, m_now.names.with(m_now.lastShown()));
     if (!kept)
         emit warned(kept.error());
 }
 
 std::optional<RecoverySeries> ScanSeries::series() const
 {
-    if (!m_shown)
+    if (!m_now.shown)
         return std::nullopt;
-    const Scan &scan = m_scans[*m_shown];
-    return RecoverySeries{m_folder,
+    const Scan &scan = m_now.scans[*m_now.shown];
+    return RecoverySeries{m_now.folder,
                           absolutePath(scan.file),
-                          m_placing,
+                          m_now.placing,
                           m_shownScan.stamp(),
                           static_cast<int>(scan.placedCount()),
                           scan.isKept ? static_cast<int>(placedCount(m_shownScan.saved())) : 0};
@@ -515,13 +430,11 @@ void ScanSeries::resume(const RecoverySeries &series)
         return;
     }
     m_former.reset();
-    m_aside.reset();
     m_isOpening = false;
     takeSeries(series.folder, std::move(scans).value(), series.placing);
-    m_current = m_inView =
-        static_cast<std::size_t>(std::find_if(m_scans.begin(), m_scans.end(), isIt) - m_scans.begin());
-    Scan &scan = m_scans[*m_current];
-    const std::filesystem::path file = landmarksBeside(scan.file, m_placing);
+    m_now.current = m_now.inView = m_now.indexOf(series.scan);
+    Scan &scan = m_now.scans[*m_now.current];
+    const std::filesystem::path file = landmarksBeside(scan.file, m_now.placing);
     m_shownScan.begin(scan.file, file);
     if (scan.isDamaged) {
         emit failed(scan.problem);
@@ -529,10 +442,11 @@ void ScanSeries::resume(const RecoverySeries &series)
         emit resumed();
         return;
     }
-    const QString loose = m_shownScan.takeRead(scan, m_names, m_curves);
+    m_now.names.begin(scan);
+    const QString loose = m_shownScan.takeRead(scan, m_now.names.all(), m_now.curves);
     if (!loose.isEmpty())
         emit warned(QStringLiteral("%1: %2").arg(pathText(file.filename()), loose));
-    m_shown = m_current;
+    m_now.shown = m_now.current;
     if (LandmarkSet set = m_document.scene().landmarks; set.measures != m_protocol.measures()) {
         set.measures = m_protocol.measures(); // the folder's file is written at each change
         m_document.restoreLandmarks(std::move(set));
@@ -556,29 +470,31 @@ void ScanSeries::resume(const RecoverySeries &series)
     }
     if (const QStringList texts = std::exchange(m_toWarn, {}); !texts.isEmpty())
         emit warned(texts.join(u'\n'));
+    m_toNotice.clear(); // the message about the scan is shown
     m_document.sceneLandmarks().waitForNext(std::nullopt);
     emit changed();
+    emit scanShown();
     emit resumed();
 }
 
 void ScanSeries::setPlacing(int placing)
 {
-    if (placing == m_placing || placing < 1 || placing > kMostPlacings)
+    if (placing == m_now.placing || placing < 1 || placing > kMostPlacings)
         return;
     if (!mayPlaceAs(placing)) {
         emit changed(); // the field for the placing shows the present value again
         return;
     }
-    if (m_shown) {
+    if (m_now.shown) {
         m_history.collect(shownPlacing());
-        m_names = withTemplate(std::move(m_names), m_scans[*m_shown].points.landmarks);
+        m_now.names.add(m_now.names.with(m_now.shownScan()));
     }
-    m_placing = placing;
-    for (Scan &scan : m_scans)
-        read(scan);
-    m_shown = std::nullopt;
-    if (m_inView) {
-        m_current = m_inView;
+    m_now.placing = placing;
+    for (Scan &scan : m_now.scans)
+        m_now.read(scan);
+    m_now.shown = std::nullopt;
+    if (m_now.inView) {
+        m_now.current = m_now.inView;
         takeShown(false);
     }
     emit changed();
@@ -588,17 +504,17 @@ bool ScanSeries::mayPlaceAs(int placing)
 {
     if (!keep())
         return false;
-    if (!m_inView)
+    if (!m_now.inView)
         return true;
-    Scan other{m_scans[*m_inView].file, {}, {}};
+    Scan other{m_now.scans[*m_now.inView].file, {}, {}};
     readKept(other, placing);
     if (other.isDamaged) {
         emit failed(other.problem + u'\n'
-                    + tr("Placing %1 continues. Repair the file, or move it away.").arg(m_placing));
+                    + tr("Placing %1 continues. Repair the file, or move it away.").arg(m_now.placing));
         return false;
     }
     // Changes that are not saved beside the scan would be lost.
-    return m_shown || !m_document.isEdited() || m_session.mayLeave();
+    return m_now.shown || !m_document.isEdited() || m_session.mayLeave();
 }
 
 std::optional<SeriesRepeats> ScanSeries::repeats()
@@ -606,7 +522,7 @@ std::optional<SeriesRepeats> ScanSeries::repeats()
     if (!keep())
         return std::nullopt;
     readAgain();
-    SeriesRepeats found = repeatsIn(m_scans);
+    SeriesRepeats found = repeatsIn(m_now.scans);
     if (const auto table = errorsTable(found.specimens); !table) { // placings in several units
         emit failed(QString::fromStdString(errorText(table.error())));
         return std::nullopt;
@@ -619,7 +535,8 @@ bool ScanSeries::exportTable(const std::filesystem::path &file, Table table)
     if (!keep())
         return false;
     readAgain();
-    const auto written = writeSeries(file, table, {m_scans, m_names, measures(), m_placing, m_waiting});
+    const auto written =
+        writeSeries(file, table, {m_now.scans, m_now.names.all(), measures(), m_now.placing, m_waiting});
     if (!written) {
         emit failed(written.error());
         return false;

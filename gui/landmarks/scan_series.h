@@ -8,6 +8,7 @@
 #include "gui/landmarks/series_files.h"
 #include "gui/landmarks/series_history.h"
 #include "gui/landmarks/series_protocol.h"
+#include "gui/landmarks/series_state.h"
 #include "gui/landmarks/series_table.h"
 #include "gui/landmarks/shown_scan.h"
 
@@ -58,29 +59,27 @@ public:
     /// Saves the landmarks and closes the series; the present scene stays.
     /// @return false after `failed`, or if the user cancels
     bool close();
-    bool isOpen() const { return !m_scans.empty(); }
-    const std::filesystem::path &folder() const { return m_folder; }
-    const std::vector<Scan> &scans() const { return m_scans; }
+    bool isOpen() const { return !m_now.scans.empty(); }
+    const std::filesystem::path &folder() const { return m_now.folder; }
+    const std::vector<Scan> &scans() const { return m_now.scans; }
     /// The scan that is shown, or that could not be shown; nothing while another scene is shown.
-    std::optional<std::size_t> current() const { return m_current; }
+    std::optional<std::size_t> current() const { return m_now.current; }
     /// The scan in the view, where landmarks are placed: the one before, if `current` could not be
     /// shown.
-    std::optional<std::size_t> inView() const { return m_current ? m_inView : std::nullopt; }
-    bool hasNext() const { return isOpen() && (!index() || *index() + 1 < m_scans.size()); }
-    bool hasPrevious() const { return isOpen() && index() != std::size_t(0); }
+    std::optional<std::size_t> inView() const { return m_now.current ? m_now.inView : std::nullopt; }
+    bool hasNext() const { return isOpen() && (!m_now.index() || *m_now.index() + 1 < m_now.scans.size()); }
+    bool hasPrevious() const { return isOpen() && m_now.index() != std::size_t(0); }
     /// The names of all landmarks of all scans, in the order of first appearance.
-    QStringList landmarkNames() const;
-    /// The number of landmarks that a scan has or that are to be placed on it.
-    std::size_t wantedCount(const Scan &scan) const;
+    QStringList landmarkNames() const { return m_now.names.namesOn(m_now.scans); }
     /// "9 of 10, 1 missing"
-    QString progressText(const Scan &scan) const;
+    QString progressText(const Scan &scan) const { return m_now.names.progressText(scan, m_now.lastShown()); }
 
     /// Saves the landmarks of the present scan and shows another one. @pre index < scans().size()
     void show(std::size_t index);
     void next() { step(1); }
     void previous() { step(-1); }
     /// The number of the present pass through the series, from 1: each has its own landmarks.
-    int placing() const { return m_placing; }
+    int placing() const { return m_now.placing; }
     /// Changes the placing, unless the landmarks of the present scan cannot be saved, or the other
     /// placing's cannot be read.
     void setPlacing(int placing);
@@ -106,13 +105,17 @@ public:
 
     bool keepBeforeLeaving() override;
     std::optional<bool> save() override;
-    bool canSave() const override { return m_shown.has_value(); }
+    bool canSave() const override { return m_now.shown.has_value(); }
     std::optional<RecoverySeries> series() const override;
     void resume(const RecoverySeries &series) override;
 
 signals:
     /// Emitted when the list of scans, or the progress of one, changes.
     void changed();
+    /// Emitted before another scan is shown: messages about the present one are outdated.
+    void leaving();
+    /// Emitted when a scan is in the view, with its landmarks.
+    void scanShown();
     /// Emitted when a series continues after a crash.
     void resumed();
     /// Emitted when a file could not be read or written, with the reason.
@@ -122,21 +125,9 @@ signals:
     void noticed(const QString &text);
 
 private:
-    /// The scan that was shown before a lesson.
-    struct SuspendedScan {
-        std::size_t inView = 0;
-        bool isShown = false; ///< its landmarks are saved
-        int placing = 1;
-    };
-    /// The index that next and previous start from; in a lesson the suspended scan's.
-    std::optional<std::size_t> index() const { return m_current || !m_aside ? m_current : m_aside->inView; }
     void step(int by);
     bool mayPlaceAs(int placing);
     void takeSeries(const std::filesystem::path &folder, std::vector<Scan> scans, int placing);
-    /// Reads the saved landmarks of a scan, without names to place that the series has no more.
-    void read(Scan &scan);
-    /// The first scan from this index on that lacks a landmark; else the first one.
-    std::size_t firstIncomplete(std::size_t from) const;
     /// Continues after a scan that could not be read.
     void passOver(const QString &reason);
     /// Adds the landmarks of the current scan once it is in the view.
@@ -150,8 +141,6 @@ private:
     void runTarget();
     /// Restores the scan from before a lesson, in its former state. @pre m_aside
     void comeBack();
-    /// Removes names to place that were removed from the present scan from the other scans too.
-    void dropRemoved(const std::vector<landmarks::Landmark> &before);
     /// Saves the landmarks of the present scan, if there are any.
     /// @param isWanted  the user asked to save, not to leave
     ShownScan::Kept keepShown(bool isWanted);
@@ -161,36 +150,16 @@ private:
     QString openProtocol();
     /// Returns to the former series, whose scan is still in the view. @pre m_former
     void goBack();
-    /// The state before a series whose first scan is being loaded.
-    struct PreviousSeries {
-        std::filesystem::path folder;
-        std::vector<Scan> scans;
-        std::vector<landmarks::Landmark> names;
-        std::vector<landmarks::Curve> curves;
-        std::optional<std::size_t> inView, shown;
-        std::optional<SuspendedScan> aside;
-        int placing = 1;
-    };
-
     SceneDocument &m_document;
     Session &m_session;
     SeriesHistory m_history;
     SeriesFiles m_files;
     SeriesProtocol m_protocol;
     ShownScan m_shownScan;
-    std::filesystem::path m_folder;
-    std::vector<Scan> m_scans;
-    std::optional<std::size_t> m_current;
-    std::vector<landmarks::Landmark> m_names; ///< given to every scan
-    std::vector<landmarks::Curve> m_curves;   ///< the same, by the names of their landmarks
+    SeriesState m_now;
+    std::optional<SeriesState> m_former; ///< the series before, while the first scan is being loaded
     bool m_isReadOnly = false;
-    bool m_isOpening = false;            ///< the current scan is being loaded
-    std::optional<std::size_t> m_inView; ///< the scan in the view
-    /// the same, but nothing if its landmark file is damaged: then they are not saved
-    std::optional<std::size_t> m_shown;
-    std::optional<SuspendedScan> m_aside; ///< the scan before the present lesson
-    int m_placing = 1;
-    std::optional<PreviousSeries> m_former;
+    bool m_isOpening = false; ///< the current scan is being loaded
     std::function<bool(std::size_t, std::size_t)> m_waiting;
     bool m_wasAsked = false; ///< leaving the former scene was asked about since this scan is loading
     /// the camera and the projection of the scan that was shown last
@@ -198,7 +167,8 @@ private:
     /// while the first scan of a series is searched: why others could not be read
     std::optional<QStringList> m_passedOver;
     std::optional<SeriesHistory::Wanted> m_target;
-    QStringList m_toWarn; ///< once a scan is shown: its opening hides earlier messages
+    QStringList m_toWarn;   ///< once a scan is shown: its opening hides earlier messages
+    QStringList m_toNotice; ///< the same
 };
 
 } // namespace unprojector::gui

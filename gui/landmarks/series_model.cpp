@@ -1,5 +1,6 @@
 #include "gui/landmarks/series_model.h"
 
+#include "core/landmarks/name_key.h"
 #include "gui/landmarks/protocol_rows.h"
 #include "gui/landmarks/scan_series.h"
 #include "gui/text/error_text.h"
@@ -63,7 +64,7 @@ QVariant SeriesModel::text(const QModelIndex &index) const
     const auto found = std::find_if(points.begin(), points.end(), [&](const landmarks::Landmark &landmark) {
         const QString own = landmark.name.empty() ? QString::number(&landmark - points.data() + 1)
                                                   : QString::fromStdString(landmark.name);
-        return own.compare(name, Qt::CaseInsensitive) == 0;
+        return landmarks::isSameName(own.toStdString(), name.toStdString());
     });
     if (found == points.end() || found->isToPlace())
         return QStringLiteral("–");

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "gui/landmarks/scan.h"
+
 #include <QWidget>
 
 #include <cstddef>
@@ -36,7 +38,7 @@ public:
 
 signals:
     /// Emitted when the user chooses a landmark of a scan.
-    void landmarkWanted(std::size_t scan, const QString &name);
+    void landmarkWanted(std::size_t scan, const unprojector::gui::NamedLandmark &landmark);
 
 private:
     void exportTable();

@@ -2,10 +2,12 @@
 
 #include "core/files/replace_file.h"
 #include "core/landmark_files/measures_file.h"
+#include "gui/document/object_names.h"
 #include "gui/text/error_text.h"
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -73,6 +75,32 @@ QString SeriesProtocol::write()
                                             QString::fromStdString(files::fileErrorText(written.error())));
     m_stamp = files::stampOf(m_file);
     m_isUnsaved = false;
+    return {};
+}
+
+QString leftBehindText(const std::vector<landmarks::KeptMeasure> &before,
+                       const std::vector<landmarks::KeptMeasure> &after, const std::vector<Scan> &scans,
+                       std::size_t renamedOn)
+{
+    for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i) {
+        const std::vector<std::string> &was = before[i].landmarks, &is = after[i].landmarks;
+        if (before[i].name != after[i].name || was.size() != is.size())
+            continue;
+        const auto [from, to] = std::mismatch(was.begin(), was.end(), is.begin());
+        if (from == was.end())
+            continue;
+        std::size_t left = 0;
+        for (std::size_t scan = 0; scan < scans.size(); ++scan)
+            left +=
+                scan != renamedOn && has(scans[scan].points.landmarks, *from) && !has(scans[scan].points.landmarks, *to)
+                    ? 1U
+                    : 0U;
+        if (left > 0)
+            return Texts::tr("The protocol now measures “%1” instead of “%2”. Scans that still have “%2”: %3. Rename "
+                             "it there too.")
+                .arg(shownName(*to), shownName(*from))
+                .arg(left);
+    }
     return {};
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/files/file_stamp.h"
 #include "core/landmarks/landmark.h"
+#include "gui/landmarks/scan.h"
 
 #include <QString>
 
@@ -39,5 +40,12 @@ private:
     bool m_isNew = false;     ///< the scene's measures, not written yet
     bool m_isUnsaved = false; ///< after a failure
 };
+
+/// A message if measures follow a renamed landmark while other scans still have the former name;
+/// else empty.
+/// @param renamedOn  index of the scan on which it was renamed
+QString leftBehindText(const std::vector<landmarks::KeptMeasure> &before,
+                       const std::vector<landmarks::KeptMeasure> &after, const std::vector<Scan> &scans,
+                       std::size_t renamedOn);
 
 } // namespace unprojector::gui

@@ -19,25 +19,18 @@ SeriesShapes shapesOf(const std::vector<const std::vector<Landmark> *> &scans)
     for (const std::vector<Landmark> *scan : scans) {
         LandmarkSet &set = sets.emplace_back();
         for (const Landmark &landmark : *scan)
-            set.landmarks.emplace_back().name = QString::fromStdString(landmark.name).toCaseFolded().toStdString();
+            set.landmarks.emplace_back().name = landmark.name;
     }
     DistinctNames distinct = distinctNames(sets);
     SeriesShapes shapes;
     for (const std::string &name : distinct.names)
         shapes.names << QString::fromStdString(name);
-    std::vector<bool> isNamed(distinct.names.size(), false);
     for (std::size_t k = 0; k < scans.size(); ++k) {
         Configuration &points = shapes.scans.emplace_back(distinct.names.size());
         for (std::size_t i = 0; i < scans[k]->size(); ++i) {
             const Landmark &landmark = (*scans[k])[i];
-            const std::size_t place = distinct.places[k][i];
             if (landmark.world)
-                points[place] = landmark.world->coordinates();
-            QString &name = shapes.names[static_cast<qsizetype>(place)];
-            const QString written = QString::fromStdString(landmark.name);
-            if (!isNamed[place] && name.compare(written, Qt::CaseInsensitive) == 0)
-                name = written;
-            isNamed[place] = true;
+                points[distinct.places[k][i]] = landmark.world->coordinates();
         }
     }
     shapes.places = std::move(distinct.places);

@@ -23,8 +23,7 @@ struct SeriesShapes {
     std::vector<landmarks::Pair> pairs() const;
 };
 
-/// Finds equal landmarks by name, as the series does: case doesn't matter. See
-/// landmarks::distinctNames for names that are empty or occur twice in a scan.
+/// Finds equal landmarks by name, see landmarks::distinctNames.
 SeriesShapes shapesOf(const std::vector<const std::vector<landmarks::Landmark> *> &scans);
 
 } // namespace unprojector::gui

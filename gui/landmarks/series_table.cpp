@@ -1,6 +1,6 @@
 #include "gui/landmarks/series_table.h"
 
-#include "core/curves/scan_surface.h"
+#include "core/curves/measured_sets.h"
 #include "core/files/path_text.h"
 #include "core/files/replace_file.h"
 #include "core/landmark_files/landmark_file.h"
@@ -8,7 +8,6 @@
 #include "core/landmark_files/measures_file.h"
 #include "core/landmark_files/specimen_table.h"
 #include "core/landmarks/protocol.h"
-#include "core/text/translation.h"
 #include "gui/document/landmark_files.h"
 #include "gui/landmarks/scan_series.h"
 #include "gui/text/error_text.h"
@@ -18,9 +17,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <memory>
 #include <optional>
-#include <span>
 #include <system_error>
 #include <utility>
 
@@ -102,25 +99,11 @@ Specimens specimensOf(const SeriesContent &content, bool hasAllPlacings, QString
 std::optional<std::vector<std::vector<ProtocolValue>>> measured(const Specimens &specimens,
                                                                 const SeriesContent &content)
 {
-    const text::InEnglish english; // reasons are cells of the table
-    std::vector<std::vector<ProtocolValue>> all;
-    std::unique_ptr<curves::ScanSurface> surface; // placings of a scan share it
-    bool isCancelled = false;
-    for (std::size_t i = 0; i < specimens.sets.size() && !isCancelled; ++i) {
-        const auto goesOn = [&](double) {
-            isCancelled = isCancelled || (content.goesOn && !content.goesOn(i, specimens.sets.size()));
-            return !isCancelled;
-        };
-        const auto along = [&](std::span<const Landmark *const> points) {
-            if (!surface || surface->file() != specimens.scans[i])
-                surface = std::make_unique<curves::ScanSurface>(specimens.scans[i]);
-            return surface->length(points, goesOn);
-        };
-        std::vector<ProtocolValue> &values = all.emplace_back();
-        for (const KeptMeasure &measure : content.measures)
-            values.push_back(valueOf(measure, specimens.sets[i], along));
-    }
-    return isCancelled ? std::nullopt : std::optional(std::move(all));
+    const auto modelOf = [&](std::size_t i) -> Result<std::filesystem::path, std::string> {
+        return specimens.scans[i];
+    };
+    const auto goesOn = [&](std::size_t i) { return !content.goesOn || content.goesOn(i, specimens.sets.size()); };
+    return curves::measuredSets(specimens.sets, content.measures, modelOf, goesOn);
 }
 
 TableForm formOf(SeriesTable table)

@@ -44,25 +44,29 @@ QString variableName(MatrixRole role)
 
 PastedMatrixBox::PastedMatrixBox(MatrixRole role, QWidget *parent) : QWidget(parent), m_role(role)
 {
-    auto *title = new QLabel(QStringLiteral("%1   %2").arg(roleName(role), variableName(role)));
-    QFont bold = title->font();
+    m_title = new QLabel(QStringLiteral("%1   %2").arg(roleName(role), variableName(role)));
+    QFont bold = m_title->font();
     bold.setBold(true);
-    title->setFont(bold);
+    m_title->setFont(bold);
 
     m_text = new QPlainTextEdit;
     m_text->setFont(digitsFont(font()));
     m_text->setTabChangesFocus(true);
+    m_text->setAcceptDrops(false); // the dialog takes files
     m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
     m_text->setPlaceholderText(
-        tr("Paste 16 numbers, as a program prints them\n(glm::to_string, NumPy, Eigen, JSON, C …), or its "
-           "calls:\ngluPerspective(45, 1.5, 0.1, 100)"));
+        role == MatrixRole::Projection
+            ? tr("Paste 16 numbers as a program prints them\n(glm::to_string, NumPy, JSON, C …), its calls\n"
+                 "(gluPerspective(45, 1.5, 0.1, 100)), or a\ncamera: K, R, t, OpenCV's YAML, transforms.json …")
+            : tr("Paste 16 numbers, as a program prints them\n(glm::to_string, NumPy, Eigen, JSON, C …), or its "
+                 "calls:\ngluPerspective(45, 1.5, 0.1, 100)"));
     m_text->setAccessibleName(tr("Text of the matrix: %1").arg(roleName(role)));
     m_text->setToolTip(tr(
         "Sixteen numbers in a row are read column after column, four lines or brackets as rows. Calls of OpenGL, GLM, "
         "three.js, System.Numerics and DirectXMath are read with the numbers in them."));
     const int line = QFontMetrics(m_text->font()).lineSpacing();
     m_text->setFixedHeight(kTextLines * line + 3 * m_text->frameWidth() + line);
-    title->setBuddy(m_text);
+    m_title->setBuddy(m_text);
     setFocusProxy(m_text);
 
     m_said = new QLabel;
@@ -107,16 +111,20 @@ PastedMatrixBox::PastedMatrixBox(MatrixRole role, QWidget *parent) : QWidget(par
     how->addWidget(m_order);
     how->addStretch();
     how->addWidget(m_asPasted);
+    m_read = new QWidget;
+    auto *read = new QVBoxLayout(m_read);
+    read->setContentsMargins(0, 0, 0, 0);
+    read->addWidget(m_said);
+    read->addWidget(m_move, 0, Qt::AlignLeft);
+    read->addLayout(how);
+    read->addWidget(depths);
+    read->addWidget(m_grid);
+    read->addWidget(m_findings);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(title);
+    layout->addWidget(m_title);
     layout->addWidget(m_text);
-    layout->addWidget(m_said);
-    layout->addWidget(m_move, 0, Qt::AlignLeft);
-    layout->addLayout(how);
-    layout->addWidget(depths);
-    layout->addWidget(m_grid);
-    layout->addWidget(m_findings);
+    layout->addWidget(m_read);
     layout->addStretch();
 
     connect(m_text, &QPlainTextEdit::textChanged, this, [this] { emit textChanged(text()); });
@@ -137,6 +145,12 @@ QString PastedMatrixBox::text() const
 void PastedMatrixBox::setText(const QString &text)
 {
     m_text->setPlainText(text);
+}
+
+void PastedMatrixBox::setTextOnly(bool isTextOnly)
+{
+    m_title->setText(isTextOnly ? tr("Camera") : QStringLiteral("%1   %2").arg(roleName(m_role), variableName(m_role)));
+    m_read->setVisible(!isTextOnly);
 }
 
 QStringList PastedMatrixBox::saidOf(const MatrixPaste &paste) const

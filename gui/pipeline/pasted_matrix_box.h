@@ -26,6 +26,8 @@ public:
 
     QString text() const;
     void setText(const QString &text);
+    /// Shows only the text, which has no matrix but another program's camera.
+    void setTextOnly(bool isTextOnly);
     /// Shows the result of parsing the texts.
     void showPaste(const matrices::MatrixPaste &paste);
 
@@ -44,6 +46,8 @@ private:
     QStringList saidOf(const matrices::MatrixPaste &paste) const;
 
     matrices::MatrixRole m_role;
+    QLabel *m_title;
+    QWidget *m_read; ///< all that the text was read as
     QPlainTextEdit *m_text;
     QLabel *m_said;
     QPushButton *m_move;

@@ -4,7 +4,7 @@
 #include "gui/document/session.h"
 #include "gui/pipeline/depth_precision_panel.h"
 #include "gui/pipeline/lifecycle_panel.h"
-#include "gui/pipeline/paste_matrices_dialog.h"
+#include "gui/pipeline/paste_camera_dialog.h"
 #include "gui/pipeline/pipeline_panel.h"
 #include "gui/pipeline/viewport_inspector.h"
 #include "gui/view/lifecycle_log.h"
@@ -92,11 +92,13 @@ void PipelineFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &)
     if (kind != MenuKind::Edit)
         return;
     menu.addSeparator();
-    addAction(menu, tr("Paste &Matrices…"), {},
-              tr("Set the camera from another program's projection and view, or from their product"), [this] {
-                  m_window.session().commitTyped();
-                  PasteMatricesDialog::open(m_window.document(), &m_window);
-              });
+    QAction *paste = addAction(
+        menu, tr("Paste Ca&mera…"), {},
+        tr("Set the camera from another program's: its matrices, K, R, t, its calls, or its camera's file"), [this] {
+            m_window.session().commitTyped();
+            PasteCameraDialog::open(m_window.document(), &m_window);
+        });
+    paste->setObjectName(kPasteCameraAction);
 }
 
 bool PipelineFeature::follow(const lessons::Link &link)

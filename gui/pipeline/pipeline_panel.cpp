@@ -9,7 +9,7 @@
 #include "gui/pipeline/followed_point_row.h"
 #include "gui/pipeline/matrix_findings_view.h"
 #include "gui/pipeline/matrix_section.h"
-#include "gui/pipeline/paste_matrices_dialog.h"
+#include "gui/pipeline/paste_camera_dialog.h"
 #include "gui/pipeline/pipeline_switches.h"
 #include "gui/pipeline/stage_text.h"
 #include "gui/widgets/help_link.h"
@@ -64,7 +64,7 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
     connect(m_switches, &PipelineSwitches::objectChanged, this, &PipelinePanel::showStatus);
     connect(m_switches, &PipelineSwitches::pasteWanted, this, [this] {
         emit aboutToPaste();
-        PasteMatricesDialog::open(m_document, window());
+        PasteCameraDialog::open(m_document, window());
     });
     arrange();
     createActions();
@@ -479,7 +479,7 @@ void PipelinePanel::keyPressEvent(QKeyEvent *event)
     else if (hasFocus(m_sections[std::size_t(PipelineStage::WholeMatrix)]))
         role = MatrixRole::Product;
     emit aboutToPaste();
-    PasteMatricesDialog::open(m_document, window(), role, QGuiApplication::clipboard()->text());
+    PasteCameraDialog::open(m_document, window(), role, QGuiApplication::clipboard()->text());
 }
 
 } // namespace unprojector::gui

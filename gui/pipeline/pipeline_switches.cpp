@@ -66,8 +66,8 @@ PipelineSwitches::PipelineSwitches(SceneDocument &document, PipelineModel &model
     copy->setToolTip(tr("Copy all points and matrices with all digits"));
     connect(copy, &QPushButton::clicked, this, [this] { copyToClipboard(m_model.text()); });
     auto *paste = new QPushButton(tr("P&aste…"));
-    paste->setToolTip(tr("Set the camera from another program's matrices (Ctrl+V here)"));
-    paste->setAccessibleName(tr("Paste matrices"));
+    paste->setToolTip(tr("Set the camera from another program's (Ctrl+V here)"));
+    paste->setAccessibleName(tr("Paste camera"));
     connect(paste, &QPushButton::clicked, this, &PipelineSwitches::pasteWanted);
 
     auto *lines = new QVBoxLayout(this);

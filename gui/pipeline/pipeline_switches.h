@@ -20,7 +20,7 @@ class SegmentedSwitch;
 /// The display options of the pipeline: direction, object, and a menu with layout, arrangement,
 /// digits and conventions. Each choice changes the model at once. If the view has changed since the
 /// click, a further switch selects the values at the click or the current ones. Buttons beside them
-/// copy the pipeline and paste matrices. Lessons link to the choices by the names of actions.
+/// copy the pipeline and paste a camera. Lessons link to the choices by the names of actions.
 class PipelineSwitches : public QWidget {
     Q_OBJECT
 public:

@@ -10,8 +10,9 @@ namespace unprojector::gui {
 /// Many images on one, in a grid, each with a text below it.
 class ContactSheet {
 public:
-    /// @param tile  size of an image on the sheet, pixels
-    explicit ContactSheet(const QSize &tile) : m_tile(tile) {}
+    /// @param images  size of the images; each tile has their proportions
+    /// @param most    most size of a tile on the sheet, pixels
+    ContactSheet(const QSize &images, const QSize &most) : m_tile(images.scaled(most, Qt::KeepAspectRatio)) {}
 
     void add(const QImage &picture, const QString &text);
     /// Adds a reason in place of an image.

@@ -206,6 +206,14 @@ void MainWindow::notice(const QString &text)
     statusBar()->showMessage(text, kMilliseconds);
 }
 
+ScanList &MainWindow::scans()
+{
+    const auto found =
+        std::find_if(m_features.begin(), m_features.end(), [](Feature *feature) { return feature->scans(); });
+    Q_ASSERT(found != m_features.end());
+    return *(*found)->scans();
+}
+
 QString MainWindow::message() const
 {
     return m_message->isHidden() ? QString() : m_message->text();

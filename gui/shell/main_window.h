@@ -13,6 +13,7 @@ class Feature;
 class LoadingBar;
 class MessageBar;
 class RecoveryBar;
+class ScanList;
 class Translation;
 class WindowMenus;
 class WindowQuestions;
@@ -56,6 +57,8 @@ public:
     void setViewSize(const QSize &size);
     /// The menu of panels, for a right click on the tool bar or on a panel's title.
     QMenu *createPopupMenu() override;
+    /// The series of scans of the feature that has one.
+    ScanList &scans();
     /// The shown message, or empty.
     QString message() const;
 

@@ -77,6 +77,7 @@ SceneCodeWindow::SceneCodeWindow(const SceneDocument &document, const Session &s
     connect(m_dialects, &SegmentedSwitch::chosen, this, [this] {
         refresh();
         m_text->verticalScrollBar()->setValue(0);
+        emit dialectChosen(dialect());
     });
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
         if (isVisible() && changes & (kVisibleChanges | Change::Names))

@@ -28,6 +28,10 @@ public:
     /// @return the error in words; empty on success
     QString exportTo(const std::filesystem::path &file);
 
+signals:
+    /// Emitted when the user chooses a dialect.
+    void dialectChosen(unprojector::scene_code::CodeDialect dialect);
+
 protected:
     void showEvent(QShowEvent *event) override;
 

@@ -1,15 +1,17 @@
 #include "gui/shell/series_pictures.h"
 
 #include "core/files/replace_file.h"
+#include "core/geometry/camera_motion.h"
+#include "gui/document/camera_looks.h"
 #include "gui/document/overwriting.h"
 #include "gui/document/picks.h"
 #include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
-#include "gui/landmarks/scan_series.h"
 #include "gui/text/error_text.h"
 #include "gui/text/print.h"
 #include "gui/view/scene_picture.h"
 #include "gui/view/scene_view.h"
+#include "gui/window/scan_list.h"
 
 #include <QBuffer>
 #include <QPixmap>
@@ -22,13 +24,14 @@
 namespace unprojector::gui {
 namespace {
 
-constexpr QSize kTile(320, 240);
+constexpr QSize kMostTile(320, 240);
 const QString kSheet = QStringLiteral("contact-sheet.png");
 
 } // namespace
 
 SeriesPictures::SeriesPictures(StartOptions options)
-    : m_options(std::move(options)), m_folder(m_options.pictures->toStdU16String()), m_sheet(kTile)
+    : m_options(std::move(options)), m_folder(m_options.pictures->toStdU16String()),
+      m_sheet(*m_options.windowSize, kMostTile)
 {
 }
 
@@ -52,12 +55,9 @@ void SeriesPictures::start()
     m_window->workspaces().hidePanels(true);
     m_window->show();
     static_cast<void>(m_window->grab()); // starts OpenGL
-    m_series = m_window->findChild<ScanSeries *>();
-    m_series->setReadOnly();
     QString problem;
-    connect(m_series, &ScanSeries::failed, this, [&problem](const QString &reason) { problem = reason; });
-    const bool isOpen = m_series->open(std::filesystem::path(m_options.series->toStdU16String()));
-    m_series->disconnect(this);
+    const bool isOpen =
+        m_window->scans().openReadOnly(std::filesystem::path(m_options.series->toStdU16String()), problem);
     m_window->session().cancelLoading(); // the images begin with the first scan
     if (!isOpen) {
         fail(problem);
@@ -80,8 +80,8 @@ void SeriesPictures::fail(const QString &reason)
 
 void SeriesPictures::showNext()
 {
-    if (m_next < m_series->scans().size())
-        m_series->show(m_next);
+    if (m_next < m_window->scans().count())
+        m_window->scans().show(m_next);
     else
         finish();
 }
@@ -90,16 +90,17 @@ void SeriesPictures::take()
 {
     if (m_hasEnded || m_window->session().isLoading())
         return;
-    const Scan &scan = m_series->scans()[m_next];
-    const QString name = pathText(scan.file.filename());
+    const auto &[name, problem, progress] = m_window->scans().report(m_next);
     ++m_next;
-    QString text;
-    if (!scan.problem.isEmpty()) {
+    QString text = problem.isEmpty() ? progress : problem;
+    if (!problem.isEmpty()) {
         ++m_bad;
-        text = scan.problem;
-        m_sheet.addProblem(scan.problem, name);
+        m_sheet.addProblem(problem, name);
     } else {
         SceneDocument &document = m_window->document();
+        if (m_options.side)
+            fitAllFrom(document, geometry::seenFrom(*document.scene().camera, *m_options.side),
+                       *document.scene().projection);
         document.picks().rayCasters().complete(document.objects()); // tells which landmarks are visible
         document.curves().complete();
         PictureMarks marks;
@@ -114,14 +115,13 @@ void SeriesPictures::take()
                          : errorText(picture.error()));
             return;
         }
-        if (const QString problem = write(*picture, name + QStringLiteral(".png")); !problem.isEmpty()) {
-            fail(problem);
+        if (const QString reason = write(*picture, name + QStringLiteral(".png")); !reason.isEmpty()) {
+            fail(reason);
             return;
         }
-        text = m_series->progressText(scan);
         m_sheet.add(*picture, name + QStringLiteral("  ") + text);
     }
-    printMessage(tr("%1 of %2: %3: %4").arg(m_next).arg(m_series->scans().size()).arg(name, text));
+    printMessage(tr("%1 of %2: %3: %4").arg(m_next).arg(m_window->scans().count()).arg(name, text));
     QTimer::singleShot(0, this, &SeriesPictures::showNext);
 }
 
@@ -147,7 +147,7 @@ void SeriesPictures::finish()
     }
     m_hasEnded = true;
     printMessage(tr("Images of %1 scans and %2 written to %3. Scans that could not be read: %4.")
-                     .arg(static_cast<int>(m_series->scans().size()) - m_bad)
+                     .arg(static_cast<int>(m_window->scans().count()) - m_bad)
                      .arg(kSheet, *m_options.pictures)
                      .arg(m_bad));
     emit ended(m_bad > 0 ? 1 : 0);

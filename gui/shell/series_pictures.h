@@ -13,8 +13,6 @@
 
 namespace unprojector::gui {
 
-class ScanSeries;
-
 /// Runs the program without a user: writes an image of each scan of a series with its landmarks,
 /// and a contact sheet of all scans for checking. Changes no file of the series.
 class SeriesPictures : public QObject {
@@ -44,7 +42,6 @@ private:
     StartOptions m_options;
     std::filesystem::path m_folder; ///< of the images
     std::unique_ptr<MainWindow> m_window;
-    ScanSeries *m_series = nullptr;
     ContactSheet m_sheet;
     std::size_t m_next = 0; ///< index of the scan to show next
     int m_bad = 0;          ///< number of scans that could not be read

@@ -3,6 +3,9 @@
 #include <QCommandLineParser>
 #include <QCoreApplication>
 
+#include <algorithm>
+#include <array>
+
 namespace unprojector::gui {
 namespace {
 
@@ -16,6 +19,16 @@ std::optional<QSize> parsedSize(QString text)
     const QSize size = parts.size() == 2 ? QSize(parts[0].toInt(&isWidth), parts[1].toInt(&isHeight)) : QSize();
     const bool isSensible = isWidth && isHeight && size == size.expandedTo(kLeastSize).boundedTo(kMostSize);
     return isSensible ? std::optional(size) : std::nullopt;
+}
+
+/// The words for the sides in --view, in the order of StandardView.
+constexpr std::array kSides{"front", "back", "right", "left", "top", "bottom"};
+
+std::optional<geometry::StandardView> sideOf(const QString &word)
+{
+    const auto side = std::find(kSides.begin(), kSides.end(), word);
+    return side != kSides.end() ? std::optional(static_cast<geometry::StandardView>(side - kSides.begin()))
+                                : std::nullopt;
 }
 
 /// "412,300" or "412.5,300.25"
@@ -73,6 +86,10 @@ OptionReader::OptionReader()
          tr("With --series: write an image of each scan with its landmarks, and contact-sheet.png with all of them, to "
             "this folder, and quit."),
          "OUT"},
+        {"view",
+         tr("With --screenshots: the side that the images show: front, back, right, left, top or bottom. Default: the "
+            "view in which the series opens."),
+         "SIDE"},
         {"size", tr("Size of the window in logical pixels (default 1280x800); with --screenshots, of each image."),
          "WxH", "1280x800"},
         {"view-size",
@@ -132,6 +149,13 @@ geometry::Result<StartOptions, QString> OptionReader::read(const QStringList &wo
         mistake(tr("Give --series alone, without --lesson and without files to open."));
     if (m_options.pictures && !m_options.series)
         mistake(tr("--screenshots works together with --series FOLDER."));
+    if (m_parser.isSet("view")) {
+        m_options.side = sideOf(m_parser.value("view"));
+        if (!m_options.side)
+            mistake(tr("--view is %1; give front, back, right, left, top or bottom.").arg(m_parser.value("view")));
+        if (!m_options.pictures)
+            mistake(tr("--view works together with --screenshots OUT."));
+    }
     if (m_options.picture && m_options.series)
         mistake(tr("--screenshot writes one image. For a series, give --screenshots OUT."));
     if (!m_mistake.isEmpty())

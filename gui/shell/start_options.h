@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/camera_motion.h"
 #include "core/geometry/result.h"
 #include "core/geometry/spaces.h"
 #include "core/lessons/link.h"
@@ -18,12 +19,13 @@ namespace unprojector::gui {
 
 /// The start options from the command line.
 struct StartOptions {
-    QString textToPrint;             ///< the help or the version, to print instead of a start; else empty
-    std::optional<QString> picture;  ///< the file that a screenshot run writes; nothing: a window for a user
-    std::optional<QString> series;   ///< the folder of a series of scans
-    std::optional<QString> pictures; ///< the folder for an image of each scan of the series
-    std::optional<QSize> windowSize; ///< logical pixels; a screenshot run always has one
-    std::optional<QSize> viewSize;   ///< logical pixels; overrides windowSize
+    QString textToPrint;                        ///< the help or the version, to print instead of a start; else empty
+    std::optional<QString> picture;             ///< the file that a screenshot run writes; nothing: a window for a user
+    std::optional<QString> series;              ///< the folder of a series of scans
+    std::optional<QString> pictures;            ///< the folder for an image of each scan of the series
+    std::optional<geometry::StandardView> side; ///< that these images show; nothing: as the series opens
+    std::optional<QSize> windowSize;            ///< logical pixels; a screenshot run always has one
+    std::optional<QSize> viewSize;              ///< logical pixels; overrides windowSize
     std::optional<lessons::Workspace> workspace;
     bool hasPanels = true;
     std::optional<Appearance> appearance;

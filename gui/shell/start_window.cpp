@@ -2,11 +2,11 @@
 
 #include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
-#include "gui/landmarks/scan_series.h"
 #include "gui/lessons/lesson_player.h"
 #include "gui/shell/main_window.h"
 #include "gui/shell/start_options.h"
 #include "gui/view/scene_view.h"
+#include "gui/window/scan_list.h"
 
 #include <QAction>
 #include <QApplication>
@@ -73,7 +73,7 @@ QString startWindow(MainWindow &window, const StartOptions &options)
     if (!options.hasPanels)
         window.workspaces().hidePanels(true);
     if (options.series) {
-        if (window.findChild<ScanSeries *>()->open(std::filesystem::path(options.series->toStdU16String())))
+        if (window.scans().open(std::filesystem::path(options.series->toStdU16String())))
             window.workspaces().show(Panel::Series);
     } else if (options.files.empty())
         window.session().openBundledScene();

@@ -323,8 +323,15 @@ void WindowMenus::addHelpMenu()
 void WindowMenus::showCode()
 {
     m_window.session().commitTyped();
-    if (!m_code)
+    if (!m_code) {
         m_code = new SceneCodeWindow(m_window.document(), m_window.session(), &m_window);
+        if (m_window.remembers()) {
+            const QString key = QStringLiteral("sceneCode/dialect");
+            m_code->setDialect(static_cast<scene_code::CodeDialect>(QSettings().value(key, 0).toInt()));
+            connect(m_code, &SceneCodeWindow::dialectChosen, this,
+                    [key](scene_code::CodeDialect dialect) { QSettings().setValue(key, static_cast<int>(dialect)); });
+        }
+    }
     m_code->show();
     m_code->raise();
     m_code->activateWindow();

@@ -22,12 +22,12 @@ struct DoctorText {
 /// The mistake, and others that cannot be distinguished from it.
 QString mistakesText(const Diagnosis &diagnosis)
 {
-    QString text = QString::fromStdString(mistakeSentence(diagnosis.verdict));
+    QString text = QString::fromStdString(candidateSentence(diagnosis.candidates.front()));
     for (const Candidate &alike : diagnosis.alike())
         text +=
             u'\n'
             + DoctorText::tr("Or: %1 %2", "another mistake that explains the point; why they are not told apart")
-                  .arg(QString::fromStdString(mistakeSentence(alike.id)), QString::fromStdString(alikeSentence(alike)));
+                  .arg(QString::fromStdString(candidateSentence(alike)), QString::fromStdString(alikeSentence(alike)));
     return text;
 }
 
@@ -41,6 +41,19 @@ QString verdictText(const Diagnosis &diagnosis)
     const bool isOpen =
         diagnosis.verdict == "unknown" || (diagnosis.verdict == "right" && diagnosis.depthKnown == DepthKnown::ByRay);
     return isOpen ? joinSentences({sentence(doctor::verdictName(diagnosis)), said}) : said;
+}
+
+std::vector<Candidate> openExplanations(const Diagnosis &diagnosis)
+{
+    constexpr std::size_t kMost = 4;
+    std::vector<Candidate> open;
+    if (diagnosis.verdict != "unknown")
+        return open;
+    for (const Candidate &candidate : diagnosis.candidates) {
+        if (candidate.explains && open.size() < kMost)
+            open.push_back(candidate);
+    }
+    return open;
 }
 
 QString coordinateText(double value, double lastDigit)

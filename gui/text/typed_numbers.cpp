@@ -1,11 +1,22 @@
 #include "gui/text/typed_numbers.h"
 
+#include "core/doctor/written_points.h"
 #include "core/text/expression.h"
 
+#include <QCoreApplication>
 #include <QRegularExpression>
 #include <QStringList>
 
+#include <cmath>
+
 namespace unprojector::gui {
+namespace {
+
+struct TypedNumbers {
+    Q_DECLARE_TR_FUNCTIONS(unprojector::gui::TypedNumbers)
+};
+
+} // namespace
 
 std::optional<std::vector<double>> typedNumbers(const QString &text, std::size_t count)
 {
@@ -35,6 +46,26 @@ std::optional<std::vector<double>> typedNumbers(const QString &text, std::size_t
         return std::nullopt;
     values.pop_back();
     return values;
+}
+
+std::optional<geometry::Surface> typedSize(QString text)
+{
+    for (const char16_t sign : {u'x', u'X', u'×', u'*'})
+        text.replace(QChar(sign), QChar(u' '));
+    const auto numbers = doctor::writtenNumbers(text.toStdString(), 2);
+    constexpr double kMost = 1e6;
+    if (!numbers)
+        return std::nullopt;
+    for (const doctor::WrittenNumber &number : *numbers) {
+        if (!(number.value >= 1.0 && number.value <= kMost) || std::floor(number.value) != number.value)
+            return std::nullopt;
+    }
+    return geometry::Surface{static_cast<int>((*numbers)[0].value), static_cast<int>((*numbers)[1].value), 1.0};
+}
+
+QString sizeFaultText(const QString &text)
+{
+    return TypedNumbers::tr("“%1” is not a size: type width and height in whole pixels, such as 1000 x 700.").arg(text);
 }
 
 } // namespace unprojector::gui

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/geometry/viewport.h"
+
 #include <QString>
 
 #include <optional>
@@ -13,5 +15,10 @@ namespace unprojector::gui {
 /// @return nothing for any other text, such as one number or "1 / 3"
 /// @pre count >= 3
 std::optional<std::vector<double>> typedNumbers(const QString &text, std::size_t count);
+
+/// Parses the size of a window or of a picture in whole device pixels: "1000 x 700".
+std::optional<geometry::Surface> typedSize(QString text);
+/// The sentence that a text is no such size.
+QString sizeFaultText(const QString &text);
 
 } // namespace unprojector::gui

@@ -22,6 +22,7 @@ QString nameOf(FileKind kind)
     case FileKind::Image: return QStringLiteral("image");
     case FileKind::Code: return QStringLiteral("code");
     case FileKind::Map: return QStringLiteral("map");
+    case FileKind::Camera: return QStringLiteral("camera");
     }
     return {};
 }

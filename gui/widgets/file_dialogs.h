@@ -14,7 +14,7 @@ namespace unprojector::gui {
 // one start of the program to the next.
 
 /// The kinds of files that are usually kept in different folders.
-enum class FileKind { Model, Scene, Landmarks, Template, Series, Table, Image, Code, Map };
+enum class FileKind { Model, Scene, Landmarks, Template, Series, Table, Image, Code, Map, Camera };
 
 /// The folder in which a dialog starts; empty: the system decides.
 QString startFolder(const QWidget &parent, FileKind kind);

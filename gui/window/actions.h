@@ -18,6 +18,9 @@ namespace unprojector::gui {
 /// The name of the action that asks for the view's size: panels that show the size link to it.
 inline constexpr QLatin1String kViewSizeAction("viewSize");
 
+/// The name of the action that pastes another program's camera.
+inline constexpr QLatin1String kPasteCameraAction("pasteCamera");
+
 /// Triggers the action of this name, in any menu.
 void trigger(const QObject &window, QLatin1String name);
 

@@ -15,6 +15,7 @@ class QToolBar;
 
 namespace unprojector::gui {
 
+class ScanList;
 class ViewTool;
 
 /// The menus that features add to.
@@ -35,6 +36,8 @@ public:
     virtual void addActions(MenuKind, QMenu &, QToolBar &) {}
     /// The feature's tool in the view, or null.
     virtual ViewTool *tool() { return nullptr; }
+    /// The feature's series of scans, or null.
+    virtual ScanList *scans() { return nullptr; }
     /// Follows a link of a lesson.
     /// @return false if the link belongs to another feature
     virtual bool follow(const lessons::Link &) { return false; }

@@ -77,6 +77,7 @@ int main(int count, char **words)
     report("two mistakes", pairs);
     report("a wrong value, one point", value_bar::tested(random, scenes, 1));
     report("a wrong value, three points", value_bar::tested(random, scenes, 3));
+    report("a wrong value, four points", value_bar::tested(random, scenes, 4));
     std::printf("triples of random points explained: %d of %d\n", value_bar::garbageExplained(random, scenes), scenes);
     std::printf("right points not called right: %d of %d\n", rightsMissed(random, scenes), scenes);
     std::printf("random points explained: %d of %d\n", garbageExplained(random, garbage), garbage);

@@ -14,6 +14,7 @@
 #include "gui/landmarks/landmark_tool.h"
 #include "gui/shell/main_window.h"
 #include "gui/view/scene_view.h"
+#include "tests/support/hills.h"
 
 #include <benchmark/benchmark.h>
 
@@ -36,7 +37,6 @@ namespace {
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace unprojector::geometry;
-using namespace unprojector::mesh;
 using landmarks::Landmark;
 
 /// @return whether it came true within two minutes
@@ -47,30 +47,6 @@ bool waitFor(const std::function<bool()> &isTrue)
     while (!isTrue() && clock.elapsed() < 120'000)
         QApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents, 10);
     return isTrue();
-}
-
-/// Hills, of 708 x 708 squares.
-std::shared_ptr<const Model> hills()
-{
-    constexpr std::uint32_t kSide = 708;
-    auto model = std::make_shared<Model>();
-    Mesh mesh;
-    for (std::uint32_t j = 0; j <= kSide; ++j) {
-        for (std::uint32_t i = 0; i <= kSide; ++i) {
-            const float x = 4.0f * float(i) / kSide - 2.0f, y = 4.0f * float(j) / kSide - 2.0f;
-            mesh.positions.emplace_back(x, y, 0.3f * std::sin(5.0f * x) * std::cos(4.0f * y));
-        }
-    }
-    for (std::uint32_t j = 0; j < kSide; ++j) {
-        for (std::uint32_t i = 0; i < kSide; ++i) {
-            const std::uint32_t a = j * (kSide + 1) + i, b = a + 1, c = a + kSide + 1, d = c + 1;
-            for (const std::uint32_t corner : {a, b, c, c, b, d})
-                mesh.indices.push_back(corner);
-        }
-    }
-    model->meshes.push_back(std::move(mesh));
-    model->bounds = boundsOf(model->meshes);
-    return model;
 }
 
 /// A window that shows the hills with named landmarks; null if it cannot be shown.

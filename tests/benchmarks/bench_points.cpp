@@ -9,6 +9,7 @@
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"
 #include "gui/landmarks/landmark_marks.h"
+#include "tests/support/hills.h"
 
 #include <benchmark/benchmark.h>
 
@@ -26,35 +27,10 @@ namespace {
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace unprojector::geometry;
-using namespace unprojector::mesh;
 using landmarks::Landmark;
 
 constexpr int kWidth = 1280, kHeight = 800;
 constexpr std::size_t kPoints = 500;
-
-/// Hills, of 708 x 708 squares.
-std::shared_ptr<const Model> hills()
-{
-    constexpr std::uint32_t kSide = 708;
-    auto model = std::make_shared<Model>();
-    Mesh mesh;
-    for (std::uint32_t j = 0; j <= kSide; ++j) {
-        for (std::uint32_t i = 0; i <= kSide; ++i) {
-            const float x = 4.0f * float(i) / kSide - 2.0f, y = 4.0f * float(j) / kSide - 2.0f;
-            mesh.positions.emplace_back(x, y, 0.3f * std::sin(5.0f * x) * std::cos(4.0f * y));
-        }
-    }
-    for (std::uint32_t j = 0; j < kSide; ++j) {
-        for (std::uint32_t i = 0; i < kSide; ++i) {
-            const std::uint32_t a = j * (kSide + 1) + i, b = a + 1, c = a + kSide + 1, d = c + 1;
-            for (const std::uint32_t corner : {a, b, c, c, b, d})
-                mesh.indices.push_back(corner);
-        }
-    }
-    model->meshes.push_back(std::move(mesh));
-    model->bounds = boundsOf(model->meshes);
-    return model;
-}
 
 /// The hills with their points, made once.
 SceneDocument &document()

@@ -52,6 +52,9 @@ void TestCommandLine::helpHasExamplesThatWork()
     m_folder.write("depth.pfm", "Pf\n800 600\n-1\n" + QByteArray(qsizetype(800) * 600 * 4, '\0'));
     m_folder.write("depth.raw", QByteArray(qsizetype(1920) * 1080 * 4, '\0'));
     m_folder.write("matrices.txt", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1  1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0  0 0 400 300");
+    m_folder.write("camera.yml", "%YAML:1.0\n---\nimage_width: 640\nimage_height: 480\nK: !!opencv-matrix\n   rows: 3\n"
+                                 "   cols: 3\n   dt: d\n   data: [ 800., 0., 319.5, 0., 800., 239.5, 0., 0., 1. ]\n"
+                                 "rvec: [ 0., 0., 0. ]\ntvec: [ 0., 0., 5. ]\n");
     m_folder.write("wrong.csv", "px,py,depth,x,y,z\n400,300,0.5,0.1,0.2,3.4\n");
     m_folder.write("scan.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                                "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"

@@ -11,6 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <string_view>
 
 using namespace unprojector;
 using namespace unprojector::cameras;
@@ -98,6 +101,7 @@ private slots:
     void imagesAreChosen();
     void colmapsModelsAreRead();
     void namesAndValuesAreFound();
+    void damagedTextsAreAnswered();
 };
 
 void TestCameraReaders::pixelsAreTheProgramsOwn_data()
@@ -124,7 +128,7 @@ void TestCameraReaders::pixelsAreTheProgramsOwn()
                           std::abs(pixel.y - point.pixel[1] - example.corner)});
     }
     worst /= std::max(scene->size.width, scene->size.height);
-    qInfo("off by %g of the picture", worst);
+    qInfo("off by %g of the image", worst);
     QVERIFY2(worst <= example.tolerance, qPrintable(QString::number(worst)));
 }
 
@@ -197,7 +201,7 @@ void TestCameraReaders::assumptionsAreSaid_data()
     QTest::addColumn<QString>("program");
     QTest::addColumn<QString>("said");
     QTest::newRow("NeRF's centre") << "NeRF, made with Blender"
-                                   << "in the picture's centre, because cx and cy";
+                                   << "in the image's centre, because cx and cy";
     QTest::newRow("NeRF's halves") << "NeRF"
                                    << "Pixel centres are read at halves";
     QTest::newRow("what Instant-NGP adds") << "NeRF"
@@ -298,6 +302,35 @@ void TestCameraReaders::namesAndValuesAreFound()
     QVERIFY(!values.has({"fov"}));
     QCOMPARE(values.numbers({"pose"}, 4), (std::vector<double>{1, 2, 3, 4}));
     QCOMPARE(values.find({"lens"})->line, std::size_t(8));
+}
+
+/// Parts of the texts are cut out, doubled, or replaced. Any answer is right, but there must be one.
+void TestCameraReaders::damagedTextsAreAnswered()
+{
+    std::uint32_t state = 1;
+    const auto random = [&state](std::size_t below) {
+        state = state * 1664525U + 1013904223U;
+        return std::size_t(state >> 8U) % std::max<std::size_t>(below, 1);
+    };
+    int read = 0, refused = 0;
+    for (int round = 0; round < 100; ++round) {
+        for (const CameraExample &example : kExamples) {
+            std::vector<NamedText> texts = textsOf(example);
+            std::string &text = texts[random(texts.size())].text;
+            const std::size_t at = random(text.size()), length = random(20);
+            constexpr std::string_view kParts[] = {"", "nan", "1e999", "[", "]]]", "\"", "-", "0 0 0", "\n", "{}"};
+            if (round % 3 == 0)
+                text.insert(at, text.substr(at, length));
+            else
+                text.replace(at, length, kParts[random(std::size(kParts))]);
+            const auto camera = readCamera(texts, choicesOf(example));
+            if (camera && *camera)
+                ++(sceneCamera(**camera, choicesOf(example), std::nullopt) ? read : refused);
+            else
+                ++refused;
+        }
+    }
+    QVERIFY(read > 100 && refused > 100);
 }
 
 QTEST_GUILESS_MAIN(TestCameraReaders)

@@ -28,6 +28,7 @@ class TestDoctorValues : public QObject {
 private slots:
     void onePointFindsTheValueAmongThree();
     void threePointsNameTheValue();
+    void fourPointsTellAMirroredFrame();
     void randomPointsAreNotExplained();
 };
 
@@ -58,6 +59,15 @@ void TestDoctorValues::threePointsNameTheValue()
     }
     QVERIFY(asked >= 120);
     QVERIFY2(named >= 0.97 * asked, missedIn(tally));
+}
+
+void TestDoctorValues::fourPointsTellAMirroredFrame()
+{
+    Random random(24);
+    const Tally tally = tested(random, 15, 4);
+    const Count &frames = tally.ofId.at("frame-differs");
+    QVERIFY(frames.asked >= 10);
+    QVERIFY2(frames.verdicts >= frames.asked - 1, missedIn(tally));
 }
 
 void TestDoctorValues::randomPointsAreNotExplained()

@@ -56,6 +56,8 @@ class TestLandmarkMeasures : public QObject {
 
 private slots:
     void values();
+    void valuesOfAnySize_data();
+    void valuesOfAnySize();
     void errorsAreTheWorstThatCanBe_data();
     void errorsAreTheWorstThatCanBe();
     void noErrorIsLargerThanItsBound_data();
@@ -80,6 +82,30 @@ void TestLandmarkMeasures::values()
     QCOMPARE(angleAt(at(0, 0, 0), at(1, 0, 0), at(1, 1e-9, 0)).value().value, 1e-9); // acos of the cosine would say 0
     QCOMPARE(heightOver(at(0, 0, 1), at(4, 0, 1), at(0, 5, 1), at(9, 9, 3)).value().value, 2.0);
     QCOMPARE(heightOver(at(0, 0, 1), at(0, 5, 1), at(4, 0, 1), at(9, 9, 3)).value().value, -2.0);
+}
+
+void TestLandmarkMeasures::valuesOfAnySize_data()
+{
+    QTest::addColumn<double>("scale");
+    for (const double scale : {1e-200, 1.0, 1e155, 1e200, 1e305})
+        QTest::addRow("%g", scale) << scale;
+}
+
+/// Squares of these coordinates overflow or vanish.
+void TestLandmarkMeasures::valuesOfAnySize()
+{
+    QFETCH(double, scale);
+    const auto point = [scale](double x, double y, double z) { return at(x * scale, y * scale, z * scale, scale); };
+    const Landmark a = point(0, 0, 0), b = point(300, 0, 0), c = point(0, 400, 0), over = point(10, 20, 50);
+    const auto isNear = [](double value, double expected) { return std::abs(value - expected) < 1e-14 * expected; };
+    const Measured distance = distanceOf(b, c), angle = angleAt(b, a, c), height = heightOver(a, b, c, over);
+    QVERIFY(distance && angle && height);
+    QVERIFY2(isNear(distance->value / scale, 500.0) && isNear(*distance->error / scale, 2.0 * (0.6 + 0.8)),
+             qPrintable(QString::number(distance->value)));
+    QVERIFY(isNear(angle->value, std::atan2(4.0, 3.0)));
+    QVERIFY(*angle->error > 0.0 && *angle->error < 0.1);
+    QVERIFY(isNear(height->value / scale, 50.0));
+    QVERIFY(isNear(*height->error / scale, 2.0));
 }
 
 void TestLandmarkMeasures::errorsAreTheWorstThatCanBe_data()

@@ -2,6 +2,7 @@
 
 #include "core/landmark_files/landmark_folder.h"
 #include "core/landmark_files/repeats_table.h"
+#include "core/landmarks/name_key.h"
 #include "core/landmarks/point_template.h"
 #include "core/landmarks/repeats.h"
 #include "core/ray/tie_landmark.h"
@@ -65,6 +66,7 @@ private slots:
     void landmarksFillTheirPlacesOfATemplate_data();
     void landmarksFillTheirPlacesOfATemplate();
     void hintsGoByName();
+    void spellingsOfOneName();
     void picturesGoByName();
     void repeatsOfThreePlacings();
     void farFromTheOriginRepeatsAreAsSure();
@@ -156,6 +158,32 @@ void TestLandmarkSets::hintsGoByName()
     QCOMPARE(hintFor("_nasion ", names), std::string_view("between the eyes"));
     QCOMPARE(nameKey(" Broca's  point_"), std::string("broca_s_point"));
     QVERIFY(nameKey("_ ").empty());
+}
+
+/// One rule for files, templates, series and measures.
+void TestLandmarkSets::spellingsOfOneName()
+{
+    for (const auto &[a, b] : {std::pair("Nasion", "nasion "), std::pair("eye left", "Eye_Left"),
+                               std::pair("ÖHR", "öhr"), std::pair("Ÿ Ž", "ÿ_ž"), std::pair("ΩΈΣ", "ωΈσ"),
+                               std::pair("ЁЖ", "ёж"), std::pair("ŁŹ", "łź"), std::pair("Œ", "œ")})
+        QVERIFY2(isSameName(a, b) && isSameName(b, a), a);
+    for (const auto &[a, b] : {std::pair("a b", "ab"), std::pair("#", "_"), std::pair("", "_"), std::pair("é", "e"),
+                               std::pair("×", "÷"), std::pair("左", "右"), std::pair("ı", "İ")})
+        QVERIFY2(!isSameName(a, b) && !isSameName(b, a), a);
+    QVERIFY(isSameName("#", "#"));
+    const std::vector<Landmark> both{named("a_b"), named("A b"), named("#")};
+    QCOMPARE(indexOfName(both, "A b"), std::optional<std::size_t>(1)); // its own spelling comes first
+    QCOMPARE(indexOfName(both, "a b"), std::optional<std::size_t>(0));
+    QCOMPARE(indexOfName(both, "#"), std::optional<std::size_t>(2));
+    QVERIFY(!indexOfName(both, "_"));
+    // Neither stands for the other in a template that has both.
+    const auto count = [](std::vector<Landmark> there, const std::vector<Landmark> &names) {
+        return withTemplate(std::move(there), names).size();
+    };
+    QCOMPARE(count({named("a_b")}, {named("a b"), named("a_b")}), std::size_t(2));
+    QCOMPARE(withTemplate({named("a_b")}, std::vector{named("a b"), named("a_b")})[1].name, std::string("a b"));
+    QCOMPARE(count({named("A_B")}, {named("a b")}), std::size_t(1));
+    QCOMPARE(count({named("A_B")}, {named("a b"), named("a b")}), std::size_t(2));
 }
 
 void TestLandmarkSets::picturesGoByName()

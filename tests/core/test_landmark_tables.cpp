@@ -117,6 +117,8 @@ void TestLandmarkTables::tables_data()
         {"the table has no first line that names its columns; they are read as name,x,y,z"});
     csv("picks of CloudCompare by index, whole numbers", "7,1.000000000000,2.000000000000,3.000000000000\n",
         {"7 1 2 3"}, {"the table has no first line that names its columns; they are read as name,x,y,z"});
+    csv("picks of CloudCompare by index, all numbers whole", "0,1,2,3\n1,4,5,6\n", {"0 1 2 3 | 1 4 5 6"},
+        {"the table has no first line that names its columns; they are read as name,x,y,z"});
     csv("picks with semicolons and decimal commas", "P0;1,5;2,0;-3\nP1;4;5;6\n", {"P0 1.5 2 -3 | P1 4 5 6"},
         {"the table has no first line that names its columns; they are read as name,x,y,z", kCommas});
     csv("coordinates only", "1.5 2 -3\n4 5 6\n", {" 1.5 2 -3 |  4 5 6"},

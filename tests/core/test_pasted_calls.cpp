@@ -174,6 +174,26 @@ void TestPastedCalls::projectionsAreRead_data()
         << ZeroToOne;
     QTest::newRow("QMatrix4x4") << "QMatrix4x4 m;\nm.perspective(45.0f, 800.0f / 600.0f, 0.1f, 100.0f);"
                                 << perspective() << MinusOneToOne;
+    QTest::newRow("D3DX") << "D3DXMatrixPerspectiveFovRH(&p, D3DX_PI / 4, 800.0f / 600.0f, 0.1f, 100.0f);"
+                          << rightHanded << ZeroToOne;
+    QTest::newRow("D3DX, box") << "D3DXMatrixOrthoOffCenterRH(&p, -4, 4, -3, 2, 1, 50)"
+                               << ofRows({0.25, 0, 0, 0, 0, 0.4, 0, 0, 0, 0, -1.0 / 49, 0, 0, 0.2, -1.0 / 49, 1})
+                               << ZeroToOne;
+    QTest::newRow("SharpDX") << "Matrix.PerspectiveFovRH((float)Math.PI / 4, 800f / 600f, 0.1f, 100f)" << rightHanded
+                             << ZeroToOne;
+    QTest::newRow("PyBullet, field of view")
+        << "p.computeProjectionMatrixFOV(fov=45.0, aspect=4 / 3, nearVal=0.1, farVal=100.0)" << perspective()
+        << MinusOneToOne;
+    QTest::newRow("PyBullet, edges") << "p.computeProjectionMatrix(-1, 2, -0.75, 0.5, 2, 50)" << frustum
+                                     << MinusOneToOne;
+    QTest::newRow("Android") << "Matrix.perspectiveM(m, 0, 45f, 800f / 600f, 0.1f, 100f);" << perspective()
+                             << MinusOneToOne;
+    QTest::newRow("Android, frustum") << "Matrix.frustumM(m, 0, -1f, 2f, -0.75f, 0.5f, 2f, 50f);" << frustum
+                                      << MinusOneToOne;
+    QTest::newRow("glam") << "Mat4::perspective_rh(45f32.to_radians(), 4.0 / 3.0, 0.1, 100.0)" << rightHanded
+                          << ZeroToOne;
+    QTest::newRow("glam of OpenGL") << "Mat4::perspective_rh_gl(std::f32::consts::FRAC_PI_4, 4.0 / 3.0, 0.1, 100.0)"
+                                    << perspective() << MinusOneToOne;
     QTest::newRow("gl-matrix") << "mat4.perspective(projection, Math.PI / 4, 800 / 600, 0.1, 100);" << perspective()
                                << MinusOneToOne;
 }
@@ -232,6 +252,19 @@ void TestPastedCalls::viewsAreRead_data()
     QTest::newRow("DirectXMath, a direction")
         << "XMMatrixLookToLH(XMVectorSet(3, 2, 5, 1), XMVectorSet(-3, -1.5f, -5, 0), XMVectorSet(0, 1, 0, 0))"
         << leftHanded;
+    QTest::newRow("D3DX") << "D3DXMatrixLookAtLH(&v, &D3DXVECTOR3(3, 2, 5), &D3DXVECTOR3(0, 0.5f, 0), "
+                             "&D3DXVECTOR3(0, 1, 0));"
+                          << leftHanded;
+    QTest::newRow("SharpDX") << "Matrix.LookAtRH(new Vector3(3, 2, 5), new Vector3(0, 0.5f, 0), Vector3.UnitY)"
+                             << directXLookAt(eye, center, up, false);
+    QTest::newRow("PyBullet") << "v = p.computeViewMatrix(cameraEyePosition=[3, 2, 5], cameraTargetPosition=[0, 0.5, "
+                                 "0], cameraUpVector=[0, 1, 0])"
+                              << view();
+    QTest::newRow("Android") << "Matrix.setLookAtM(view, 0, 3f, 2f, 5f, 0f, 0.5f, 0f, 0f, 1f, 0f);" << view();
+    QTest::newRow("glam") << "Mat4::look_at_rh(Vec3::new(3.0, 2.0, 5.0), vec3(0.0, 0.5, 0.0), vec3(0.0, 1.0, 0.0))"
+                          << view();
+    QTest::newRow("glam, left-handed")
+        << "Mat4::look_to_lh(vec3(3.0, 2.0, 5.0), vec3(-3.0, -1.5, -5.0), vec3(0.0, 1.0, 0.0))" << leftHanded;
     QTest::newRow("gl-matrix") << "mat4.lookAt(out, [3, 2, 5], [0, 0.5, 0], [0, 1, 0])" << view();
     QTest::newRow("vectors of the text") << "glm::vec3 eye = glm::vec3(3, 2, 5);\nglm::vec3 up = {0, 1, 0};\n"
                                             "glm::lookAt(eye, glm::vec3(0, 0.5, 0), up)"

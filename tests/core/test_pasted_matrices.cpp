@@ -203,7 +203,8 @@ void TestPastedMatrices::whatIsNoMatrixIsRefused_data()
     QTest::addColumn<QString>("word");
     QTest::newRow("nothing") << "" << 0 << "";
     QTest::newRow("fifteen") << "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15" << 15 << "";
-    QTest::newRow("decimal commas") << "1,5 2,5 3,5 4,5 5,5 6,5 7,5 8,5 9,5 0,5 1,5 2,5 3,5 4,5 5,5 6,5" << 32 << "";
+    QTest::newRow("commas without blanks, a number with a point")
+        << "1,5,2,5,3,5,4,5,5,5,6,5,7,5,8,5,9.5,0,1,5,2,5,3,5,4,5,5,5,6,5" << 30 << "";
     QTest::newRow("a sign apart") << "1 2\n 3 - 5 6" << 0 << "-";
     QTest::newRow("infinity") << "1 2\n 3 -inf 5" << 0 << "-inf";
     for (const char *word : {"1.#QNAN0", "-1.#IND", "0x10", "1e400", "-1.0d0", "1.2.3"})

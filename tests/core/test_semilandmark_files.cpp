@@ -120,6 +120,8 @@ private slots:
     void anEndElsewhereIsWritten();
     void aHundredSemilandmarksComeBackAsACurve();
     void curvesOfSlicer();
+    void unitsOfSlicer_data();
+    void unitsOfSlicer();
     void curvesThatSlicerSavedAgain();
     void curvesOfOthersStayPoints();
     void theUnitForSlicer();
@@ -333,6 +335,39 @@ void TestSemilandmarkFiles::curvesOfSlicer()
     const auto read = parseLandmarks(text->text, Format::SlicerJson, "x");
     QVERIFY2(read, read ? "" : errorText(read.error()).c_str());
     QVERIFY(read->sets == sets);
+}
+
+void TestSemilandmarkFiles::unitsOfSlicer_data()
+{
+    QTest::addColumn<QByteArray>("value");
+    QTest::addColumn<QString>("unit");
+    QTest::newRow("a word") << QByteArray(R"("mm")") << "mm";
+    QTest::newRow("a word an axis") << QByteArray(R"(["cm", "cm", "cm"])") << "cm";
+    QTest::newRow("a code and its meaning") << QByteArray(R"(["mm", "UCUM", "millimeter"])") << "mm";
+    QTest::newRow("a code as an object") << QByteArray(
+        R"({"CodeValue": "um", "CodingSchemeDesignator": "UCUM", "CodeMeaning": "micrometer"})")
+                                         << "um";
+    QTest::newRow("several units") << QByteArray(R"(["mm", "mm", "cm"])") << "";
+    QTest::newRow("another scheme") << QByteArray(R"(["258669008", "SCT", "meter"])") << "";
+    QTest::newRow("a number") << QByteArray("5") << "";
+}
+
+void TestSemilandmarkFiles::unitsOfSlicer()
+{
+    QFETCH(QByteArray, value);
+    QFETCH(QString, unit);
+    const auto read = parseLandmarks((R"({"markups": [{"type": "Fiducial", "coordinateUnits": )" + value
+                                      + R"(, "controlPoints": [{"label": "a", "position": [1, 2, 3]}]}]})")
+                                         .toStdString(),
+                                     Format::SlicerJson, "x");
+    QVERIFY2(read, read ? "" : errorText(read.error()).c_str());
+    QCOMPARE(QString::fromStdString(read->sets.front().unit), unit);
+    // What is not understood is written again as it was.
+    const auto text = landmarksText(read->sets, Format::SlicerJson);
+    QVERIFY(text);
+    const QJsonValue written =
+        QJsonDocument::fromJson(QByteArray::fromStdString(text->text)).object()["markups"][0]["coordinateUnits"];
+    QCOMPARE(written, unit.isEmpty() ? QJsonDocument::fromJson("[" + value + "]")[0] : QJsonValue(unit));
 }
 
 /// 3D Slicer saves each list to a file of its own, without the names of curves and unknown keys.

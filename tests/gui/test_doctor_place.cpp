@@ -1,7 +1,7 @@
 // The workspace Doctor in use: a click, another program's point for it, and the answer.
 
+#include "doctor_desk.h"
 #include "job_faults.h"
-#include "window_user.h"
 
 #include "core/doctor/diagnosis.h"
 #include "core/doctor/mistake_texts.h"
@@ -10,131 +10,29 @@
 #include "gui/doctor/code_changes_view.h"
 #include "gui/doctor/diagnoser.h"
 #include "gui/doctor/diagnosis_view.h"
-#include "gui/doctor/doctor_panel.h"
 #include "gui/doctor/wrong_points_form.h"
 #include "gui/document/camera_looks.h"
-#include "gui/document/picks.h"
 #include "gui/outside/observer_panel.h"
 #include "gui/outside/observer_view.h"
 #include "gui/text/doctor_text.h"
 #include "gui/widgets/segmented_switch.h"
 #include "tests/support/patience.h"
 
-#include <QApplication>
-#include <QClipboard>
 #include <QComboBox>
-#include <QLabel>
-#include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QToolButton>
 
 #include <glm/matrix.hpp>
 
 #include <cmath>
 #include <functional>
 
-using namespace unprojector;
-using namespace unprojector::gui;
-using namespace guitest;
-using namespace unprojector::geometry;
-using namespace unprojector::scene;
-using namespace unprojector::unproject;
+using namespace doctordesk;
 
 namespace {
 
-constexpr QSize kWindow(1280, 800);
-
 using Happening = std::function<void(MainWindow &)>;
-
-/// The window at the place, with a cube before it.
-std::unique_ptr<MainWindow> doctorWindow()
-{
-    auto window = shownWindow(false, kWindow, true);
-    openObjects(window->document(), cubeScene(),
-                {WorldPoint(kCubeCenter + glm::dvec3(1.9, 2.3, 7.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
-    window->workspaces().enter(Workspace::Doctor);
-    settle();
-    return window;
-}
-
-DoctorPanel &panelOf(MainWindow &window)
-{
-    return *window.findChild<DoctorPanel *>();
-}
-
-QList<QLineEdit *> fieldsOf(MainWindow &window, const QString &name)
-{
-    QList<QLineEdit *> fields;
-    for (QLineEdit *field : panelOf(window).findChildren<QLineEdit *>()) {
-        if (field->accessibleName() == name && !field->isHidden())
-            fields << field;
-    }
-    return fields;
-}
-
-QLineEdit *gotOf(MainWindow &window, int row = 0)
-{
-    return fieldsOf(window, QStringLiteral("Your program's coordinate")).value(row);
-}
-
-void type(QLineEdit *field, const QString &text)
-{
-    field->setFocus();
-    field->clear();
-    QApplication::clipboard()->setText(text); // keys make no U+2212
-    QTest::keySequence(field, QKeySequence::Paste);
-    QTest::keyClick(field, Qt::Key_Return);
-}
-
-QLabel *labelOf(MainWindow &window, const QString &name)
-{
-    for (QLabel *label : panelOf(window).findChildren<QLabel *>()) {
-        if (label->accessibleName() == name)
-            return label;
-    }
-    return nullptr;
-}
-
-QString verdictOf(MainWindow &window)
-{
-    return labelOf(window, QStringLiteral("Verdict"))->text();
-}
-
-void typeOwnWindow(MainWindow &window, const QString &size)
-{
-    for (QToolButton *button : panelOf(window).findChildren<QToolButton *>()) {
-        if (button->text() == QStringLiteral("More about your program"))
-            button->setChecked(true);
-    }
-    type(fieldsOf(window, QStringLiteral("Its window")).value(0), size);
-}
-
-QString pointText(const glm::dvec3 &point)
-{
-    return QStringLiteral("%1 %2 %3").arg(point.x, 0, 'f', 4).arg(point.y, 0, 'f', 4).arg(point.z, 0, 'f', 4);
-}
-
-/// A program's point for a window position: the product of the matrices inverted as a whole.
-glm::dvec3 unprojected(const MainWindow &window, const glm::dvec3 &at)
-{
-    const Setup &g = const_cast<MainWindow &>(window).document().setup();
-    const glm::dvec4 ndc(2.0 * (at.x - g.viewport.x) / g.viewport.width - 1.0,
-                         2.0 * (at.y - g.viewport.y) / g.viewport.height - 1.0, 2.0 * at.z - 1.0, 1.0);
-    const glm::dvec4 world = glm::inverse(*clipFromWorld(g)) * ndc;
-    return glm::dvec3(world) / world.w;
-}
-
-/// Clicks the cube a little off its middle, and returns the result of a program without the flip of
-/// y.
-glm::dvec3 clickedAndWrong(MainWindow &window, const glm::dvec3 &off = {0.4, 0.6, 1.0})
-{
-    click(window.view(), localOf(window, kCubeCenter + off));
-    const Pick &pick = *window.document().picks().pick();
-    const double height = window.document().setup().surface.heightPixels;
-    return unprojected(window, {pick.window.x, height - pick.window.y, pick.window.z});
-}
 
 } // namespace
 
@@ -488,9 +386,12 @@ void TestDoctorPlace::theClickThatTellsIsPicked()
 {
     const auto window = doctorWindow();
     type(gotOf(*window), pointText(clickedAndWrong(*window)));
+    QTRY_VERIFY_WITH_TIMEOUT(panelOf(*window).code().isVisible(), kPatienceMilliseconds);
     QPushButton *there = nullptr;
-    for (QPushButton *button : panelOf(*window).answer().findChildren<QPushButton *>())
-        there = button;
+    for (QPushButton *button : panelOf(*window).answer().findChildren<QPushButton *>()) {
+        if (button->text().remove(u'&').startsWith(QStringLiteral("Click there")))
+            there = button;
+    }
     QTRY_VERIFY_WITH_TIMEOUT(there && there->isVisible(), kPatienceMilliseconds);
     QTest::mouseClick(there, Qt::LeftButton);
     const DevicePixel pixel = window->document().picks().pick()->devicePixel;

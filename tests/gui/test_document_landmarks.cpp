@@ -256,7 +256,17 @@ void TestDocumentLandmarks::anUndonePlacingWaitsAgain()
     QCOMPARE(landmarks.all()[0].world->x, 2.0);
     document.undoStack().undo(); // the last of all
     QVERIFY(landmarks.nextUnplaced() == 1u);
+    QVERIFY(landmarks.selection() == Places{1});
+    document.undoStack().undo(); // the selection goes along with the next one
+    QVERIFY(landmarks.nextUnplaced() == 0u);
+    QVERIFY(landmarks.selection() == Places{0});
+    QVERIFY(landmarks.skip(0));
+    QVERIFY(landmarks.nextUnplaced() == 1u);
+    QVERIFY(landmarks.selection().empty());
+    document.undoStack().undo();
     document.undoStack().redo();
+    document.undoStack().undo();
+    QVERIFY(landmarks.place(pointAt(2)) && landmarks.place(pointAt(3)));
     QVERIFY(!landmarks.nextUnplaced());
     QVERIFY(landmarks.setMissing({0})); // it is not there: nothing to be placed
     QVERIFY(!landmarks.nextUnplaced());

@@ -768,12 +768,36 @@ void TestLandmarksPanel::placingEndsWithTheTemplate()
     place(4.0);
     QCOMPARE(wanted.count(), 3);
     QCOMPARE(lastText(), QStringLiteral("All 5 landmarks are placed."));
+    // It has ended for this scene, not for another one.
+    std::vector<landmarks::Landmark> waiting{point("a", {}), point("b", {})};
+    const auto openOther = [&] {
+        scene::Scene other = m_document->scene();
+        other.landmarks.landmarks = waiting;
+        QVERIFY(m_document->open(std::move(other)));
+        m_document->sceneLandmarks().waitForNext(1); // a change, as the marks of another template
+    };
+    const scene::Scene before = m_document->scene();
+    openOther();
+    QCOMPARE(wanted.count(), 3);
+    guided.continueOnScan(); // the first scan of a series: the placing of a scene does not go on
+    QCOMPARE(wanted.count(), 3);
+    guided.setPlacing(true);
+    place(1.0);
+    place(2.0);
+    QCOMPARE(wanted.count(), 4);
+    openOther();
+    QCOMPARE(wanted.count(), 4);
+    guided.continueOnScan(); // the next scan of that series
+    QCOMPARE(wanted.count(), 5);
+    QVERIFY(wanted.back()[0].toBool());
+    QVERIFY(m_document->open(before));
+    wanted.clear();
     // The user goes on freely: nothing ends any more.
     guided.setPlacing(true);
     place(5.0);
     place(6.0);
     QCOMPARE(names().size(), 7);
-    QCOMPARE(wanted.count(), 3);
+    QCOMPARE(wanted.count(), 0);
     // Without a name to place, the selection is marked.
     m_document->sceneLandmarks().select({5, 6});
     guided.toggleMissing();

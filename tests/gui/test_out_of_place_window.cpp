@@ -48,6 +48,7 @@ private slots:
     void init();
     void theWorstComesFirst();
     void aClickShowsTheLandmark();
+    void oneOfTwoOfANameIsShown();
     void fewScansAreTold();
     void expectedPlacesAreDrawn();
 
@@ -163,6 +164,43 @@ void TestOutOfPlaceWindow::aClickShowsTheLandmark()
     QVERIFY(window->document().sceneLandmarks().moveTo(1, WorldPoint(5.0, 1.0, 0.0)));
     auto *summary = window->findChild<DeviationsView *>()->findChild<QLabel *>();
     QTRY_VERIFY_WITH_TIMEOUT(summary->text().contains(QStringLiteral("off: 0.")), kPatienceMilliseconds);
+}
+
+/// The second landmark of a name is listed with a number, and one without a name by its number.
+void TestOutOfPlaceWindow::oneOfTwoOfANameIsShown()
+{
+    for (int scan = 1; scan <= 5; ++scan) {
+        QStringList rows = landmarksOf(scan);
+        for (const int twin : {5, 7}) {
+            rows[twin].replace(QStringLiteral("mouth right"), QStringLiteral("mouth left"));
+            rows[twin].replace(QStringLiteral("ear right"), QString());
+        }
+        if (scan == 4)
+            rows[5] = QStringLiteral("mouth left,4,3.9,0\n");
+        if (scan == 3)
+            rows[7] = QStringLiteral(",1,6.8,0\n");
+        writeScan(scan, rows);
+    }
+    const std::unique_ptr<MainWindow> window = openedWindow();
+    DeviationsModel *model = list(*window);
+    auto *rows = window->findChild<DeviationsView *>()->findChild<QTreeView *>();
+    QStringList worst;
+    for (int row = 0; row < 2; ++row) {
+        const QString scan = model->index(row, DeviationsModel::Scan).data().toString(),
+                      name = model->index(row, DeviationsModel::Landmark).data().toString();
+        worst << scan + u' ' + name;
+        window->statusBar()->showMessage(QStringLiteral("All landmarks of the other scan are placed."));
+        rows->scrollTo(model->index(row, 0));
+        QTest::mouseClick(rows->viewport(), Qt::LeftButton, {}, rows->visualRect(model->index(row, 0)).center());
+        QTRY_COMPARE_WITH_TIMEOUT(window->document().objects()[0].name, scan.toStdString(), kPatienceMilliseconds);
+        QTRY_COMPARE_WITH_TIMEOUT(window->document().sceneLandmarks().current(),
+                                  std::optional<std::size_t>(scan == QStringLiteral("s4.obj") ? 5 : 7),
+                                  kPatienceMilliseconds);
+        QVERIFY2(!window->statusBar()->currentMessage().startsWith(QStringLiteral("All landmarks")),
+                 "a message about another scan");
+    }
+    worst.sort();
+    QCOMPARE(worst, (QStringList{QStringLiteral("s3.obj 8"), QStringLiteral("s4.obj mouth left (2)")}));
 }
 
 void TestOutOfPlaceWindow::fewScansAreTold()

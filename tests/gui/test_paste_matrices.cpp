@@ -8,7 +8,7 @@
 #include "core/scene_file/scene_file.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/scene_edits.h"
-#include "gui/pipeline/paste_matrices_dialog.h"
+#include "gui/pipeline/paste_camera_dialog.h"
 #include "gui/pipeline/pasted_matrix_box.h"
 #include "gui/pipeline/pipeline_panel.h"
 #include "gui/text/translation.h"
@@ -102,7 +102,7 @@ double difference(const glm::dmat4 &a, const glm::dmat4 &b)
 /// A dialog on the screen, and hands on it.
 struct Pasting {
     SceneDocument document;
-    PasteMatricesDialog dialog{document};
+    PasteCameraDialog dialog{document};
 
     Pasting()
     {
@@ -554,7 +554,7 @@ void TestPasteMatrices::oneStepIsUndone()
     pasting.ok()->click();
     SceneDocument &document = pasting.document;
     QCOMPARE(document.setup().depthRange, (DepthRange{1.0, 0.0}));
-    QCOMPARE(document.undoStack().undoText(), QStringLiteral("Paste Matrices"));
+    QCOMPARE(document.undoStack().undoText(), QStringLiteral("Paste Camera"));
     // The next one is not reversed: the depth range is as it was.
     QVERIFY(editMatrices(document, MatrixProjection{lens(), std::nullopt}, std::nullopt, {"again"}));
     QCOMPARE(document.setup().depthRange, DepthRange{});
@@ -663,7 +663,7 @@ void TestPasteMatrices::pasteInThePipelineOpensTheDialog()
         QTest::keySequence(grid, QKeySequence::Paste);
     }
     QCOMPARE(typedCounts.size(), 1);
-    auto *dialog = panel.findChild<PasteMatricesDialog *>();
+    auto *dialog = panel.findChild<PasteCameraDialog *>();
     QVERIFY(dialog && dialog->isVisible());
     QCOMPARE(dialog->findChildren<PastedMatrixBox *>().at(1)->text(), printed(view(), "Eigen"));
     dialog->accept();

@@ -44,6 +44,7 @@ private slots:
     void filesOfTheSceneAreNotWrittenOver();
     void namesAreNoMarkup();
     void helpOpensItsPage();
+    void theChosenDialectIsRemembered();
 
 private:
     QString shown() const { return m_code->findChild<QPlainTextEdit *>()->toPlainText(); }
@@ -192,6 +193,28 @@ void TestSceneCodeWindow::helpOpensItsPage()
     QVERIFY(manual && manual->isVisible());
     QCOMPARE(manual->currentPage().name, QStringLiteral("conventions"));
     QCOMPARE(manual->contents().currentItem()->text(0), QStringLiteral("A scene as code"));
+}
+
+void TestSceneCodeWindow::theChosenDialectIsRemembered()
+{
+    const auto codeOf = [](MainWindow &window) {
+        actionOf(window, QStringLiteral("Scene as Code…"))->trigger();
+        return window.findChild<SceneCodeWindow *>();
+    };
+    const auto start = [] {
+        MainWindow::Options options;
+        options.remembers = true;
+        return std::make_unique<MainWindow>(options);
+    };
+    redirectSettings();
+    {
+        const auto window = start();
+        SceneCodeWindow *code = codeOf(*window);
+        QCOMPARE(code->dialect(), CodeDialect::Glu);
+        code->setDialect(CodeDialect::NumPy);
+    }
+    const auto next = start();
+    QCOMPARE(codeOf(*next)->dialect(), CodeDialect::NumPy);
 }
 
 QTEST_MAIN(TestSceneCodeWindow)

@@ -17,6 +17,8 @@ private slots:
     void init();
     void eachScanHasItsPicture();
     void aScanThatCannotBeReadIsInTheSheet();
+    void everyTileHasTheImagesProportions();
+    void aSideIsChosen();
     void aMistakeIsToldOnStderr_data();
     void aMistakeIsToldOnStderr();
 
@@ -32,9 +34,8 @@ private:
     Run pictures(const QStringList &more = {}) const
     {
         return run(QStringList{QStringLiteral("--series"), path(QStringLiteral("scans")),
-                               QStringLiteral("--screenshots"), path(QStringLiteral("out")), QStringLiteral("--size"),
-                               QStringLiteral("400x300")}
-                   + more);
+                               QStringLiteral("--screenshots"), path(QStringLiteral("out"))}
+                   + (more.isEmpty() ? QStringList{QStringLiteral("--size"), QStringLiteral("400x300")} : more));
     }
 
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -101,12 +102,57 @@ void TestSeriesPictures::aScanThatCannotBeReadIsInTheSheet()
     QVERIFY2(ink > 50, qPrintable(QString::number(ink)));
 }
 
+void TestSeriesPictures::everyTileHasTheImagesProportions()
+{
+    write(QStringLiteral("scans/b.obj"), "v 1 2\n");
+    const Run result = pictures({QStringLiteral("--size"), QStringLiteral("800x200")});
+    QVERIFY2(result.hasExited && result.exitCode == 1, result.errors.constData());
+    const QImage sheet(path(QStringLiteral("out/contact-sheet.png")));
+    QVERIFY2(sheet.height() < 2 * 120, qPrintable(QString::number(sheet.height()))); // two rows of 320 x 80
+    const QRgb grey = qRgb(240, 240, 240);                                           // of the damaged scan's tile
+    QRect tile;
+    for (int y = 0; y < sheet.height(); ++y) {
+        for (int x = sheet.width() / 2; x < sheet.width(); ++x) {
+            if (y < sheet.height() / 2 && sheet.pixel(x, y) == grey)
+                tile |= QRect(x, y, 1, 1);
+        }
+    }
+    QCOMPARE(tile.size(), QSize(320, 80));
+}
+
+void TestSeriesPictures::aSideIsChosen()
+{
+    const auto redsFrom = [this](const char *side) { // in the left and the right half
+        const Run result = pictures(
+            {QStringLiteral("--size"), QStringLiteral("400x300"), QStringLiteral("--view"), QLatin1String(side)});
+        std::pair<int, int> reds;
+        if (!result.hasExited || result.exitCode != 0)
+            return reds;
+        const QImage image(path(QStringLiteral("out/a.obj.png")));
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                const QColor color = image.pixelColor(x, y);
+                if (color.red() > 200 && color.green() < 60 && color.blue() < 60)
+                    ++(x < image.width() / 2 ? reds.first : reds.second);
+            }
+        }
+        return reds;
+    };
+    write(QStringLiteral("scans/a.obj.points.csv"), "name,x,y,z,color\nleft,2,5,0,#ff0000\nother,8,5,0,#00ff00\n");
+    const auto [left, right] = redsFrom("front");
+    QVERIFY2(left > 10 && right == 0, qPrintable(QStringLiteral("%1 %2").arg(left).arg(right)));
+    const auto [behindLeft, behindRight] = redsFrom("back"); // it has changed sides
+    QVERIFY2(behindLeft == 0 && behindRight > 10, qPrintable(QStringLiteral("%1 %2").arg(behindLeft).arg(behindRight)));
+}
+
 void TestSeriesPictures::aMistakeIsToldOnStderr_data()
 {
     QTest::addColumn<QStringList>("words");
     QTest::addColumn<QString>("said");
     const QString out = QStringLiteral("--screenshots"), series = QStringLiteral("--series");
     QTest::newRow("without a series") << QStringList{out, "o"} << "--screenshots works together with --series FOLDER.";
+    QTest::newRow("no side") << QStringList{series, "s", out, "o", "--view", "nose"} << "--view is nose; give front";
+    QTest::newRow("a side of nothing") << QStringList{"--view", "top"} << "--view works together with --screenshots";
     QTest::newRow("one image") << QStringList{series, "s", "--screenshot", "x.png"} << "give --screenshots OUT";
     QTest::newRow("with a model") << QStringList{series, "s", "a.obj"} << "Give --series alone";
     QTest::newRow("no folder") << QStringList{series, "/nowhere/at/all", out, "/tmp"} << "the folder cannot be read";

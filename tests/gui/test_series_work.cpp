@@ -29,7 +29,7 @@ private slots:
     void undoKeepsToScansThatHaveNotChanged();
     void undoGoesBackToThePlacing();
     void savingWritesTheLandmarks();
-    void theFirstStateOfASessionIsBackedUp();
+    void theFirstStateOfARunIsBackedUp();
     void fewerLandmarksAreAskedAbout_data();
     void fewerLandmarksAreAskedAbout();
     void aFewerAnswerIsFollowed();
@@ -37,6 +37,8 @@ private slots:
     void curvesComeAlongWithNames();
     void theTemplateOfASeriesIsChanged();
     void theTemplateIsKeptWithTheSeries();
+    void namesOfTheLastScanAreKept();
+    void aRenamedLandmarkIsStillMeasured();
     void missingOnPurposeIsDone();
     void aKilledSeriesContinues();
     void aSeriesKilledAfterSavingLosesNothing();
@@ -53,7 +55,7 @@ private:
         return static_cast<std::size_t>(
             std::count_if(points().begin(), points().end(), [](const Landmark &each) { return each.isPlaced(); }));
     }
-    /// Ends the session as a crash does: the recovery file stays. Starts another one.
+    /// Ends as a crash does: the recovery file stays. Starts again.
     void crash();
     /// Places ten landmarks on the first scan and saves them.
     void placeTen();
@@ -233,7 +235,7 @@ void TestSeriesWork::savingWritesTheLandmarks()
     QVERIFY(read(QStringLiteral("scene.json")).contains("third"));
 }
 
-void TestSeriesWork::theFirstStateOfASessionIsBackedUp()
+void TestSeriesWork::theFirstStateOfARunIsBackedUp()
 {
     const QByteArray before = "name,x,y,z\nfirst,8,8,0\n";
     write(QStringLiteral("a.obj.points.csv"), before);
@@ -415,7 +417,7 @@ void TestSeriesWork::theTemplateOfASeriesIsChanged()
     };
     QCOMPARE(names(), (QStringList{"y", "x", "ten"})); // and not z
     nextScan();
-    QCOMPARE(names(), (QStringList{"x", "ten", "y"}));
+    QCOMPARE(names(), (QStringList{"x", "ten"})); // y was removed, and does not come back with b
     // Undo gives the names back, to all scans.
     undo();
     undo();
@@ -478,6 +480,66 @@ void TestSeriesWork::theTemplateIsKeptWithTheSeries()
     placeOne("more", 3.0);
     nextScan();
     QCOMPARE(read(kept), damaged);
+}
+
+/// A name to place that was added on the last scan is in the template, though another folder is
+/// opened; a name that was removed is not, though its landmark is placed on that scan.
+void TestSeriesWork::namesOfTheLastScanAreKept()
+{
+    const QString kept = QStringLiteral("series-template.csv");
+    QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("others")));
+    write(QStringLiteral("others/o.obj"), kSquare);
+    write(kept, "name,x,y,z\nx,,,\ny,,,\n");
+    write(QStringLiteral("a.obj.points.csv"), "name,x,y,z\nx,1,2,0\ny,,,\n");
+    write(QStringLiteral("b.obj.points.csv"), "name,x,y,z\nx,1,2,0\ny,3,2,0\n");
+    LandmarkTemplates templates;
+    m_series->setTemplates(templates);
+    openSeries();
+    QCOMPARE(shownScan(), std::string("a.obj"));
+    QVERIFY(m_document->sceneLandmarks().remove({1})); // y
+    nextScan();
+    QCOMPARE(placed(), std::size_t(2));
+    std::vector<Landmark> all = points();
+    all.emplace_back().name = "ten";
+    QVERIFY(editLandmarks(*m_document, all, {QStringLiteral("Ten")}));
+    placeOne("extra", 4.0); // fills the name to place
+    all = points();
+    all.emplace_back().name = "more";
+    QVERIFY(editLandmarks(*m_document, all, {QStringLiteral("More")}));
+    QVERIFY(m_series->open(file(QStringLiteral("others"))));
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
+    QCOMPARE(shownScan(), std::string("o.obj"));
+    const auto read = landmark_files::readLandmarkFile(file(kept));
+    QVERIFY(read);
+    QStringList names;
+    for (const Landmark &landmark : read->sets.front().landmarks)
+        names << QString::fromStdString(landmark.name);
+    QCOMPARE(names, (QStringList{"x", "ten", "more"}));
+    openSeries();
+    QCOMPARE(m_series->progressText(m_series->scans()[2]), QStringLiteral("0 of 3"));
+    QCOMPARE(m_series->progressText(m_series->scans()[1]), QStringLiteral("3 of 4")); // with y, placed there
+}
+
+void TestSeriesWork::aRenamedLandmarkIsStillMeasured()
+{
+    for (const char *name : {"a.obj.points.csv", "b.obj.points.csv"})
+        write(QLatin1String(name), "name,x,y,z\nnasion,1,2,0\nchin,4,6,0\n");
+    write(QStringLiteral("c.obj.points.csv"), "name,x,y,z\nChin 2,4,6,0\n");
+    write(QStringLiteral("series.measures.csv"), "name,kind,landmarks\nheight,distance,Nasion,chin\n");
+    openSeries();
+    m_series->show(0);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
+    QVERIFY(m_document->sceneLandmarks().rename(0, QStringLiteral("n")));
+    QCOMPARE(m_series->measures().front().landmarks, (std::vector<std::string>{"n", "chin"}));
+    QVERIFY(read(QStringLiteral("series.measures.csv")).contains("height,distance,n,chin"));
+    QCOMPARE(m_warnings.size(), 1);
+    QVERIFY2(m_warnings[0].contains(QStringLiteral("Scans that still have “Nasion”: 1.")), qPrintable(m_warnings[0]));
+    // Another landmark is none of the measure's.
+    m_series->show(2);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
+    QVERIFY(m_document->sceneLandmarks().rename(0, QStringLiteral("tip")));
+    QCOMPARE(m_series->measures().front().landmarks, (std::vector<std::string>{"n", "chin"}));
+    QCOMPARE(m_warnings.size(), 1);
 }
 
 void TestSeriesWork::missingOnPurposeIsDone()

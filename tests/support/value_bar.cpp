@@ -89,12 +89,13 @@ std::string randomAxes(Random &random)
     return axes;
 }
 
-void setFrame(Random &random, WrongValue &wrong)
+/// Three points fit a frame and its mirror image equally well, so a mirrored one needs four.
+void setFrame(Random &random, int points, WrongValue &wrong)
 {
     const glm::dvec3 axis =
         glm::normalize(glm::dvec3(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(0.1, 1.0)));
     const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), random.uniform(0.3, 3.0), axis);
-    const double mirror = random.chance(0.25) ? -1.0 : 1.0;
+    const double mirror = points > 3 && random.chance(0.5) ? -1.0 : 1.0;
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column)
             wrong.values["rotation"].push_back(mirror * turn[column][row]);
@@ -103,7 +104,7 @@ void setFrame(Random &random, WrongValue &wrong)
     wrong.values["scale"] = {random.chance(0.5) ? 1.0 : random.logUniform(0.2, 5.0)};
 }
 
-WrongValue randomValue(Random &random, const std::string &id)
+WrongValue randomValue(Random &random, const std::string &id, int points)
 {
     WrongValue wrong{id, {}, {}, 0};
     if (id == "far-differs" || id == "near-far-differ")
@@ -128,7 +129,7 @@ WrongValue randomValue(Random &random, const std::string &id)
     if (id == "axes-differ")
         wrong.word = randomAxes(random);
     if (id == "frame-differs")
-        setFrame(random, wrong);
+        setFrame(random, points, wrong);
     return wrong;
 }
 
@@ -240,7 +241,7 @@ Tally tested(Random &random, int shots, int points)
     for (int i = 0; i < shots; ++i) {
         for (const std::string &id : wrong_programs::wrongValueIds()) {
             const Shots shot = randomShots(random, points);
-            const WrongValue wrong = randomValue(random, id);
+            const WrongValue wrong = randomValue(random, id, points);
             const auto printedPoints = pointsOf(shot, wrong);
             const auto right = pointsOf(shot, WrongValue{});
             if (!printedPoints || !right || isNearly(*printedPoints, *right, 4.0 * kStep))

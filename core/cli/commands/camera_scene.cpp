@@ -81,8 +81,8 @@ std::optional<ExitCode> runCameraScene(const SceneOptions &options, const GivenT
     }
     if (converted->distortion) {
         complain(given.name + ": "
-                 + tr("the lens distorts the picture (%1), and a scene has no lens. If the pixels are those of the "
-                      "undistorted picture, give --undistorted. Else make the scene with --undistorted and give the "
+                 + tr("the lens distorts the image (%1), and a scene has no lens. If the pixels are those of the "
+                      "undistorted image, give --undistorted. Else make the scene with --undistorted and give the "
                       "coefficients to 'unproject points --distortion'",
                       coefficientsText(*converted->distortion)));
         return ExitCode::UnusableInput;

@@ -55,7 +55,10 @@ std::optional<GivenTexts> givenTexts(const std::vector<std::string> &words, cons
         return GivenTexts{{{option, text}}, {}, option};
     }
     for (const std::string &word : words) {
-        // A word that names no file has its message from here.
+        if (!isFile(word)) {
+            complain(word + ": " + tr("there is no such file"));
+            return std::nullopt;
+        }
         std::optional<cameras::NamedText> text = textOf(word);
         if (!text)
             return std::nullopt;

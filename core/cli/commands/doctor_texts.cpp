@@ -140,11 +140,11 @@ std::string nameOf(const Candidate &candidate)
 std::string mistakeText(const Diagnosis &diagnosis)
 {
     const Candidate &first = diagnosis.candidates.front();
-    std::string names = nameOf(first), sentences = "  " + mistakeSentence(first.id) + '\n';
+    std::string names = nameOf(first), sentences = "  " + candidateSentence(first) + '\n';
     for (const Candidate &alike : diagnosis.alike()) {
         names = tr("%1 or %2|names", names, nameOf(alike));
         sentences +=
-            "  " + tr("Or %1: %2", nameOf(alike), mistakeSentence(alike.id)) + "\n  " + alikeSentence(alike) + '\n';
+            "  " + tr("Or %1: %2", nameOf(alike), candidateSentence(alike)) + "\n  " + alikeSentence(alike) + '\n';
     }
     return names + '\n' + sentences;
 }
@@ -170,9 +170,9 @@ std::string candidateText(const Candidate &candidate, const Diagnosis &diagnosis
               significantText(candidate.distance, 3));
 }
 
-std::string codeText(const std::string &id)
+std::string codeText(const Candidate &candidate)
 {
-    const std::vector<std::string> parts = partsOf(id);
+    const std::vector<std::string> parts = partsOf(candidate.id);
     std::string text;
     if (parts.size() == 2)
         text = '\n' + twoChangesSentence(parts[0], parts[1]) + '\n';
@@ -181,8 +181,8 @@ std::string codeText(const std::string &id)
         for (const CodeChange &change : remedyOf(part).code) {
             std::string name(change.library);
             name.resize(10, ' ');
-            text +=
-                "  " + name + "- " + std::string(change.wrong) + "\n            + " + std::string(change.right) + '\n';
+            text += "  " + name + "- " + lineWithValues(change.wrong, candidate.values) + "\n            + "
+                    + lineWithValues(change.right, candidate.values) + '\n';
         }
     }
     return text;
@@ -228,13 +228,16 @@ std::string doctorJson(const Diagnosis &diagnosis)
     json["tried"] = diagnosis.tried;
     json["singlePrecision"] = diagnosis.isSinglePrecision;
     json["chance"] = jsonNumber(diagnosis.chance);
-    json["sentence"] =
-        diagnosis.verdict == "known-point" ? knownPointSentence(diagnosis.known) : mistakeSentence(diagnosis.verdict);
+    json["sentence"] = diagnosis.verdict == "known-point" ? knownPointSentence(diagnosis.known)
+                       : !diagnosis.namesMistake()        ? mistakeSentence(diagnosis.verdict)
+                                                          : candidateSentence(diagnosis.candidates.front());
     json["code"] = Json::array();
     for (const std::string &part : partsOf(diagnosis.verdict)) {
         for (const CodeChange &change : remedyOf(part).code)
-            json["code"].push_back(
-                {{"id", part}, {"library", change.library}, {"wrong", change.wrong}, {"right", change.right}});
+            json["code"].push_back({{"id", part},
+                                    {"library", change.library},
+                                    {"wrong", lineWithValues(change.wrong, diagnosis.candidates.front().values)},
+                                    {"right", lineWithValues(change.right, diagnosis.candidates.front().values)}});
     }
     return jsonLine(json) + '\n';
 }
@@ -264,9 +267,10 @@ std::string doctorText(const Diagnosis &diagnosis, const WrongPoint &first)
         text += line(tr("depth|row"), tr("from the scene's mesh"));
     if (best.explains && best.id != "right" && !isKnown)
         text += line(tr("chance|row"), chanceText(diagnosis.chance));
-    text += codeText(diagnosis.verdict);
+    if (diagnosis.namesMistake())
+        text += codeText(best);
     for (const Candidate &alike : diagnosis.alike())
-        text += codeText(alike.id);
+        text += codeText(alike);
     return text;
 }
 

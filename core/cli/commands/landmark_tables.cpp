@@ -1,7 +1,7 @@
 #include "core/cli/commands/landmark_tables.h"
 
 #include "core/cli/commands/landmark_streams.h"
-#include "core/curves/scan_surface.h"
+#include "core/curves/measured_sets.h"
 #include "core/files/path_text.h"
 #include "core/landmark_files/landmark_folder.h"
 #include "core/landmark_files/measures_file.h"
@@ -92,24 +92,16 @@ struct MeasuredFolder {
 
 MeasuredFolder measured(const LandmarkFolder &folder, const std::vector<KeptMeasure> &measures)
 {
-    const text::InEnglish english; // reasons are cells of the table
     MeasuredFolder found;
-    std::unique_ptr<curves::ScanSurface> surface; // placings of a scan share it
-    for (std::size_t i = 0; i < folder.sets.size(); ++i) {
-        const std::filesystem::path model = modelOf(folder.sets[i], folder.files[i]);
-        const auto along = [&](std::span<const Landmark *const> points) -> Result<Measure, std::string> {
-            if (model.empty())
-                return tr("there is no model beside %1", utf8FromPath(folder.files[i].filename()));
-            if (!surface || surface->file() != model) {
-                surface = std::make_unique<curves::ScanSurface>(model);
-                found.models.push_back(utf8FromPath(model));
-            }
-            return surface->length(points, {});
-        };
-        std::vector<ProtocolValue> &values = found.values.emplace_back();
-        for (const KeptMeasure &measure : measures)
-            values.push_back(valueOf(measure, folder.sets[i], along));
-    }
+    const auto modelAt = [&](std::size_t i) -> Result<std::filesystem::path, std::string> {
+        std::filesystem::path model = modelOf(folder.sets[i], folder.files[i]);
+        if (model.empty())
+            return tr("there is no model beside %1", utf8FromPath(folder.files[i].filename()));
+        if (found.models.empty() || found.models.back() != utf8FromPath(model))
+            found.models.push_back(utf8FromPath(model));
+        return model;
+    };
+    found.values = *curves::measuredSets(folder.sets, measures, modelAt);
     return found;
 }
 

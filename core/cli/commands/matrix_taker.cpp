@@ -59,7 +59,7 @@ std::vector<Part> partsOf(PastedScene &pasted)
     const bool isWhole = pasted.projection && (pasted.view || pasted.modelView);
     std::vector<Part> parts;
     const auto add = [&parts](std::optional<PastedMatrix> &matrix, PastedPart part, MatrixRole role, bool isNeeded) {
-        if (matrix)
+        if (matrix && matrix->form != MatrixForm::Call) // a call has no order of numbers
             parts.push_back({&*matrix, part, role, isNeeded});
     };
     add(pasted.view, PastedPart::View, MatrixRole::View, isWhole);
@@ -111,6 +111,8 @@ bool MatrixTaker::tellOrders(PastedScene &pasted) const
 glm::dmat4 MatrixTaker::matrix(const PastedMatrix &pasted, MatrixRole role) const
 {
     const glm::dmat4 given = matrixAsGiven(pasted);
+    if (pasted.form == MatrixForm::Call) // it has OpenGL's eye already
+        return given;
     switch (role) {
     case MatrixRole::View: return oursFromView(given, api());
     case MatrixRole::Projection: return oursFromApi({given, {}}, api()).clipFromEye;
@@ -135,6 +137,11 @@ ViewportAndDepths MatrixTaker::viewport(const PastedMatrix &pasted) const
     return result;
 }
 
+std::optional<NdcDepth> MatrixTaker::depthOf(const PastedMatrix &pasted) const
+{
+    return pasted.ndcDepth ? pasted.ndcDepth : depth();
+}
+
 std::optional<NdcDepth> MatrixTaker::depth() const
 {
     return conventionsOf(api()).hasOnlyThatDepth ? conventionsOf(api()).ndcDepth : m_options.depth;
@@ -151,7 +158,9 @@ bool MatrixTaker::lookAt(const PastedMatrix &pasted, PastedPart part, MatrixRole
     bool isReversed = false;
     if (pasted.isInverse)
         say(part, inverseText(pasted));
-    for (const MatrixFinding &finding : findings(matrix(pasted, role), role, depth(), clipFromEye)) {
+    if (!pasted.call.empty())
+        say(part, pasted.call);
+    for (const MatrixFinding &finding : findings(matrix(pasted, role), role, depthOf(pasted), clipFromEye)) {
         const bool isAboutDepth = finding.fault == MatrixFault::DepthReversed;
         isReversed = isReversed || isAboutDepth;
         if ((isAboutDepth && m_options.isReversed) || (finding.fault == MatrixFault::YDown && m_options.isYDown))
@@ -179,6 +188,8 @@ std::string MatrixTaker::taken(const std::string &finding) const
 
 NumberOrder MatrixTaker::order(const PastedMatrix &pasted) const
 {
+    if (pasted.form == MatrixForm::Call)
+        return NumberOrder::ByColumns;
     // Rows of row vectors are columns.
     const NumberOrder usual = conventionsOf(api()).areVectorsRows ? NumberOrder::ByColumns : orderOf(pasted.form);
     return m_options.order.value_or(pasted.order.value_or(usual));

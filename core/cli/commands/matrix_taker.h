@@ -34,6 +34,8 @@ public:
     matrices::ViewportAndDepths viewport(const matrices::PastedMatrix &pasted) const;
     /// The NDC depths, where the options determine them.
     std::optional<geometry::NdcDepth> depth() const;
+    /// The same, or those of the call that made the projection.
+    std::optional<geometry::NdcDepth> depthOf(const matrices::PastedMatrix &pasted) const;
 
     void say(matrices::PastedPart part, const std::string &what) const;
     /// Reports the findings about a matrix, unless an option already resolves them.

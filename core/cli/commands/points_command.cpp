@@ -1,6 +1,8 @@
 #include "core/cli/commands/points_command.h"
 
+#include "core/cameras/lens.h"
 #include "core/cli/commands/clicks_command.h"
+#include "core/cli/commands/lens_option.h"
 #include "core/cli/rows/row_layout.h"
 #include "core/text/error_text.h"
 #include "core/text/translation.h"
@@ -10,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace unprojector::cli {
@@ -50,6 +53,7 @@ struct Task {
         batches; ///< in the order of options.methods; empty where one does not apply to the scene
     RowLayout layout;
     std::size_t results; ///< number of result columns
+    std::optional<SceneLens> lens;
 };
 
 /// The scratch memory of a thread.
@@ -60,6 +64,7 @@ public:
     void operator()(const LineBlock &block, BlockResult &result)
     {
         m_task.reader.read(block, m_rows, result.messages);
+        movePixels();
         refuseUnusable(block, result.messages);
         compute();
         write(block, result);
@@ -67,6 +72,26 @@ public:
 
 private:
     using Columns = std::array<std::vector<double>, 3>;
+
+    /// Moves indices to their pixels' centres, and pixels of a distorted picture to the pinhole's.
+    /// A pixel without a position there becomes NaN.
+    void movePixels()
+    {
+        const std::size_t count = m_rows.count();
+        const double offset = m_task.options.isPixel ? kHalfPixel : 0.0;
+        for (std::size_t k = 0; k < 2; ++k) {
+            m_pixels[k].resize(count);
+            std::transform(m_rows.values[k].begin(), m_rows.values[k].end(), m_pixels[k].begin(),
+                           [offset](double position) { return position + offset; });
+        }
+        for (std::size_t i = 0; m_task.lens && i < count; ++i) {
+            const auto &[distortion, pinhole] = *m_task.lens;
+            const auto pixel = cameras::undistortedPixel(distortion, pinhole, {m_pixels[0][i], m_pixels[1][i]});
+            constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+            m_pixels[0][i] = pixel ? pixel->x : kNone;
+            m_pixels[1][i] = pixel ? pixel->y : kNone;
+        }
+    }
 
     /// The reason why a row of three numbers is invalid; empty if it is valid. `column` becomes the
     /// wrong one.
@@ -87,6 +112,10 @@ private:
                 return (column == 0 ? "px: " : "py: ")
                        + tr("%1 is not the index of a pixel: it has a fraction", shortestText(index));
         }
+        column = 0;
+        if (std::isnan(m_pixels[0][row]))
+            return "px: "
+                   + tr("the distortion cannot be undone here: no position of the undistorted image has this pixel");
         return {};
     }
 
@@ -111,17 +140,7 @@ private:
     void compute()
     {
         const std::size_t count = m_rows.count();
-        const double *px = m_rows.values[0].data(), *py = m_rows.values[1].data();
-        if (m_task.options.isPixel) {
-            for (std::size_t k = 0; k < 2; ++k) {
-                m_centres[k].resize(count);
-                std::transform(m_rows.values[k].begin(), m_rows.values[k].end(), m_centres[k].begin(),
-                               [](double index) { return index + kHalfPixel; });
-            }
-            px = m_centres[0].data();
-            py = m_centres[1].data();
-        }
-        const BatchInput<double> input{px, py, m_rows.values[2].data()};
+        const BatchInput<double> input{m_pixels[0].data(), m_pixels[1].data(), m_rows.values[2].data()};
         m_results.resize(m_task.batches.size());
         for (std::size_t method = 0; method < m_results.size(); ++method) {
             if (!m_task.batches[method])
@@ -177,8 +196,8 @@ private:
 
     const Task &m_task;
     NumberRows m_rows;
-    std::vector<std::size_t> m_bad; ///< row indices
-    std::array<std::vector<double>, 2> m_centres;
+    std::vector<std::size_t> m_bad;                  ///< row indices
+    std::array<std::vector<double>, 2> m_pixels;     ///< positions in the pinhole's picture
     std::vector<Columns> m_results;                  ///< one per method
     std::vector<std::optional<glm::dvec3>> m_points; ///< of one row
 };
@@ -228,15 +247,25 @@ ExitCode runPoints(const PointsOptions &options)
     const std::optional<SceneOrClicks> given = sceneOrClicks(options.rows.scene);
     if (!given)
         return ExitCode::UnusableInput;
-    if (const auto *clicks = std::get_if<std::vector<Click>>(&*given); clicks && !options.rows.isInputGiven)
-        return runClicks(options, *clicks);
+    if (const auto *clicks = std::get_if<std::vector<Click>>(&*given); clicks && !options.rows.isInputGiven) {
+        if (options.distortion.empty())
+            return runClicks(options, *clicks);
+        complain(tr("--distortion is for tables of pixels; the window's clicks have no distortion"));
+        return ExitCode::UnusableInput;
+    }
     const std::unique_ptr<RowStream> rows = openRows(options.rows, *given, {kClickColumns});
     if (!rows)
         return ExitCode::UnusableInput;
     const Setup &setup = rows->setup;
     const std::vector<std::string> results = pointColumns(options.methods);
     Task task{options, NumberReader(rows->source.name(), rows->columns),       setup.depthRange,
-              {},      RowLayout(rows->columns, results, options.rows.format), results.size()};
+              {},      RowLayout(rows->columns, results, options.rows.format), results.size(),
+              {}};
+    if (!options.distortion.empty()) {
+        task.lens = sceneLens(options.distortion, setup, options.rows.scene);
+        if (!task.lens)
+            return ExitCode::UnusableInput;
+    }
     bool isUsable = false;
     for (const Method method : options.methods) {
         const Result<ClickBatch> batch = ClickBatch::of(method, setup, rows->space);

@@ -1,5 +1,7 @@
 #include "core/cli/commands/project_command.h"
 
+#include "core/cameras/lens.h"
+#include "core/cli/commands/lens_option.h"
 #include "core/cli/rows/row_layout.h"
 #include "core/geometry/way_forward.h"
 #include "core/text/error_text.h"
@@ -24,6 +26,8 @@ const std::vector<std::string> kResults{"eye_x",    "eye_y",    "eye_z",    "cli
                                         "clip_w",   "ndc_x",    "ndc_y",    "ndc_z",  "window_x", "window_y",
                                         "window_z", "widget_x", "widget_y", "px",     "py",       "depth"};
 
+constexpr std::size_t kPinholeCount = 15; // the columns before px, py and depth
+
 /// The data shared by all rows.
 struct Task {
     RowFormat format;
@@ -34,6 +38,7 @@ struct Task {
     BatchSpace space;
     glm::dmat4 clipFromEye;
     glm::dmat4 eyeMagnitudes; ///< magnitudes of the terms that sum up to eye coordinates
+    std::optional<SceneLens> lens;
 };
 
 glm::dmat4 magnitudes(glm::dmat4 m)
@@ -96,6 +101,20 @@ glm::dvec4 rounded(const DoubleDouble4 &v)
     return {v[0].value, v[1].value, v[2].value, v[3].value};
 }
 
+/// Moves a pixel to the distorted picture.
+/// @return false where the distortion folds the picture over: another point has the same pixel there
+bool distort(const SceneLens &lens, DoubleDouble &x, DoubleDouble &y)
+{
+    const glm::dvec2 pixel(x.value, y.value), moved = cameras::distortedPixel(lens.distortion, lens.pinhole, pixel);
+    const auto back = cameras::undistortedPixel(lens.distortion, lens.pinhole, moved);
+    constexpr double kSame = 1e-6; // pixels; a fold moves by far more
+    if (!back || glm::length(*back - pixel) > kSame * std::max(1.0, glm::length(pixel)))
+        return false;
+    x = moved.x;
+    y = moved.y;
+    return true;
+}
+
 /// @return whether every stage has an answer
 bool project(const Task &task, const glm::dvec3 &point, Stages &stages)
 {
@@ -110,8 +129,10 @@ bool project(const Task &task, const glm::dvec3 &point, Stages &stages)
     const glm::dvec4 eye = rounded({way.eye[0], way.eye[1], way.eye[2], 1.0});
     const double depth = depthWithin(g.depthRange, windowDepth.value,
                                      depthUncertainty(task, glm::dvec4(point, 1.0), eye, rounded(way.clip)));
+    DoubleDouble pixelX = x, pixelY = py;
     return stages.add(way.ndc) && stages.add(way.window) && stages.add(std::array{x / ratio, py / ratio})
-           && stages.add(std::array{x, py, DoubleDouble(depth)});
+           && (!task.lens || distort(*task.lens, pixelX, pixelY))
+           && stages.add(std::array{pixelX, pixelY, DoubleDouble(depth)});
 }
 
 class Worker {
@@ -134,7 +155,9 @@ public:
                     ++result.badRows;
                     m_task.reader.complainOf(
                         block, m_rows.places[i], NumberReader::kNoColumn,
-                        tr("the point has no window position: it lies in the plane of the eye, or too far away"),
+                        stages.count == kPinholeCount
+                            ? tr("the point lies outside the lens's view: there the distortion folds the image over")
+                            : tr("the point has no window position: it lies in the plane of the eye, or too far away"),
                         result.messages);
                 }
             }
@@ -155,7 +178,7 @@ private:
 
 } // namespace
 
-ExitCode runProject(const RowOptions &options)
+ExitCode runProject(const RowOptions &options, const std::string &distortion)
 {
     const std::optional<SceneOrClicks> given = sceneOrClicks(options.scene);
     if (!given)
@@ -171,6 +194,12 @@ ExitCode runProject(const RowOptions &options)
         return ExitCode::UnusableInput;
     }
     const bool isInEye = rows->space.kind == BatchSpace::Kind::Eye;
+    std::optional<SceneLens> lens;
+    if (!distortion.empty()) {
+        lens = sceneLens(distortion, setup, options.scene);
+        if (!lens)
+            return ExitCode::UnusableInput;
+    }
     const Task task{options.format,
                     NumberReader(rows->source.name(), rows->columns),
                     RowLayout(rows->columns, kResults, options.format),
@@ -179,7 +208,8 @@ ExitCode runProject(const RowOptions &options)
                     rows->space,
                     clipFromEye(setup).value(),
                     isInEye ? glm::dmat4(1.0)
-                            : viewMagnitudes(eyeFromWorld(setup).value()) * magnitudes(rows->space.worldFromObject)};
+                            : viewMagnitudes(eyeFromWorld(setup).value()) * magnitudes(rows->space.worldFromObject),
+                    lens};
     return runRows(*rows, options, task.layout.names(), [&] { return BlockWorker(Worker(task)); });
 }
 

@@ -3,6 +3,8 @@
 #include "core/cli/rows/row_stream.h"
 #include "core/cli/terminal/exit_code.h"
 
+#include <string>
+
 namespace unprojector::cli {
 
 /// Runs `unproject project`: reads points, writes every stage on their way to the window and the
@@ -10,6 +12,8 @@ namespace unprojector::cli {
 /// near or far plane within rounding it is the plane's depth, because window_z may lie slightly
 /// outside the depth range.
 /// @param options  space: world or object:NAME
-ExitCode runProject(const RowOptions &options);
+/// @param distortion  coefficients or a file, see sceneLens: px and py are then of the distorted
+///         picture; empty: of the pinhole's, as all other columns
+ExitCode runProject(const RowOptions &options, const std::string &distortion);
 
 } // namespace unprojector::cli

@@ -8,6 +8,7 @@
 #include "core/geometry/condition_number.h"
 #include "core/matrices/decomposition.h"
 #include "core/matrices/matrix_format.h"
+#include "core/matrices/pasted_calls.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 #include "core/text/translation.h"
@@ -183,7 +184,7 @@ void setMatrices(const SceneOptions &options, const MatrixTaker &taker, const Pa
         scene.view = eyeFromWorld;
         taker.lookAt(view, viewPart, MatrixRole::View, clipFromEye);
         isReversed = taker.lookAt(lens, PastedPart::Projection, MatrixRole::Projection);
-        for (const MatrixFinding &finding : findings(clipFromEye, MatrixRole::Projection, taker.depth())) {
+        for (const MatrixFinding &finding : findings(clipFromEye, MatrixRole::Projection, taker.depthOf(lens))) {
             if (finding.fault == MatrixFault::Negated)
                 clipFromEye = repaired(clipFromEye, finding);
         }
@@ -214,8 +215,8 @@ void setMatrices(const SceneOptions &options, const MatrixTaker &taker, const Pa
     if (options.isReversed && !isReversed)
         scene.depthRange = {1.0, 0.0};
     // Stored with the depth convention used here, so that every reader uses the same.
-    const MatrixProjection asRead{clipFromEye, taker.depth()};
-    scene.projection = MatrixProjection{clipFromEye, recognised(asRead) ? ndcDepthOf(asRead) : taker.depth()};
+    const MatrixProjection asRead{clipFromEye, taker.depthOf(lens)};
+    scene.projection = MatrixProjection{clipFromEye, recognised(asRead) ? ndcDepthOf(asRead) : taker.depthOf(lens)};
     scene.conventions = options.conventions;
 }
 
@@ -229,9 +230,40 @@ std::string joined(const GivenTexts &given)
 }
 
 /// Makes the scene from matrices.
+/// The parts of a text with calls such as gluLookAt, and of the matrices beside them; else its
+/// matrices.
+Result<PastedScene, PasteError> partsOf(const SceneOptions &options, const std::string &text)
+{
+    const Result<PastedCalls, PasteError> calls = pastedCalls(text);
+    if (!calls)
+        return calls.error();
+    if (!calls->hasAny)
+        return pastedScene(text);
+    const Result<PastedScene, PasteError> beside = pastedParts(calls->rest);
+    PastedScene parts = beside ? *beside : PastedScene();
+    if (calls->parts.view)
+        parts.view = calls->parts.view;
+    if (calls->parts.projection)
+        parts.projection = calls->parts.projection;
+    if (calls->parts.viewport)
+        parts.viewport = calls->parts.viewport;
+    const std::string &given = options.size.empty() ? options.window : options.size;
+    const auto size = given.empty() ? std::nullopt : sizeGiven(options.size.empty() ? "--window" : "--size", given);
+    if (!parts.viewport && !parts.viewportMatrix && size)
+        parts.viewport = Viewport{0.0, 0.0, double(size->width), double(size->height)};
+    PasteError missing;
+    missing.part = !parts.projection                 ? PastedPart::Projection
+                   : !parts.view && !parts.modelView ? PastedPart::View
+                                                     : PastedPart::Viewport;
+    missing.wanted = missing.part == PastedPart::Viewport ? 4 : 16;
+    const bool isWhole =
+        parts.projection && (parts.view || parts.modelView) && (parts.viewport || parts.viewportMatrix);
+    return isWhole ? Result<PastedScene, PasteError>(parts) : Result<PastedScene, PasteError>(missing);
+}
+
 ExitCode sceneFromMatrices(const SceneOptions &options, const GivenTexts &given)
 {
-    Result<PastedScene, PasteError> read = pastedScene(joined(given));
+    Result<PastedScene, PasteError> read = partsOf(options, joined(given));
     if (!read) {
         const PasteError &error = read.error();
         const std::vector<std::string> &words = options.fromMatrices.empty() ? options.from : options.fromMatrices;
@@ -259,6 +291,8 @@ ExitCode sceneFromMatrices(const SceneOptions &options, const GivenTexts &given)
     if (!taker.tellOrders(numbers) || !setViewport(options, taker, numbers, given.name, scene))
         return ExitCode::UnusableInput;
     setMatrices(options, taker, numbers, scene);
+    for (const std::string &aside : numbers.aside)
+        complain(tr("%1: %2: its numbers belong to no matrix, and are not used", given.name, aside));
 
     return writeScene(options, inputs, scene);
 }

@@ -38,6 +38,11 @@ RowFormat formatOf(const Options &options)
     return options.isSpreadsheetSafe && options.format == RowFormat::Csv ? RowFormat::SafeCsv : options.format;
 }
 
+void addDistortion(CLI::App &command, std::string &target, const std::string &description)
+{
+    command.add_option("--distortion", target, description)->type_name("FILE|K1,K2,P1,P2,K3");
+}
+
 std::string badRows()
 {
     return "\n\n"
@@ -66,6 +71,9 @@ void addPoints(CLI::App &app, Run &run)
                                    tr("Method"));
     command->add_flag("--pixel", options->isPixel,
                       tr("px and py are integer indices of pixels; 1/2 is added to get their centres"));
+    addDistortion(*command, options->distortion,
+                  tr("The pixels are of a image that a lens distorts: undo it, with the scene's K.\nA file of a "
+                     "camera, or coefficients in OpenCV's order"));
     command->footer(
         tr("The input can also be clicks printed by 'unprojector --screenshot': give their file instead of SCENE and "
            "POINTS.\nEach click is computed with its own scene, to the digits that were printed. A click on the "
@@ -152,6 +160,10 @@ void addProject(CLI::App &app, Run &run)
         *command, *options,
         tr("CSV with the columns x,y,z, or formula_x,formula_y,formula_z as 'unproject points' writes them; - "
            "or\nnothing: standard input. They lie in the space that --space names"));
+    auto distortion = std::make_shared<std::string>();
+    addDistortion(*command, *distortion,
+                  tr("Write px and py of the image that a lens distorts, with the scene's K. A file\nof a camera, or "
+                     "coefficients in OpenCV's order"));
     command->footer(
         tr("The stages: eye, clip, ndc, window (device pixels from the bottom left corner), widget (logical "
            "pixels\nfrom the top left corner); px,py,depth are the input of 'unproject points'. All of them are "
@@ -161,9 +173,9 @@ void addProject(CLI::App &app, Run &run)
         + "\n  printf 'x,y,z\\n0,0,0\\n' | unproject project scene.json\n  unproject project scene.json points.csv | "
           "unproject points scene.json\n  unproject points scene.json clicks.csv | unproject project scene.json"
         + badRows());
-    command->callback([options, &run] {
+    command->callback([options, distortion, &run] {
         options->format = formatOf(*options);
-        run = [options] { return runProject(*options); };
+        run = [options, distortion] { return runProject(*options, *distortion); };
     });
 }
 

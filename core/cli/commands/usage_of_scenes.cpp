@@ -42,7 +42,7 @@ void addCameraOptions(CLI::App &command, SceneOptions &options)
         ->type_name("NAME");
     command
         .add_option("--size", options.size,
-                    tr("Size of the camera's picture in pixels; default: the file's, or twice the\nprincipal point"))
+                    tr("Size of the camera's image in pixels; default: the file's, or twice the\nprincipal point"))
         ->type_name("WxH");
     command
         .add_option("--near", camera.nearDistance,
@@ -66,7 +66,7 @@ void addCameraOptions(CLI::App &command, SceneOptions &options)
                                            tr("Coordinates of the first pixel's centre, 0 or 1/2, in the principal "
                                               "point;\ndefault: as the program has them"));
     command.add_flag("--undistorted", camera.isUndistorted,
-                     tr("Pixels are those of the undistorted picture: drop the distortion coefficients"));
+                     tr("Pixels are those of the undistorted image: drop the distortion coefficients"));
     command
         .add_option("--objects", options.objects,
                     tr("Models or scenes, whose objects the scene gets; they decide the pose's direction"))
@@ -172,7 +172,8 @@ void addScene(CLI::App &app, Run &run)
            "are reported and the matrix is not changed: an inverse, depths from 0 to 1 or reversed, y\nflipped, a "
            "scale.")
         + "\n\n" + tr("Examples:")
-        + "\n  unproject scene camera.yml -o scene.json --objects scan.ply\n  unproject scene --from-matrices "
+        + "\n  unproject scene camera.yml --near 0.1 --far 100 -o scene.json --objects scan.ply\n  unproject scene "
+          "--from-matrices "
           "matrices.txt -o scene.json\n  unproject scene --from-matrices "
           "\"modelview 1 0 0 0  0 1 0 0  0 0 1 0  0 0 -5 1\n      projection 1 0 0 0  0 1 0 0  0 0 -1.2 -1  0 0 -2.2 0 "
           " viewport 0 0 800 600\"");

@@ -1,31 +1,39 @@
 #pragma once
 
+#include "core/cameras/foreign_camera.h"
 #include "core/matrices/matrix_paste.h"
 
 #include <QDialog>
 
 #include <array>
+#include <filesystem>
+#include <vector>
 
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QScrollArea;
 
 namespace unprojector::gui {
 
+class ForeignCameraBox;
 class PastedMatrixBox;
 class SceneDocument;
 class SegmentedSwitch;
 
-/// A dialog that sets the scene's camera from pasted matrices of another program: projection and
-/// view, one of them, or their product. Shows findings and the meaning during typing; OK changes
-/// the scene in one step.
-class PasteMatricesDialog : public QDialog {
+/// A dialog that sets the scene's camera from that of another program. It reads projection and view,
+/// one of them, or their product, and the texts and files of the programs that core/cameras knows.
+/// It shows findings, assumptions and the meaning during typing; OK changes the scene in one step.
+class PasteCameraDialog : public QDialog {
     Q_OBJECT
 public:
-    explicit PasteMatricesDialog(SceneDocument &document, QWidget *parent = nullptr);
+    explicit PasteCameraDialog(SceneDocument &document, QWidget *parent = nullptr);
 
     /// Sets the text of a matrix, and shows its field.
     void setText(matrices::MatrixRole role, const QString &text);
+
+    /// Reads the camera in these files. A single file that is no known program's is read as matrices.
+    void readFiles(const std::vector<std::filesystem::path> &files);
 
     /// Shows the dialog over a window; it deletes itself.
     static void open(SceneDocument &document, QWidget *parent,
@@ -35,10 +43,23 @@ public:
 
 protected:
     void showEvent(QShowEvent *event) override;
+    void dragEnterEvent(QDragEnterEvent *event) override;
+    void dropEvent(QDropEvent *event) override;
 
 private:
     PastedMatrixBox *box(matrices::MatrixRole role) const { return m_boxes[std::size_t(role)]; }
     bool isProduct() const;
+    QHBoxLayout *createHead();
+    void connectBox(matrices::MatrixRole role);
+    void askForFiles();
+    /// Reads the typed texts again instead of the files.
+    void dropFiles();
+    /// The texts in which another program's camera may be: the files, else the typed ones.
+    std::vector<cameras::NamedText> cameraTexts() const;
+    /// Reads these texts as another program's camera.
+    void readForeign();
+    /// Returns whether the camera is that of a known program, not of matrices.
+    bool isForeign() const;
     void repair(matrices::MatrixRole role, const matrices::MatrixFinding &finding);
     /// Moves a text to the field that its names indicate, see MatrixPaste::namedRole.
     void moveText(matrices::MatrixRole role);
@@ -50,10 +71,16 @@ private:
     matrices::MatrixPaste::Camera camera() const;
     /// Describes the camera, or why it cannot be used.
     QString meaning(const matrices::MatrixPaste::Camera &camera, bool &isUsable) const;
+    /// The size that the view gets from the camera's picture.
+    std::optional<geometry::Surface> viewSize() const;
 
     SceneDocument &m_document;
     matrices::MatrixPaste m_paste;
+    std::vector<cameras::NamedText> m_files; ///< instead of typed texts
     SegmentedSwitch *m_kind;
+    QLabel *m_fileNames;
+    QPushButton *m_dropsFiles;
+    ForeignCameraBox *m_foreign;
     std::array<PastedMatrixBox *, 3> m_boxes{};
     QScrollArea *m_scrolled;
     QLabel *m_meaning;

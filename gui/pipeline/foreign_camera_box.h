@@ -1,0 +1,66 @@
+#pragma once
+
+#include "core/cameras/foreign_camera.h"
+
+#include <QWidget>
+
+#include <optional>
+#include <span>
+
+class QCheckBox;
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+
+namespace unprojector::gui {
+
+/// A camera of another program that is being pasted: what was assumed, and the fields that say
+/// otherwise.
+class ForeignCameraBox : public QWidget {
+    Q_OBJECT
+public:
+    using Camera = geometry::Result<cameras::SceneCamera, cameras::CameraError>;
+
+    explicit ForeignCameraBox(QWidget *parent = nullptr);
+
+    /// Reads the camera in these texts with the choices in the fields. Another program's camera
+    /// drops the choices.
+    /// @param objects  see cameras::sceneCamera
+    void read(std::span<const cameras::NamedText> texts, const std::optional<geometry::Box> &objects);
+    /// The last camera read; nothing if the texts have no known program's form.
+    const std::optional<Camera> &camera() const { return m_camera; }
+    /// What prevents the use of the camera, with what to do; empty if nothing does.
+    QString fault() const;
+    /// Returns whether the view should get the picture's size.
+    bool isSizeWanted() const;
+
+signals:
+    /// Emitted when the user says otherwise: the texts must be read again.
+    void choicesChanged();
+
+private:
+    void createFields();
+    cameras::CameraChoices choices() const;
+    void dropChoices();
+    void showRead(const cameras::ForeignCamera &camera);
+    void showFault();
+
+    QString m_program;
+    std::optional<Camera> m_camera;
+    QString m_fault; ///< of a camera that cannot be read
+    QFormLayout *m_form;
+    QLabel *m_title;
+    QComboBox *m_image;
+    QLineEdit *m_size;
+    QCheckBox *m_takesSize;
+    QLineEdit *m_near;
+    QLineEdit *m_far;
+    QComboBox *m_axes;
+    QComboBox *m_direction;
+    QComboBox *m_centres;
+    QCheckBox *m_isUndistorted;
+    QLabel *m_said;
+};
+
+} // namespace unprojector::gui

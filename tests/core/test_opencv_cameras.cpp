@@ -1,0 +1,512 @@
+// OpenCV's and ROS's cameras: a scene of one projects points to the pixels of cv2.projectPoints.
+
+#include "core/cameras/camera_reader.h"
+#include "core/cameras/lens.h"
+#include "core/geometry/setup.h"
+#include "tests/core/opencv_camera.h"
+
+#include <QTest>
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace unprojector;
+using namespace unprojector::cameras;
+using geometry::Box;
+
+namespace {
+
+const std::string kPlainK = "K = [[800, 0, 319.5], [0, 800, 239.5], [0, 0, 1]]\n";
+const std::string kSize = "width = 640\nheight = 480\n";
+
+std::string join(const std::vector<std::string> &sentences)
+{
+    std::string text;
+    for (const std::string &sentence : sentences)
+        text += sentence + '\n';
+    return text;
+}
+
+geometry::Result<ForeignCamera, CameraError> read(const std::string &text, const CameraChoices &choices = {})
+{
+    const auto camera = readCamera(std::vector<NamedText>{{"camera.txt", text}}, choices);
+    return camera ? *camera : CameraError{{}, 0, "not recognised"};
+}
+
+/// The scene's camera of a text; fails the test where there is none.
+SceneCamera sceneOf(const std::string &text, const CameraChoices &choices = {},
+                    const std::optional<Box> &objects = std::nullopt)
+{
+    const auto camera = read(text, choices);
+    if (!camera) {
+        QTest::qFail(camera.error().reason.c_str(), __FILE__, __LINE__);
+        return {};
+    }
+    const auto scene = sceneCamera(*camera, choices, objects);
+    if (!scene) {
+        QTest::qFail(scene.error().reason.c_str(), __FILE__, __LINE__);
+        return {};
+    }
+    return *scene;
+}
+
+QString reasonOf(const std::string &text, const CameraChoices &choices = {})
+{
+    const auto camera = read(text, choices);
+    if (!camera)
+        return QString::fromStdString(camera.error().reason) + QStringLiteral(" @%1").arg(camera.error().line);
+    const auto scene = sceneCamera(*camera, choices, std::nullopt);
+    return scene ? QString() : QString::fromStdString(scene.error().reason);
+}
+
+/// The pixel of a world point, counted from the picture's top-left corner.
+glm::dvec2 pixelOf(const SceneCamera &scene, const glm::dvec3 &world)
+{
+    const geometry::Surface surface{scene.size.width, scene.size.height, 1.0};
+    const geometry::Setup setup{surface, geometry::wholeSurface(surface), {}, scene.projection, scene.eyeFromWorld};
+    const auto window = geometry::windowFromWorld(setup, geometry::WorldPoint(world));
+    if (!window)
+        return glm::dvec2(std::nan(""));
+    const geometry::DevicePoint pixel = geometry::deviceFromWindow(surface, *window);
+    return pixel.coordinates();
+}
+
+double largestMiss(const SceneCamera &scene)
+{
+    double largest = 0.0;
+    for (const auto &point : opencv_camera::kProjected) {
+        const double miss = glm::length(pixelOf(scene, point.world) - 0.5 - point.pixel) / glm::length(point.pixel);
+        largest = std::max(largest, std::isnan(miss) ? 1e300 : miss);
+    }
+    return largest;
+}
+
+Box boxAround(const glm::dvec3 &centre, double half)
+{
+    return {centre - half, centre + half};
+}
+
+CameraChoices choicesOf(const std::string &image)
+{
+    CameraChoices choices;
+    choices.image = image;
+    return choices;
+}
+
+CameraChoices undistorted()
+{
+    CameraChoices choices;
+    choices.isUndistorted = true;
+    return choices;
+}
+
+} // namespace
+
+class TestOpenCvCameras : public QObject {
+    Q_OBJECT
+
+private slots:
+    void pixelsAreThoseOfProjectPoints_data();
+    void pixelsAreThoseOfProjectPoints();
+    void pAloneIsSplit();
+    void poseDirectionIsDecidedByTheObjects();
+    void axesAreDecidedByTheObjects();
+    void ambiguousPosesAreReported();
+    void mistakesBehindAnEmptyPictureAreNamed_data();
+    void mistakesBehindAnEmptyPictureAreNamed();
+    void assumptionsNameTheirOption();
+    void nearAndFarHoldTheObjects();
+    void pixelCentresShiftThePicture();
+    void skewIsExactAndReported();
+    void rawAndRectifiedPicturesOfRos();
+    void coefficientsAreReadFromEachForm_data();
+    void coefficientsAreReadFromEachForm();
+    void unknownLensesAreNamed_data();
+    void unknownLensesAreNamed();
+    void faultsNameValueAndLine_data();
+    void faultsNameValueAndLine();
+    void otherTextsAreLeftToOthers_data();
+    void otherTextsAreLeftToOthers();
+    void pixelsAreDistortedAsByProjectPoints();
+    void distortionIsUndone_data();
+    void distortionIsUndone();
+    void foldsHaveNoPosition();
+};
+
+void TestOpenCvCameras::pixelsAreThoseOfProjectPoints_data()
+{
+    using namespace opencv_camera;
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("image");
+    QTest::newRow("cv::FileStorage, YAML") << kYaml << QString();
+    QTest::newRow("cv::FileStorage, XML") << kXml << QString();
+    QTest::newRow("cv::FileStorage, JSON") << kJson << QString();
+    QTest::newRow("NumPy, printed") << kNumPy << QString();
+    QTest::newRow("NumPy, repr, with vectors") << kReprs << QString();
+    QTest::newRow("C++") << kCpp << QString();
+    QTest::newRow("P = K [R t]") << kMatrixP << QString();
+    QTest::newRow("OpenCV's calibration, second view") << kCalibration << "1";
+}
+
+void TestOpenCvCameras::pixelsAreThoseOfProjectPoints()
+{
+    QFETCH(QString, text);
+    QFETCH(QString, image);
+    const SceneCamera scene = sceneOf(text.toStdString(), choicesOf(image.toStdString()));
+    QCOMPARE(scene.size, (PictureSize{640, 480}));
+    QVERIFY2(largestMiss(scene) <= 1e-12, qPrintable(QString::number(largestMiss(scene))));
+}
+
+/// Any scale and sign of P is the same camera.
+void TestOpenCvCameras::pAloneIsSplit()
+{
+    const std::string text = "P = -80 0 -32 -100  0 -80 -24 20  0 0 -0.1 -0.5\n" + kSize;
+    const SceneCamera scene = sceneOf(text);
+    QVERIFY(glm::length(pixelOf(scene, {0, 0, 0}) - glm::dvec2(200.5, -39.5)) <= 1e-10);
+    QVERIFY(glm::determinant(glm::dmat3(scene.eyeFromWorld)) > 0.99);
+}
+
+/// R and t alone do not tell their direction: a camera at (0, 0, -5) looks along z either way only
+/// if the pose is read right.
+void TestOpenCvCameras::poseDirectionIsDecidedByTheObjects()
+{
+    const std::string toCamera = kPlainK + kSize + "R = [[1,0,0],[0,1,0],[0,0,1]]\nt = [0, 0, 5]\n",
+                      toWorld = kPlainK + kSize + "R = [[1,0,0],[0,1,0],[0,0,1]]\nt = [0, 0, -5]\n";
+    const Box box = boxAround({0, 0, 0}, 1.0);
+    const SceneCamera usual = sceneOf(toCamera, {}, box), other = sceneOf(toWorld, {}, box);
+    QCOMPARE(usual.direction, PoseDirection::WorldToCamera);
+    QCOMPARE(other.direction, PoseDirection::CameraToWorld);
+    for (const SceneCamera &scene : {usual, other})
+        QVERIFY(glm::length(pixelOf(scene, {0, 0, 0}) - glm::dvec2(320, 240)) <= 1e-10);
+    const std::string said = join(other.assumed);
+    QVERIFY2(said.find("camera-to-world, because only this reading shows the objects; --pose says otherwise")
+                 != said.npos,
+             said.c_str());
+    CameraChoices choices;
+    choices.direction = PoseDirection::WorldToCamera;
+    QCOMPARE(sceneOf(toWorld, choices, box).direction, PoseDirection::WorldToCamera);
+}
+
+void TestOpenCvCameras::axesAreDecidedByTheObjects()
+{
+    const std::string pose = kPlainK + kSize + "c2w = [[1,0,0,0],[0,1,0,0],[0,0,1,5],[0,0,0,1]]\n";
+    QCOMPARE(sceneOf(pose, {}, boxAround({0, 0, 0}, 1.0)).axes, EyeAxes::RightUpBack);
+    QCOMPARE(sceneOf(pose, {}, boxAround({0, 0, 9}, 1.0)).axes, EyeAxes::RightDownAhead);
+    QCOMPARE(sceneOf(kPlainK + kSize + "cam2world_gl = 1 0 0 0  0 1 0 0  0 0 1 5  0 0 0 1\n").axes,
+             EyeAxes::RightUpBack);
+}
+
+void TestOpenCvCameras::ambiguousPosesAreReported()
+{
+    const std::string text = kPlainK + kSize + "R = [[1,0,0],[0,1,0],[0,0,1]]\nt = [0, 0, 0]\n";
+    const std::string both = join(sceneOf(text, {}, boxAround({0, 0, 5}, 1.0)).assumed);
+    QVERIFY2(both.find("Another reading shows them too") != both.npos, both.c_str());
+    const std::string without = join(sceneOf(text).assumed);
+    QVERIFY2(without.find("No objects decide it: give them with --objects; --pose says otherwise") != without.npos,
+             without.c_str());
+}
+
+void TestOpenCvCameras::mistakesBehindAnEmptyPictureAreNamed_data()
+{
+    QTest::addColumn<QString>("pose");
+    QTest::addColumn<QString>("said");
+    QTest::newRow("t is the camera's position") << "R = 1 0 0  0 0 -1  0 1 0\nt = 0 -5 0"
+                                                << "it would";
+    QTest::newRow("direction") << "rvec = 0 0 0\ntvec = 0 0 -5"
+                               << "with --pose camera-to-world --axes opencv it would";
+    QTest::newRow("units") << "rvec = 0 0 0\ntvec = 3 0 0.005"
+                           << "check the units";
+    QTest::newRow("elsewhere") << "rvec = 0 0 0\ntvec = 1e9 0 1"
+                               << "check the pose and its units";
+}
+
+void TestOpenCvCameras::mistakesBehindAnEmptyPictureAreNamed()
+{
+    QFETCH(QString, pose);
+    QFETCH(QString, said);
+    CameraChoices choices;
+    choices.direction = PoseDirection::WorldToCamera;
+    const std::string text =
+        join(sceneOf(kPlainK + kSize + pose.toStdString() + '\n', choices, boxAround({0, 0, 0}, 1.0)).assumed);
+    QVERIFY2(text.find("The camera sees none of the objects") != text.npos, text.c_str());
+    QVERIFY2(text.find(said.toStdString()) != text.npos, text.c_str());
+}
+
+void TestOpenCvCameras::assumptionsNameTheirOption()
+{
+    const std::string said = join(sceneOf(kPlainK).assumed);
+    for (const char *sentence :
+         {"The image is assumed to be 640x480, twice the principal point; --size says otherwise.",
+          "Near 0.1 and far 1000 are assumed, because the file has none; --near and --far say otherwise.",
+          "The file has no pose"})
+        QVERIFY2(said.find(sentence) != said.npos, said.c_str());
+    CameraChoices choices;
+    choices.size = PictureSize{640, 480};
+    choices.nearDistance = 1.0;
+    choices.farDistance = 9.0;
+    const SceneCamera scene = sceneOf(kPlainK + "rvec = 0 0 0\ntvec = 0 0 0\n", choices);
+    QCOMPARE(join(scene.assumed), std::string());
+    QCOMPARE(scene.projection.clipFromEye[3][2], -18.0 / 8.0);
+    const std::string half =
+        join(sceneOf("K = 800 0 320  0 800 240  0 0 1\nrvec = 0 0 0\ntvec = 0 0 0\n", choices).assumed);
+    QVERIFY2(half.find("--pixel-centers half") != half.npos, half.c_str());
+}
+
+void TestOpenCvCameras::nearAndFarHoldTheObjects()
+{
+    const SceneCamera scene = sceneOf(kPlainK + kSize + "rvec = 0 0 0\ntvec = 0 0 0\n", {}, boxAround({0, 0, 5}, 1.0));
+    QCOMPARE(scene.nearDistance.value(), 2.0);
+    QCOMPARE(scene.farDistance.value(), 12.0);
+    CameraChoices choices;
+    choices.nearDistance = 3.0;
+    choices.farDistance = 2.0;
+    QVERIFY2(reasonOf(kPlainK + kSize, choices).startsWith("near is 3 and far is 2"),
+             qPrintable(reasonOf(kPlainK + kSize, choices)));
+}
+
+void TestOpenCvCameras::pixelCentresShiftThePicture()
+{
+    const std::string text = kPlainK + kSize + "rvec = 0 0 0\ntvec = 0 0 0\n";
+    CameraChoices choices;
+    choices.centres = PixelCentres::AtHalves;
+    QVERIFY(glm::length(pixelOf(sceneOf(text), {0, 0, 2}) - glm::dvec2(320.0, 240.0)) <= 1e-10);
+    QVERIFY(glm::length(pixelOf(sceneOf(text, choices), {0, 0, 2}) - glm::dvec2(319.5, 239.5)) <= 1e-10);
+}
+
+void TestOpenCvCameras::skewIsExactAndReported()
+{
+    const SceneCamera scene = sceneOf("K = 800 12 319.5  0 700 239.5  0 0 1\nrvec = 0 0 0\ntvec = 0 0 0\n" + kSize);
+    // x = (800 * 0.2 + 12 * -0.1) / 2 + 319.5, y = 700 * -0.1 / 2 + 239.5
+    QVERIFY(glm::length(pixelOf(scene, {0.2, -0.1, 2.0}) - 0.5 - glm::dvec2(398.9, 204.5)) <= 1e-10);
+    QVERIFY(join(scene.assumed).find("The skew is 12") != std::string::npos);
+}
+
+/// K is of the raw picture, P of the rectified one.
+void TestOpenCvCameras::rawAndRectifiedPicturesOfRos()
+{
+    const std::string info = R"(header:
+  seq: 7
+  stamp:
+    secs: 12
+    nsecs: 500
+  frame_id: "camera_optical_frame"
+height: 480
+width: 640
+distortion_model: "plumb_bob"
+D: [0.1, -0.2, 0.001, 0.002, 0.0]
+K: [800.0, 0.0, 319.5, 0.0, 810.0, 239.5, 0.0, 0.0, 1.0]
+R: [0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0]
+P: [700.0, 0.0, 300.0, -70.0, 0.0, 700.0, 200.0, 0.0, 0.0, 0.0, 1.0, 0.0]
+binning_x: 0
+binning_y: 0
+roi:
+  x_offset: 0
+  y_offset: 0
+  height: 0
+  width: 0
+  do_rectify: False
+)";
+    const SceneCamera raw = sceneOf(info), rectified = sceneOf(info, undistorted());
+    QCOMPARE(raw.size, (PictureSize{640, 480}));
+    QCOMPARE(raw.distortion.value(), (Distortion{0.1, -0.2, 0.001, 0.002, 0.0}));
+    QVERIFY(!rectified.distortion);
+    // In the optical frame (1, 2, 4): K gives the raw pixel; R turns it to (2, -1, 4), P adds -70 / 4.
+    QVERIFY(glm::length(pixelOf(raw, {1, 2, 4}) - 0.5 - glm::dvec2(519.5, 644.5)) <= 1e-9);
+    QVERIFY(glm::length(pixelOf(rectified, {1, 2, 4}) - 0.5 - glm::dvec2(632.5, 25.0)) <= 1e-9);
+    QVERIFY(join(raw.assumed).find("K counts; --undistorted takes P") != std::string::npos);
+
+    const std::string file = R"(image_width: 640
+image_height: 480
+camera_name: head
+camera_matrix:
+  rows: 3
+  cols: 3
+  data: [800, 0, 319.5, 0, 810, 239.5, 0, 0, 1]
+distortion_model: plumb_bob
+distortion_coefficients:
+  rows: 1
+  cols: 5
+  data: [0.1, -0.2, 0.001, 0.002, 0]
+rectification_matrix:
+  rows: 3
+  cols: 3
+  data: [1, 0, 0, 0, 1, 0, 0, 0, 1]
+projection_matrix:
+  rows: 3
+  cols: 4
+  data: [700, 0, 300, 0, 0, 700, 200, 0, 0, 0, 1, 0]
+)";
+    QVERIFY(glm::length(pixelOf(sceneOf(file), {1, 2, 4}) - 0.5 - glm::dvec2(519.5, 644.5)) <= 1e-9);
+    QVERIFY(glm::length(pixelOf(sceneOf(file, undistorted()), {1, 2, 4}) - 0.5 - glm::dvec2(475.0, 550.0)) <= 1e-9);
+
+    const std::string blocks = "height: 480\nwidth: 640\ndistortion_model: plumb_bob\nd:\n- 0.1\n- -0.2\n- 0.001\n- "
+                               "0.002\n- 0.0\nk:\n- 800.0\n- 0.0\n- 319.5\n- 0.0\n- 810.0\n- 239.5\n- 0.0\n- 0.0\n- "
+                               "1.0\nr:\n- 1.0\n- 0.0\n- 0.0\n- 0.0\n- 1.0\n- 0.0\n- 0.0\n- 0.0\n- 1.0\np:\n- 700.0\n- "
+                               "0.0\n- 300.0\n- 0.0\n- 0.0\n- 700.0\n- 200.0\n- 0.0\n- 0.0\n- 0.0\n- 1.0\n- 0.0\n";
+    QVERIFY(glm::length(pixelOf(sceneOf(blocks), {1, 2, 4}) - 0.5 - glm::dvec2(519.5, 644.5)) <= 1e-9);
+    QCOMPARE(sceneOf(blocks).distortion.value().k2, -0.2);
+}
+
+void TestOpenCvCameras::coefficientsAreReadFromEachForm_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::newRow("a list") << "dist = [[-0.3, 0.1, 0.001, -0.002, 0.05]]";
+    QTest::newRow("eight, the last ones 0") << "distCoeffs: [-0.3, 0.1, 0.001, -0.002, 0.05, 0, 0, 0]";
+    QTest::newRow("names") << "k1 = -0.3, k2 = 0.1, p1 = 0.001, p2 = -0.002, k3 = 0.05";
+    QTest::newRow("JSON") << "\"distortion_coefficients\": [-0.3, 0.1, 0.001, -0.002, 0.05]";
+}
+
+void TestOpenCvCameras::coefficientsAreReadFromEachForm()
+{
+    QFETCH(QString, text);
+    const std::string whole = kPlainK + kSize + text.toStdString() + '\n';
+    QCOMPARE(sceneOf(whole).distortion.value(), (Distortion{-0.3, 0.1, 0.001, -0.002, 0.05}));
+    const SceneCamera dropped = sceneOf(whole, undistorted());
+    QVERIFY(!dropped.distortion);
+    QVERIFY(join(dropped.assumed).find("coefficients are dropped") != std::string::npos);
+}
+
+void TestOpenCvCameras::unknownLensesAreNamed_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("reason");
+    QTest::newRow("rational") << "D: [0.1, 0.2, 0, 0, 0.3, 0.4, 0, 0.6]"
+                              << "k4 = 0.4, k6 = 0.6";
+    QTest::newRow("thin prism") << "D: [0.1, 0.2, 0, 0, 0, 0, 0, 0, 0.01, 0, 0, 0]"
+                                << "s1 = 0.01";
+    QTest::newRow("fisheye") << "distortion_model: equidistant\nD: [0.1, 0, 0, 0]"
+                             << "equidistant";
+    QTest::newRow("too few") << "D: [0.1, 0.2]"
+                             << "there are 2 distortion coefficients";
+}
+
+void TestOpenCvCameras::unknownLensesAreNamed()
+{
+    QFETCH(QString, text);
+    QFETCH(QString, reason);
+    const std::string whole = kPlainK + kSize + text.toStdString() + '\n';
+    QVERIFY2(reasonOf(whole).contains(reason), qPrintable(reasonOf(whole)));
+    QVERIFY(!reasonOf(whole).endsWith("@0"));
+    const SceneCamera scene = sceneOf(whole, undistorted());
+    QVERIFY(!scene.distortion);
+    QVERIFY2(join(scene.assumed).find("dropped") != std::string::npos, join(scene.assumed).c_str());
+}
+
+void TestOpenCvCameras::faultsNameValueAndLine_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("reason");
+    QTest::newRow("eight numbers") << "\nK = 800 0 320 0 800 240 0 0\n"
+                                   << "k: it has 8 numbers; a camera matrix has nine, by rows @2";
+    QTest::newRow("no camera matrix")
+        << "K = 800 0 320 5 800 240 0 0 1\n"
+        << "k: this is no camera matrix; it must have the rows fx skew cx, 0 fy cy, 0 0 1 @1";
+    QTest::newRow("R mirrors") << "K = 800 0 320 0 800 240 0 0 1\nR = 1 0 0 0 1 0 0 0 -1\nt = 0 0 5\n"
+                               << "r: its determinant is -1: it mirrors. Check the sign of a row or a column @2";
+    QTest::newRow("R has seven")
+        << "K = 800 0 320 0 800 240 0 0 1\nR = 1 0 0 0 1 0 0\n"
+        << "r: it has 7 numbers; a rotation has nine, by rows, or three of a rotation vector @2";
+    QTest::newRow("t has two") << "K = 800 0 320 0 800 240 0 0 1\nt = 1 0\n"
+                               << "t: it has 2 numbers; a translation has three @2";
+    QTest::newRow("no rotation") << "K = 800 0 320 0 800 240 0 0 1\nR = 1 0.5 0 0 1 0 0 0 1\nt = 0 0 5\n"
+                                 << "the pose's axes are not perpendicular and of equal length: off by 0.5; give a "
+                                    "rotation";
+    QTest::newRow("no K") << "rvec = 0 0 0\ntvec = 0 0 5\n"
+                          << "there is a pose, but no camera matrix; give K, nine numbers by rows @0";
+    QTest::newRow("P is flat") << "P = 1 0 0 0 0 1 0 0 1 1 0 0\n"
+                               << "p: its first three columns have no inverse; a camera's P has one @1";
+    QTest::newRow("fx alone") << "fx = 800\nfy = 800\n"
+                              << "fx and fy are given without cx and cy; give all four @0";
+    QTest::newRow("focal length 0") << "fx = 0, fy = 800, cx = 320, cy = 240\n"
+                                    << "the focal lengths are 0 and 800; they must be finite and not 0";
+}
+
+void TestOpenCvCameras::faultsNameValueAndLine()
+{
+    QFETCH(QString, text);
+    QFETCH(QString, reason);
+    QCOMPARE(reasonOf(text.toStdString()), reason);
+}
+
+void TestOpenCvCameras::otherTextsAreLeftToOthers_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::newRow("empty") << "";
+    QTest::newRow("matrices")
+        << "modelview 1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1 projection 1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0";
+    QTest::newRow("a projection named P")
+        << "P = 1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0 V = 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1";
+    QTest::newRow("words") << "R and t are lost";
+}
+
+void TestOpenCvCameras::otherTextsAreLeftToOthers()
+{
+    QFETCH(QString, text);
+    QVERIFY(!readCamera(std::vector<NamedText>{{"a.txt", text.toStdString()}}, {}));
+}
+
+void TestOpenCvCameras::pixelsAreDistortedAsByProjectPoints()
+{
+    const SceneCamera scene = sceneOf(opencv_camera::kLensYaml);
+    QVERIFY(scene.distortion.has_value());
+    for (const auto &point : opencv_camera::kProjected) {
+        const glm::dvec2 pixel = distortedPixel(*scene.distortion, *scene.intrinsics, pixelOf(scene, point.world));
+        QVERIFY(glm::length(pixel - 0.5 - point.distorted) <= 1e-10);
+    }
+}
+
+void TestOpenCvCameras::distortionIsUndone_data()
+{
+    QTest::addColumn<double>("k1");
+    QTest::addColumn<double>("k2");
+    QTest::addColumn<double>("p1");
+    QTest::addColumn<double>("p2");
+    QTest::addColumn<double>("k3");
+    QTest::newRow("barrel") << -0.28 << 0.11 << 0.0012 << -0.0007 << 0.02;
+    QTest::newRow("pincushion") << 0.4 << 0.2 << -0.01 << 0.02 << 0.1;
+    QTest::newRow("strong barrel") << -0.5 << 0.3 << 0.0 << 0.0 << 0.0;
+    QTest::newRow("tangential only") << 0.0 << 0.0 << 0.05 << -0.03 << 0.0;
+}
+
+/// The coefficients' polynomial is written apart: by angle and radius for its radial part, by powers
+/// for the rest.
+void TestOpenCvCameras::distortionIsUndone()
+{
+    QFETCH(double, k1);
+    QFETCH(double, k2);
+    QFETCH(double, p1);
+    QFETCH(double, p2);
+    QFETCH(double, k3);
+    const Distortion lens{k1, k2, p1, p2, k3};
+    for (double radius = 0.0; radius < 0.75; radius += 0.05) {
+        for (double angle = 0.0; angle < 6.2; angle += 0.7) {
+            const double x = radius * std::cos(angle), y = radius * std::sin(angle);
+            const double longer =
+                radius + k1 * std::pow(radius, 3) + k2 * std::pow(radius, 5) + k3 * std::pow(radius, 7);
+            const glm::dvec2 expected(
+                longer * std::cos(angle) + p1 * radius * radius * std::sin(2.0 * angle) + p2 * (3.0 * x * x + y * y),
+                longer * std::sin(angle) + p1 * (x * x + 3.0 * y * y) + p2 * radius * radius * std::sin(2.0 * angle));
+            QVERIFY(glm::length(distorted(lens, {x, y}) - expected) <= 1e-15);
+            const auto back = undistorted(lens, expected);
+            QVERIFY(back.has_value());
+            QVERIFY(glm::length(*back - glm::dvec2(x, y)) <= 1e-13);
+        }
+    }
+}
+
+/// x (1 - 0.5 x^2) rises to 0.544 at x = 0.816: no position has an image beyond.
+void TestOpenCvCameras::foldsHaveNoPosition()
+{
+    const Distortion lens{-0.5, 0.0, 0.0, 0.0, 0.0};
+    QVERIFY(undistorted(lens, {0.54, 0.0}).has_value());
+    QVERIFY(!undistorted(lens, {0.55, 0.0}).has_value());
+    QVERIFY(!undistorted(lens, {1.0, 1.0}).has_value());
+    QVERIFY(!undistorted(lens, {std::nan(""), 0.0}).has_value());
+}
+
+QTEST_GUILESS_MAIN(TestOpenCvCameras)
+#include "test_opencv_cameras.moc"

@@ -1,0 +1,318 @@
+// The doctor's panel as a way through three steps: the camera, the click, the printed point, and
+// then the answer with its code. The whole task is done by mouse and keys.
+
+#include "cut_texts.h"
+#include "doctor_desk.h"
+
+#include "core/doctor/diagnosis.h"
+#include "core/doctor/mistake_texts.h"
+#include "gui/doctor/candidates_table.h"
+#include "gui/doctor/code_changes_view.h"
+#include "gui/doctor/diagnosis_view.h"
+#include "gui/doctor/wrong_points_form.h"
+#include "gui/document/scene_edits.h"
+#include "gui/pipeline/paste_camera_dialog.h"
+#include "gui/pipeline/pasted_matrix_box.h"
+#include "gui/widgets/segmented_switch.h"
+#include "gui/window/feature.h"
+#include "tests/support/patience.h"
+
+#include <QDialogButtonBox>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace doctordesk;
+
+namespace {
+
+QPushButton *buttonOf(MainWindow &window, const QString &text)
+{
+    for (QPushButton *button : panelOf(window).findChildren<QPushButton *>()) {
+        if (button->text().remove(u'&').startsWith(text) && button->isVisible())
+            return button;
+    }
+    return nullptr;
+}
+
+QLabel *shownLabel(MainWindow &window, const QString &text)
+{
+    for (QLabel *label : panelOf(window).findChildren<QLabel *>()) {
+        if (label->isVisible() && label->text().startsWith(text))
+            return label;
+    }
+    return nullptr;
+}
+
+QPoint placeIn(MainWindow &window, const QWidget &widget)
+{
+    return widget.mapTo(&panelOf(window), QPoint(0, 0));
+}
+
+QString cameraOf(MainWindow &window)
+{
+    return labelOf(window, QStringLiteral("The camera that counts"))->text();
+}
+
+/// The point of a click by the formulas, with another far plane than the scene's.
+glm::dvec3 withFar(const MainWindow &window, const Pick &pick, double otherFar)
+{
+    const Setup &setup = const_cast<MainWindow &>(window).document().setup();
+    const ProjectionWindow planes = projectionWindow(setup.projection());
+    const double n = planes.nearDistance, f = planes.farDistance, d = pick.window.z;
+    const double right = n * f / (f - d * (f - n)), wrong = n * otherFar / (otherFar - d * (otherFar - n));
+    const glm::dvec3 eye = setup.camera().eye.coordinates();
+    const glm::dvec3 point = pick.point.world[Method::Formula]->coordinates();
+    return eye + (point - eye) * (wrong / right);
+}
+
+} // namespace
+
+class TestDoctorSteps : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { redirectSettings(); }
+
+    void theStepsComeInTheirOrder();
+    void theCameraThatCountsIsNamed();
+    void theWholeTaskIsDone();
+    void depthsOfClicksGoWithTheirCamera();
+    void theSolvedValueIsInSentenceTableAndCode();
+    void noLibraryWithoutALineIsShown();
+    void theUsersLibraryIsRemembered();
+    void severalExplanationsAskForAClick();
+    void nothingIsCut_data();
+    void nothingIsCut();
+};
+
+void TestDoctorSteps::theStepsComeInTheirOrder()
+{
+    const auto window = doctorWindow();
+    type(gotOf(*window), pointText(clickedAndWrong(*window)));
+    QTRY_VERIFY_WITH_TIMEOUT(panelOf(*window).code().isVisible(), kPatienceMilliseconds);
+    settle(50);
+    QLabel *camera = shownLabel(*window, QStringLiteral("1  Your camera"));
+    QLabel *click = shownLabel(*window, QStringLiteral("2  Your click"));
+    QLabel *printed = shownLabel(*window, QStringLiteral("3  What your program printed"));
+    QVERIFY(camera && click && printed);
+    const QPoint one = placeIn(*window, *camera), two = placeIn(*window, *click), three = placeIn(*window, *printed);
+    QVERIFY(one.y() < two.y() && two.y() == three.y() && two.x() < three.x());
+    QPushButton *paste = buttonOf(*window, QStringLiteral("Paste camera…"));
+    QVERIFY(paste && placeIn(*window, *paste).y() > one.y() && placeIn(*window, *paste).y() < two.y());
+    const int fields = placeIn(*window, *gotOf(*window)).y(),
+              verdict = placeIn(*window, *labelOf(*window, QStringLiteral("Verdict"))).y(),
+              code = placeIn(*window, panelOf(*window).code()).y(),
+              evidence = placeIn(*window, *labelOf(*window, QStringLiteral("Evidence"))).y(),
+              table = placeIn(*window, *panelOf(*window).findChild<CandidatesTable *>()).y();
+    QVERIFY(two.y() < fields && fields < verdict && verdict < code && code < evidence && evidence < table);
+}
+
+void TestDoctorSteps::theCameraThatCountsIsNamed()
+{
+    const auto window = doctorWindow();
+    QVERIFY2(cameraOf(*window).startsWith(QStringLiteral("This scene's camera counts. Perspective, near")),
+             qPrintable(cameraOf(*window)));
+    const MatrixProjection lens{glm::frustum(-1.0, 1.0, -0.75, 0.75, 2.0, 50.0), std::nullopt};
+    const glm::dmat4 view = glm::lookAt(glm::dvec3(9, 4, 5), kCubeCenter, glm::dvec3(0, 1, 0));
+    QVERIFY(editMatrices(window->document(), lens, std::nullopt, {"lens"}));
+    QVERIFY2(cameraOf(*window).startsWith(QStringLiteral("The projection that you gave counts")),
+             qPrintable(cameraOf(*window)));
+    QVERIFY(editMatrices(window->document(), std::nullopt, view, {"view"}));
+    QCOMPARE(
+        cameraOf(*window),
+        QStringLiteral("The camera that you gave counts: its projection and its view. Perspective, near 2, far 50."));
+    window->document().undoStack().undo();
+    window->document().undoStack().undo();
+    QVERIFY(editMatrices(window->document(), std::nullopt, view, {"view"}));
+    QVERIFY2(cameraOf(*window).startsWith(QStringLiteral("The view that you gave counts")),
+             qPrintable(cameraOf(*window)));
+}
+
+/// Pastes K, R, t from the Doctor, clicks, types the point of a program that forgets to flip y.
+void TestDoctorSteps::theWholeTaskIsDone()
+{
+    const auto window = doctorWindow();
+    QTest::mouseClick(buttonOf(*window, QStringLiteral("Paste camera…")), Qt::LeftButton);
+    auto *dialog = window->findChild<PasteCameraDialog *>();
+    QVERIFY(dialog && dialog->isVisible());
+    const glm::dmat4 m = glm::scale(glm::dmat4(1.0), glm::dvec3(1, -1, -1))
+                         * glm::lookAt(kCubeCenter + glm::dvec3(1.0, 2.0, 8.0), kCubeCenter, glm::dvec3(0.0, 1.0, 0.0));
+    QString text = QStringLiteral("K = [[500, 0, 319.5], [0, 510, 239.5], [0, 0, 1]]\nR = [");
+    for (int i = 0; i < 3; ++i)
+        text += QStringLiteral("[%1, %2, %3]%4")
+                    .arg(m[0][i], 0, 'g', 17)
+                    .arg(m[1][i], 0, 'g', 17)
+                    .arg(m[2][i], 0, 'g', 17)
+                    .arg(i < 2 ? QStringLiteral(", ") : QStringLiteral("]\n"));
+    text +=
+        QStringLiteral("t = [%1, %2, %3]\n").arg(m[3][0], 0, 'g', 17).arg(m[3][1], 0, 'g', 17).arg(m[3][2], 0, 'g', 17);
+    auto *field = dialog->findChildren<PastedMatrixBox *>().front()->findChild<QPlainTextEdit *>();
+    field->setFocus();
+    QApplication::clipboard()->setText(text);
+    QTest::keySequence(field, QKeySequence::Paste);
+    QTest::mouseClick(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+    QVERIFY(!dialog->isVisible());
+    settle();
+    QCOMPARE(window->workspaces().current(), Workspace::Doctor);
+    QVERIFY2(cameraOf(*window).startsWith(QStringLiteral("The camera that you gave counts")),
+             qPrintable(cameraOf(*window)));
+    QVERIFY2(labelOf(*window, QStringLiteral("Setup of the pixels"))->text().contains(QStringLiteral("640 × 480")),
+             qPrintable(labelOf(*window, QStringLiteral("Setup of the pixels"))->text()));
+    type(gotOf(*window), pointText(clickedAndWrong(*window, {0.2, 0.4, 1.0})));
+    QTRY_VERIFY2_WITH_TIMEOUT(verdictOf(*window).startsWith(QStringLiteral("y is not flipped")),
+                              qPrintable(verdictOf(*window)), kPatienceMilliseconds);
+    QVERIFY(panelOf(*window).code().isVisible());
+}
+
+void TestDoctorSteps::depthsOfClicksGoWithTheirCamera()
+{
+    const auto window = doctorWindow();
+    clickedAndWrong(*window);
+    QLineEdit *depth = fieldsOf(*window, QStringLiteral("Depth")).value(0);
+    const QString pixel = fieldsOf(*window, QStringLiteral("Pixel")).value(0)->text();
+    QVERIFY(!depth->text().isEmpty());
+    const MatrixProjection lens{glm::frustum(-1.0, 1.0, -0.75, 0.75, 2.0, 50.0), std::nullopt};
+    QVERIFY(editMatrices(window->document(), lens, std::nullopt, {"lens"}));
+    QVERIFY2(depth->text().isEmpty(), qPrintable(depth->text()));
+    QCOMPARE(fieldsOf(*window, QStringLiteral("Pixel")).value(0)->text(), pixel);
+    QVERIFY(!buttonOf(*window, QStringLiteral("Use current view")));
+    // A typed depth stays.
+    type(depth, QStringLiteral("0.75"));
+    const MatrixProjection other{glm::frustum(-1.0, 1.0, -0.75, 0.75, 3.0, 60.0), std::nullopt};
+    QVERIFY(editMatrices(window->document(), other, std::nullopt, {"lens"}));
+    QCOMPARE(depth->text(), QStringLiteral("0.75"));
+}
+
+void TestDoctorSteps::theSolvedValueIsInSentenceTableAndCode()
+{
+    const auto window = doctorWindow();
+    clickedAndWrong(*window);
+    const Pick &pick = *window->document().picks().pick();
+    const double sceneFar = projectionWindow(window->document().setup().projection()).farDistance;
+    const double otherFar = std::ceil(2.0 * sceneFar / 10.0) * 10.0;
+    type(gotOf(*window), pointText(withFar(*window, pick, otherFar)));
+    const QString value = QStringLiteral("far is %1").arg(otherFar);
+    auto *table = panelOf(*window).findChild<CandidatesTable *>();
+    const auto rowWithValue = [&] {
+        for (int row = 0; row < table->rowCount(); ++row) {
+            if (table->item(row, 0)->text().contains(value))
+                return row;
+        }
+        return -1;
+    };
+    QTRY_VERIFY2_WITH_TIMEOUT(rowWithValue() >= 0, qPrintable(panelOf(*window).answer().text()), kPatienceMilliseconds);
+    QVERIFY2(panelOf(*window).answer().text().contains(value), qPrintable(panelOf(*window).answer().text()));
+    table->setCurrentCell(rowWithValue(), 0);
+    const QString code = panelOf(*window).code().text();
+    QVERIFY2(code.contains(QStringLiteral("gluPerspective(fovy, aspect, n, %1)").arg(otherFar)), qPrintable(code));
+}
+
+void TestDoctorSteps::noLibraryWithoutALineIsShown()
+{
+    const auto window = doctorWindow();
+    CodeChangesView &code = panelOf(*window).code();
+    int others = 0;
+    for (const std::string &id : doctor::mistakeIds()) {
+        code.setMistake(id);
+        QVERIFY2(code.text().startsWith(u'-'), id.c_str());
+        others += code.library() != QStringLiteral("GLU");
+        QCOMPARE(code.chosenLibrary(), QStringLiteral("GLU"));
+    }
+    QVERIFY(others > 0);
+}
+
+void TestDoctorSteps::theUsersLibraryIsRemembered()
+{
+    const auto window = doctorWindow();
+    type(gotOf(*window), pointText(clickedAndWrong(*window)));
+    CodeChangesView &code = panelOf(*window).code();
+    QTRY_VERIFY_WITH_TIMEOUT(code.isVisible(), kPatienceMilliseconds);
+    for (QToolButton *segment : code.findChildren<QToolButton *>()) {
+        if (segment->text() == QStringLiteral("NumPy"))
+            QTest::mouseClick(segment, Qt::LeftButton);
+    }
+    QCOMPARE(code.library(), QStringLiteral("NumPy"));
+    const auto withoutNumPy = [&] {
+        for (const std::string &id : doctor::mistakeIds()) {
+            code.setMistake(id);
+            if (code.library() != QStringLiteral("NumPy"))
+                return id;
+        }
+        return std::string();
+    };
+    QVERIFY(!withoutNumPy().empty());
+    code.setMistake("y-not-flipped");
+    QCOMPARE(code.library(), QStringLiteral("NumPy"));
+    // The next start of the program.
+    QSettings settings;
+    const auto featureOf = [](MainWindow &of) {
+        const QList<Feature *> features = of.findChildren<Feature *>();
+        return *std::find_if(features.begin(), features.end(), [](const Feature *feature) {
+            return QLatin1String(feature->metaObject()->className()).contains(QLatin1String("DoctorFeature"));
+        });
+    };
+    featureOf(*window)->keep(settings);
+    const auto next = doctorWindow();
+    QCOMPARE(panelOf(*next).code().chosenLibrary(), QStringLiteral("GLU"));
+    featureOf(*next)->restore(settings);
+    QCOMPARE(panelOf(*next).code().chosenLibrary(), QStringLiteral("NumPy"));
+}
+
+void TestDoctorSteps::severalExplanationsAskForAClick()
+{
+    const auto window = doctorWindow();
+    clickedAndWrong(*window);
+    const Setup &g = window->document().setup();
+    const Pick &pick = *window->document().picks().pick();
+    const glm::dvec4 ndc(2.0 * (pick.window.x - g.viewport.x) / g.viewport.width - 1.0,
+                         2.0 * (pick.window.y - g.viewport.y) / g.viewport.height - 1.0, 2.0 * pick.window.z - 1.0,
+                         1.0);
+    const glm::dvec4 got = glm::inverse(glm::transpose(*clipFromWorld(g))) * ndc;
+    type(gotOf(*window), pointText(glm::dvec3(got) / got.w));
+    QTRY_VERIFY_WITH_TIMEOUT(verdictOf(*window).contains(QStringLiteral("\nOr: ")), kPatienceMilliseconds);
+    QPushButton *click = buttonOf(*window, QStringLiteral("Click there to tell them apart"));
+    QVERIFY(click);
+    QVERIFY(placeIn(*window, *click).y() < placeIn(*window, panelOf(*window).code()).y());
+    type(gotOf(*window), pointText(clickedAndWrong(*window)));
+    QTRY_VERIFY_WITH_TIMEOUT(buttonOf(*window, QStringLiteral("Click there to be sure")), kPatienceMilliseconds);
+    settle(50);
+    click = buttonOf(*window, QStringLiteral("Click there to be sure"));
+    QVERIFY(placeIn(*window, *click).y() > placeIn(*window, panelOf(*window).code()).y());
+}
+
+void TestDoctorSteps::nothingIsCut_data()
+{
+    QTest::addColumn<double>("points");
+    for (const double points : {9.0, 11.0, 13.0})
+        QTest::addRow("%g pt", points) << points;
+}
+
+void TestDoctorSteps::nothingIsCut()
+{
+    QFETCH(double, points);
+    const QFont before = QApplication::font();
+    QFont font = before;
+    font.setPointSizeF(points);
+    QApplication::setFont(font);
+    const auto window = doctorWindow();
+    const auto cut = [&] { return cutTexts(panelOf(*window)); };
+    QTRY_VERIFY2_WITH_TIMEOUT(cut().isEmpty(), qPrintable(cut().join('\n')), kPatienceMilliseconds);
+    type(gotOf(*window), pointText(clickedAndWrong(*window)));
+    QTRY_VERIFY_WITH_TIMEOUT(panelOf(*window).code().isVisible(), kPatienceMilliseconds);
+    QTRY_VERIFY2_WITH_TIMEOUT(cut().isEmpty(), qPrintable(cut().join('\n')), kPatienceMilliseconds);
+    // Names of mistakes wrap.
+    const auto *table = panelOf(*window).findChild<CandidatesTable *>();
+    for (int row = 0; row < table->rowCount(); ++row)
+        QVERIFY2(table->rowHeight(row) >= table->sizeHintForRow(row), qPrintable(table->item(row, 0)->text()));
+    QApplication::setFont(before);
+}
+
+QTEST_MAIN(TestDoctorSteps)
+#include "test_doctor_steps.moc"
