@@ -1,3 +1,4 @@
+#include "core/doctor/frame_fit.h"
 #include "core/doctor/variant_list.h"
 #include "core/text/translation.h"
 
@@ -217,6 +218,25 @@ void addDistortion(VariantList &list, const Given &given)
 
 // Poses
 
+/// The axes of other cameras' points: of ROS, Unreal, Unity. Those that have a name of their own are
+/// other mistakes.
+void addCameraAxes(VariantList &list)
+{
+    for (const AxisPermutation &permutation : axisPermutations().subspan(1)) {
+        const std::string &axes = permutation.axes;
+        if (axes == "x,-y,-z" || axes == "x,y,-z" || axes == "-x,-y,z")
+            continue;
+        Variant variant;
+        variant.stage = Stage::Eye;
+        variant.apply = [](Run &run, const Variant &v) { run.eye = glm::dmat3(v.matrix) * run.eye; };
+        variant.matrix = glm::dmat4(permutation.matrix);
+        variant.name = VariantName(nullptr, axes);
+        variant.values = {{"axes", {}, axes}};
+        variant.isAlone = true;
+        list.add("camera-axes-differ", std::move(variant));
+    }
+}
+
 /// Inverts a matrix's rotation and keeps its translation.
 glm::dmat4 rotationInverted(const glm::dmat4 &m)
 {
@@ -256,6 +276,7 @@ void addPoses(VariantList &list)
 void addCameraMistakes(VariantList &list, const Given &given, const std::optional<geometry::Surface> &otherSize)
 {
     addPoses(list);
+    addCameraAxes(list);
     addQuaternions(list);
     addEulerAngles(list);
     addDistortion(list, given);

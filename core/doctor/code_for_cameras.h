@@ -23,6 +23,14 @@ inline constexpr CodeChange kOpenCvAxes[] = {
      "p = cam2world @ np.diag([1, -1, -1, 1]) @ [x, y, z, 1]"},
     {"NumPy", "pose = inv(view)  # OpenGL's view, for OpenCV", "pose = inv(np.diag([1, -1, -1, 1]) @ view)"},
 };
+inline constexpr CodeChange kCameraAxesDiffer[] = {
+    {"GLM", "p = glm::inverse(view) * glm::dvec4(x, y, z, 1); // x ahead, y left, z up",
+     "p = glm::inverse(view) * glm::dvec4(-y, z, -x, 1);"},
+    {"Qt", "p = view.inverted().map(QVector3D(x, y, z)); // x ahead, y left, z up",
+     "p = view.inverted().map(QVector3D(-y, z, -x));"},
+    {"NumPy", "p = body2world @ [x, y, z, 1]  # x, y, z by K: right, down, ahead",
+     "p = body2world @ [z, -x, -y, 1]  # ahead, left, up"},
+};
 inline constexpr CodeChange kTranslationNotInverted[] = {
     {"GLM", "p = glm::transpose(R) * p_eye + t;", "p = glm::transpose(R) * (p_eye - t);"},
     {"Qt", "p = R.transposed().map(p_eye) + t;", "p = R.transposed().map(p_eye - t);"},

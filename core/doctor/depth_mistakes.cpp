@@ -1,5 +1,6 @@
 #include "core/doctor/lens_changes.h"
 #include "core/doctor/variant_list.h"
+#include "core/doctor/written_value.h"
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
 
@@ -71,10 +72,11 @@ void addMeaningOfDepth(VariantList &list)
 void addClipDistances(VariantList &list, const Given &given)
 {
     for (const double factor : kClipFactors) {
-        list.add("near-differs", withOtherNear(given, factor * given.nearDistance));
-        list.add("far-differs", withOtherFar(given, factor * given.farDistance));
+        const double n = withoutNoise(factor * given.nearDistance), f = withoutNoise(factor * given.farDistance);
+        list.add("near-differs", withOtherNear(given, n));
+        list.add("far-differs", withOtherFar(given, f));
         if (given.isFrustum)
-            list.add("near-differs", withOtherNearOfFrustum(given, factor * given.nearDistance));
+            list.add("near-differs", withOtherNearOfFrustum(given, n));
     }
 }
 

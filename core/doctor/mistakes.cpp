@@ -77,6 +77,7 @@ constexpr Mistake kMistakes[] = {
     {"eye-subtracted", 1},
     {"axes-differ", 3},
     {"opencv-axes", 8},
+    {"camera-axes-differ", 1},
     {"translation-not-inverted", 3},
     {"quaternion-order", 3},
     {"euler-order", 1},

@@ -118,9 +118,11 @@ std::vector<Hypothesis> ranked(std::span<const Hypothesis> all)
         return found != best.end() && tierOf(*found->second) < 2 && tierOf(*found->second) <= tier
                && rankOf(*found->second) != kUnexpected;
     };
-    const bool isFixedForm = std::any_of(all.begin(), all.end(), [](const Hypothesis &hypothesis) {
-        return hypothesis.count < 2 && !hypothesis.isSolved() && tierOf(hypothesis) < 2;
-    });
+    int tierOfFixedForm = 2;
+    for (const Hypothesis &hypothesis : all) {
+        if (hypothesis.count < 2 && !hypothesis.isSolved())
+            tierOfFixedForm = std::min(tierOfFixedForm, tierOf(hypothesis));
+    }
     int fewestValues = std::numeric_limits<int>::max();
     for (const Hypothesis &hypothesis : all) {
         if (hypothesis.isSolved() && tierOf(hypothesis) < 2)
@@ -133,7 +135,7 @@ std::vector<Hypothesis> ranked(std::span<const Hypothesis> all)
             && (explainsAsWell({key[0], kNone}, tier) || explainsAsWell({key[1], kNone}, tier)
                 || explainsAsWell({kNone, kNone}, tier)))
             continue;
-        if (isFixedForm && rankOf(*hypothesis) == kUnexpected)
+        if (hypothesis->isSolved() && tierOfFixedForm < (hypothesis->isExpected() ? 1 : 2))
             continue;
         if (hypothesis->isSolved() && hypothesis->parts[0]->unknowns > fewestValues)
             continue;

@@ -145,6 +145,10 @@ constexpr Remedy kRemedies[] = {
          "The point in front of the camera has OpenCV's axes, x right, y down, z ahead. The matrix expects OpenGL's, "
          "y up, z back; or the reverse."),
      kOpenCvAxes},
+    {"camera-axes-differ", marked("other camera axes"),
+     marked(
+         "The point in front of the camera has other axes than the matrix expects, as those of ROS, Unreal or Unity."),
+     kCameraAxesDiffer},
     {"translation-not-inverted", marked("translation not inverted"),
      marked(
          "Only the pose's rotation is inverted: t is taken for the eye, or the eye for t. The eye is -transpose(R) t."),
@@ -192,7 +196,7 @@ constexpr Remedy kRemedies[] = {
     {"ratio-differs", marked("another pixel ratio"),
      marked("The pixel and the viewport are in different pixels: one of them is scaled by a pixel ratio."),
      kRatioDiffers},
-    {"scaled", marked("scaled"),
+    {"scaled", marked("result scaled"),
      marked("The result is scaled: another unit of length, or depths in another unit than the scene."), kScaled},
     {"depth-scaled", marked("depth scaled"),
      marked("The depth is multiplied by a factor: it was read in another format."), kDepthScaled},

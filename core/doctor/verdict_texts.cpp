@@ -4,6 +4,8 @@
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
 
+#include <algorithm>
+
 namespace unprojector::doctor {
 using namespace text;
 namespace {
@@ -43,6 +45,25 @@ std::string withLacks(std::string sentences, const std::vector<Lack> &lacks)
 
 } // namespace
 
+namespace {
+
+/// The sentence that one point allows each of several values.
+std::string valuesSentence(const Diagnosis &diagnosis)
+{
+    constexpr std::size_t kMostNamed = 4;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(kMostNamed, diagnosis.candidates.size()); ++i) {
+        const Candidate &candidate = diagnosis.candidates[i];
+        if (candidate.explains)
+            names = names.empty() ? candidateName(candidate) : tr("%1 or %2|names", names, candidateName(candidate));
+    }
+    return diagnosis.wrong == ErrorKind::Depth
+               ? tr("A value would explain the point: %1. Another wrong point at another depth separates them.", names)
+               : tr("A value would explain the point: %1. Another wrong point separates them.", names);
+}
+
+} // namespace
+
 std::string candidateName(const Candidate &candidate)
 {
     const std::string name = candidate.id == "right" ? tr("right|verdict") : mistakeName(candidate.id);
@@ -75,6 +96,8 @@ std::string verdictSentence(const Diagnosis &diagnosis)
     if (isByRay && diagnosis.wrong == ErrorKind::Depth)
         return tr("The pixel is right, and the depth is not. The ray alone cannot separate mistakes of the depth: give "
                   "the depth.");
+    if (!first.values.empty())
+        return valuesSentence(diagnosis);
     return tr("\"%1\" would explain the point, but that may be chance: give more digits, or another click.",
               candidateName(first));
 }

@@ -72,6 +72,14 @@ WrittenValue written(const Solution &solution, std::span<const double> known)
     return best;
 }
 
+double withoutNoise(double value)
+{
+    constexpr int kDigits = 12;
+    const double size = std::abs(value);
+    return size > 0.0 && std::isfinite(size) ? multiple(value, int(std::floor(std::log10(size))) - kDigits + 1, 1.0)
+                                             : value;
+}
+
 std::string valueText(double value)
 {
     return text::shortestText(value, 1e-7 * std::abs(value));

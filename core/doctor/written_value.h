@@ -31,6 +31,8 @@ WrittenValue asDetermined(const Solution &solution);
 /// The greatest chance at which values count as round.
 constexpr double kRoundByChance = 0.05;
 
+/// The value in twelve digits: 0.1 times 0.1 is 0.01.
+double withoutNoise(double value);
 /// The text of a value, with seven digits at most.
 std::string valueText(double value);
 

@@ -48,6 +48,8 @@ private slots:
     void aPointOfTheSceneIsNamed();
     void aVertexOfTheMeshIsNamed();
     void whatCannotBeToldApartIsNamedTogether();
+    void axesAreAValue();
+    void thePixelsMayBeDistorted();
     void unusable_data();
     void unusable();
 
@@ -385,6 +387,37 @@ void TestDoctorCommand::whatCannotBeToldApartIsNamedTogether()
     QVERIFY(!json["candidates"].toArray()[0].toObject().contains("alike"));
 }
 
+void TestDoctorCommand::axesAreAValue()
+{
+    const Run run = doctor(kClick + QStringList{"--got", "0.5000,0.2500,0.7500", "--json"});
+    VERIFY_SUCCEEDED(run);
+    const QJsonObject json = QJsonDocument::fromJson(run.output).object();
+    QCOMPARE(json["verdict"].toString(), QStringLiteral("axes-differ"));
+    QCOMPARE(json["candidates"][0]["values"]["axes"].toString(), QStringLiteral("x,-z,y"));
+}
+
+/// K of the scene: focal length 300 / tan(22.5 degrees), centre (500, 360).
+void TestDoctorCommand::thePixelsMayBeDistorted()
+{
+    const double focal = 300.0 / std::tan(std::acos(-1.0) / 8.0);
+    const double x = (568.6475 - 500.0) / focal, y = (274.3378 - 360.0) / focal, k1 = -0.2;
+    const double radial = 1.0 + k1 * (x * x + y * y);
+    const QString pixel = QString::number(500.0 + focal * x * radial, 'f', 9) + QLatin1Char(',')
+                          + QString::number(360.0 + focal * y * radial, 'f', 9);
+    const auto verdict = [&](const QStringList &more) {
+        const Run run = doctor(
+            QStringList{"--pixel", pixel, "--depth", "0.838330516", "--got", "0.50000,0.75000,-0.25000", "--json"}
+            + more);
+        return QJsonDocument::fromJson(run.output).object()["verdict"].toString();
+    };
+    QCOMPARE(verdict({"--distortion", "-0.2,0,0,0"}), QStringLiteral("right"));
+    QVERIFY(verdict({}) != QStringLiteral("right"));
+    // Coefficients that fold the image have no inverse.
+    const Run folded = doctor(kClick + QStringList{"--got", "1,2,3", "--distortion", "-90,0,0,0,0"});
+    QCOMPARE(folded.exitCode, 2);
+    QVERIFY2(folded.errors.contains("the distortion cannot be undone"), folded.errors.constData());
+}
+
 void TestDoctorCommand::unusable_data()
 {
     QTest::addColumn<QStringList>("options");
@@ -407,6 +440,10 @@ void TestDoctorCommand::unusable_data()
                                     << QByteArray("object:ball");
     QTest::newRow("points and a pixel") << kClick + QStringList{"--points", "-"} << QByteArray("--points");
     QTest::newRow("no such table") << QStringList{"--points", "nowhere.csv"} << QByteArray("nowhere.csv");
+    QTest::newRow("coefficients of words")
+        << kClick + got + QStringList{"--distortion", "k1,0,0,0"} << QByteArray("--distortion: \"k1\" is not a number");
+    QTest::newRow("three coefficients") << kClick + got + QStringList{"--distortion", "0.1,0,0"}
+                                        << QByteArray("--distortion: ");
     QTest::newRow("no size") << kClick + got + QStringList{"--other-size", "640"} << QByteArray("--other-size 640");
     QTest::newRow("outside the view") << QStringList{"--pixel", "1001,5"} + got << QByteArray("--pixel: 1001,5 lies");
     QTest::newRow("a sign apart") << kClick + QStringList{"--got", "1 - 2 3"} << QByteArray("--got 1 - 2 3");

@@ -9,6 +9,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -66,7 +67,7 @@ struct Shot {
 };
 
 /// Four clicks; their points lie in no plane.
-const std::vector<Shot> kShots{{{100.5, 60.5}, 5.0}, {{500.5, 90.5}, 7.5}, {{420.5, 400.5}, 6.0}, {{80.5, 380.5}, 9.0}};
+const std::vector<Shot> kShots{{{110.5, 60.5}, 5.0}, {{500.5, 90.5}, 7.5}, {{420.5, 400.5}, 6.0}, {{80.5, 380.5}, 9.0}};
 
 WrongPoint wrongPoint(const Camera &camera, const Shot &shot, const dvec3 &got)
 {
@@ -169,6 +170,29 @@ void TestDoctorCameras::aMistakeOfTheCameraIsNamed_data()
     row("pixel-corner", [](const Camera &c, const Shot &s) { return c.world(s.pixel - 0.5, s.z); });
     row("opencv-axes", [](const Camera &c, const Shot &s) {
         return c.fromAxes((s.pixel.x - c.cx) / c.fx * s.z, -(s.pixel.y - c.cy) / c.fy * s.z, -s.z);
+    });
+    // A pose of ROS's body axes: ahead, left, up. The point is K's: right, down, ahead.
+    row("camera-axes-differ", [](const Camera &c, const Shot &s) {
+        const double x = (s.pixel.x - c.cx) / c.fx * s.z, y = (s.pixel.y - c.cy) / c.fy * s.z;
+        return c.fromAxes(-y, -s.z, x); // x ahead, y left, z up
+    });
+    // COLMAP's w, x, y, z of the view, read as x, y, z, w
+    row("quaternion-order", [](const Camera &c, const Shot &s) {
+        const glm::dmat3 view = glm::transpose(glm::dmat3(c.right(), c.down(), c.ahead()));
+        const glm::dquat q = glm::quat_cast(view);
+        const std::array stored{q.w, q.x, q.y, q.z};
+        const glm::dmat3 wrong = glm::mat3_cast(glm::dquat(stored[3], stored[0], stored[1], stored[2]));
+        const dvec3 p((s.pixel.x - c.cx) / c.fx * s.z, (s.pixel.y - c.cy) / c.fy * s.z, s.z);
+        return glm::transpose(wrong) * (p + view * c.eye);
+    });
+    // Angles of Rz Ry Rx, multiplied as Rx Ry Rz, of the camera's pose in OpenGL's axes
+    row("euler-order", [](const Camera &c, const Shot &s) {
+        const glm::dmat3 pose(c.right(), -c.down(), -c.ahead());
+        const double x = std::atan2(pose[1][2], pose[2][2]), y = std::asin(-pose[0][2]),
+                     z = std::atan2(pose[0][1], pose[0][0]);
+        const glm::dmat3 wrong = glm::mat3_cast(glm::angleAxis(x, dvec3(1, 0, 0)) * glm::angleAxis(y, dvec3(0, 1, 0))
+                                                * glm::angleAxis(z, dvec3(0, 0, 1)));
+        return c.eye + wrong * dvec3((s.pixel.x - c.cx) / c.fx * s.z, -(s.pixel.y - c.cy) / c.fy * s.z, -s.z);
     });
     row("z-as-ray-length",
         [](const Camera &c, const Shot &s) { return c.eye + s.z * glm::normalize(c.world(s.pixel, s.z) - c.eye); });

@@ -85,11 +85,15 @@ std::vector<std::string> twinsOf(const Shot &shot, const glm::dvec3 &point, cons
     if (isSame(point, shot.truth))
         return {"right"};
     std::vector<std::string> twins;
+    std::array scenes{shot.scene, shot.scene};
+    scenes[1].pixelRatio = 2.0; // K of half the size prints the same as this ratio
     for (const wrong_programs::Mistake &other : wrong_programs::mistakes()) {
         for (int variant = 0; variant < other.variants && other.id != id; ++variant) {
-            const auto p = printed(shot.scene, shot.click, {{other.id, variant}});
-            if (p && isSame(*p, point))
-                twins.emplace_back(other.id);
+            for (const wrong_programs::Scene &scene : scenes) {
+                const auto p = printed(scene, shot.click, {{other.id, variant}});
+                if (p && isSame(*p, point))
+                    twins.emplace_back(other.id);
+            }
         }
     }
     return twins;

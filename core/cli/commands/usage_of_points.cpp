@@ -296,8 +296,9 @@ void addDoctor(CLI::App &app, Run &run)
            "point, or so few digits are\ngiven that one would by chance, the verdict is \"unknown\".\n\nThe chance is "
            "counted, not assumed: it depends on how many of the tried mistakes and pairs have answers close to\nthe "
            "point. One mistake is named up to 20 %, a pair up to 2 %.\n\nA depth of four decimals or more counts as "
-           "rounded to them, one of fewer as exact. Mistakes of the pixel ratio are\ntried with the scene's ratio and "
-           "1.25, 1.5, 1.75, 2 and 3, near and far with 1/100, 1/10, 10 and 100 times.")
+           "rounded to them, one of fewer as exact.\n\nValues are solved from the wrong point: near, far, the field of "
+           "view, a shift of the pixel, the viewport's size, a\npixel ratio, a scale. They are not tried in pairs. "
+           "Where one point allows several values, a second point decides.")
         + "\n\n" + tr("Examples:")
         + "\n  unproject doctor scene.json --pixel 568.647,274.338 --depth 0.838331 --got "
           "0.7051,-0.4122,0.0918\n  unproject doctor scan.ply --pixel 400.5,300.5 --got 1.07,2.31,-0.55 "

@@ -1,0 +1,252 @@
+// Values that are solved from wrong points. The programs with these values share no line with core.
+
+#include "core/doctor/diagnosis.h"
+#include "core/doctor/mistake_texts.h"
+#include "core/doctor/verdict_texts.h"
+#include "core/doctor/written_value.h"
+#include "core/text/translation.h"
+#include "tests/support/doctor_bar.h"
+#include "tests/support/wrong_values.h"
+
+#include <QTest>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+using namespace unprojector;
+using namespace unprojector::doctor;
+using wrong_programs::WrongValue;
+
+namespace {
+
+constexpr double kFourDecimals = 1e-4;
+
+/// A window of 814 x 723 pixels, 45 degrees, near 0.1, far 100.
+doctor_bar::Shot testShot(const glm::dvec3 &world = {0.5, 0.75, -0.25})
+{
+    doctor_bar::Shot shot;
+    wrong_programs::Scene &scene = shot.scene;
+    scene.framebufferWidth = 814.0;
+    scene.framebufferHeight = 723.0;
+    scene.viewport = {0.0, 0.0, 814.0, 723.0};
+    scene.eye = {3.0, 2.0, 5.0};
+    scene.target = {0.0, 0.0, 0.0};
+    scene.up = {0.0, 1.0, 0.0};
+    scene.lens.isPerspective = true;
+    scene.lens.fovyRadians = std::numbers::pi / 4.0;
+    scene.lens.aspect = 814.0 / 723.0;
+    scene.lens.nearDistance = 0.1;
+    scene.lens.farDistance = 100.0;
+    shot.click = clickOn(scene, world);
+    return shot;
+}
+
+glm::dvec3 rounded(const glm::dvec3 &p, double step)
+{
+    return glm::dvec3(std::round(p.x / step), std::round(p.y / step), std::round(p.z / step)) * step;
+}
+
+WrongPoint pointOf(const doctor_bar::Shot &shot, const glm::dvec3 &got, double step = kFourDecimals)
+{
+    WrongPoint point;
+    point.pixel = geometry::DevicePoint(shot.click.px, shot.click.py);
+    point.depth = shot.click.depth;
+    point.got = rounded(got, step);
+    point.lastDigit = glm::dvec3(step);
+    return point;
+}
+
+WrongPoint pointOf(const doctor_bar::Shot &shot, const WrongValue &wrong, double step = kFourDecimals)
+{
+    return pointOf(shot, printed(shot.scene, shot.click, wrong).value(), step);
+}
+
+Diagnosis diagnosed(const doctor_bar::Shot &shot, const WrongPoint &point)
+{
+    return diagnose(doctor_bar::caseOf(shot), {&point, 1}).value();
+}
+
+const Candidate *named(const Diagnosis &diagnosis, const std::string &id)
+{
+    const auto found = std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
+                                    [&](const Candidate &candidate) { return candidate.id == id; });
+    return found == diagnosis.candidates.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+class TestDoctorSolved : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aRoundValueIsTheVerdict_data();
+    void aRoundValueIsTheVerdict();
+    void aFixedFactorHasItsValue();
+    void onePointLeavesSeveralValues();
+    void aSecondDepthDecides();
+    void fewDigitsMakeNoValueCertain();
+    void pointsOnTheRayAreRarelyNamed();
+    void aValueIsWrittenAsPeopleWriteIt_data();
+    void aValueIsWrittenAsPeopleWriteIt();
+    void theScenesValueIsNoEvidence();
+};
+
+void TestDoctorSolved::aRoundValueIsTheVerdict_data()
+{
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<QStringList>("names");
+    QTest::addColumn<QList<double>>("numbers");
+    QTest::addColumn<QString>("word");
+    QTest::addColumn<QString>("name");
+    const auto row = [](const char *title, const char *id, const QStringList &names, const QList<double> &numbers,
+                        const char *word, const char *name) {
+        QTest::newRow(title) << QString(id) << names << numbers << QString(word) << QString(name);
+    };
+    row("far", "far-differs", {"far"}, {50}, "", "another far plane (far is 50, the scene has 100)");
+    row("near", "near-differs", {"near"}, {0.25}, "", "another near plane (near is 0.25, the scene has 0.1)");
+    row("field of view", "fovy-differs", {"fovy"}, {60}, "",
+        "another field of view (fovy is 60 degrees, the scene has 45)");
+    row("any field of view", "fovy-differs", {"fovy"}, {53.13}, "",
+        "another field of view (fovy is 53.13 degrees, the scene has 45)");
+    row("title bar", "pixel-shifted", {"dx", "dy"}, {8, 31}, "", "pixel shifted (8 to the right, 31 down)");
+    row("viewport", "viewport-size-differs", {"width", "height"}, {800, 600}, "",
+        "another viewport size (800 x 600 pixels)");
+    row("ratio", "ratio-differs", {"ratio"}, {1.1}, "",
+        "another pixel ratio (ratio 1.1, logical pixels in a device viewport)");
+    row("millimetres", "scaled", {"factor"}, {1000}, "origin", "result scaled (by 1000 from the origin)");
+    row("any unit", "scaled", {"factor"}, {0.7}, "origin", "result scaled (by 0.7 from the origin)");
+    row("inches of depth", "scaled", {"factor"}, {25.4}, "eye", "result scaled (by 25.4 from the eye)");
+}
+
+void TestDoctorSolved::aRoundValueIsTheVerdict()
+{
+    QFETCH(QString, id);
+    QFETCH(QStringList, names);
+    QFETCH(QList<double>, numbers);
+    QFETCH(QString, word);
+    QFETCH(QString, name);
+    WrongValue wrong{id.toStdString(), {}, word.toStdString(), 0};
+    for (int i = 0; i < names.size(); ++i)
+        wrong.values[names[i].toStdString()] = {numbers[i]};
+    const doctor_bar::Shot shot = testShot();
+    const Diagnosis diagnosis = diagnosed(shot, pointOf(shot, wrong));
+    const Candidate &first = diagnosis.candidates.front();
+    QCOMPARE(QString::fromStdString(diagnosis.verdict), id);
+    QCOMPARE(QString::fromStdString(candidateName(first)), name);
+    QVERIFY(first.explains);
+    for (int i = 0; i < names.size(); ++i) {
+        const auto value = std::find_if(first.values.begin(), first.values.end(),
+                                        [&](const SolvedValue &each) { return each.name == names[i].toStdString(); });
+        QVERIFY(value != first.values.end());
+        QVERIFY(std::abs(value->numbers.front() - numbers[i]) <= 1e-3 * std::abs(numbers[i]));
+    }
+}
+
+/// The tenth of near is a mistake of fixed form, which has its value too.
+void TestDoctorSolved::aFixedFactorHasItsValue()
+{
+    const doctor_bar::Shot shot = testShot();
+    const Diagnosis diagnosis = diagnosed(shot, pointOf(shot, {"near-differs", {{"near", {0.01}}}, "", 0}));
+    QCOMPARE(diagnosis.verdict, std::string("near-differs"));
+    const std::vector<SolvedValue> &values = diagnosis.candidates.front().values;
+    QCOMPARE(values.size(), std::size_t(1));
+    QCOMPARE(values.front().name, std::string("near"));
+    QCOMPARE(values.front().numbers, std::vector<double>{0.01});
+}
+
+void TestDoctorSolved::onePointLeavesSeveralValues()
+{
+    const doctor_bar::Shot shot = testShot();
+    const Diagnosis diagnosis = diagnosed(shot, pointOf(shot, {"far-differs", {{"far", {37.8312}}}, "", 0}));
+    QCOMPARE(diagnosis.verdict, std::string("unknown"));
+    for (const char *id : {"far-differs", "near-differs", "scaled"}) {
+        const Candidate *candidate = named(diagnosis, id);
+        QVERIFY2(candidate && candidate->explains && !candidate->values.empty(), id);
+    }
+    const double far = named(diagnosis, "far-differs")->values.front().numbers.front();
+    QVERIFY(std::abs(far - 37.8312) < 0.01);
+    const std::string sentence = verdictSentence(diagnosis);
+    QVERIFY2(sentence.starts_with("A value would explain the point: another "), sentence.c_str());
+    QVERIFY2(sentence.ends_with(". Another wrong point at another depth separates them."), sentence.c_str());
+    QVERIFY2(sentence.find("far is 37.83") != std::string::npos, sentence.c_str());
+}
+
+void TestDoctorSolved::aSecondDepthDecides()
+{
+    const WrongValue wrong{"far-differs", {{"far", {37.8312}}}, "", 0};
+    const doctor_bar::Shot first = testShot(), second = testShot({-1.0, -0.5, -3.0});
+    const std::array points{pointOf(first, wrong), pointOf(second, wrong)};
+    const Diagnosis diagnosis = diagnose(doctor_bar::caseOf(first), points).value();
+    QCOMPARE(diagnosis.verdict, std::string("far-differs"));
+    QVERIFY(std::abs(diagnosis.candidates.front().values.front().numbers.front() - 37.8312) < 0.01);
+}
+
+/// With two decimals far is 50 to 2 %: any number is as round as that.
+void TestDoctorSolved::fewDigitsMakeNoValueCertain()
+{
+    const doctor_bar::Shot shot = testShot();
+    const Diagnosis diagnosis = diagnosed(shot, pointOf(shot, {"far-differs", {{"far", {50.0}}}, "", 0}, 1e-2));
+    QCOMPARE(diagnosis.verdict, std::string("unknown"));
+    QVERIFY(named(diagnosis, "far-differs"));
+}
+
+/// Any point on the ray has a far plane, a near plane and a scale that explain it.
+void TestDoctorSolved::pointsOnTheRayAreRarelyNamed()
+{
+    const doctor_bar::Shot shot = testShot();
+    const glm::dvec3 eye = shot.scene.eye, truth(0.5, 0.75, -0.25);
+    oracle::Random random(31);
+    int verdicts = 0;
+    constexpr int kPoints = 60;
+    for (int i = 0; i < kPoints; ++i) {
+        const glm::dvec3 got = eye + random.uniform(0.3, 3.0) * (truth - eye);
+        verdicts += diagnosed(shot, pointOf(shot, got)).verdict == "unknown" ? 0 : 1;
+    }
+    QVERIFY2(verdicts <= kPoints / 10, std::to_string(verdicts).c_str());
+}
+
+void TestDoctorSolved::aValueIsWrittenAsPeopleWriteIt_data()
+{
+    QTest::addColumn<double>("value");
+    QTest::addColumn<double>("unsure");
+    QTest::addColumn<double>("expected");
+    QTest::addColumn<bool>("isRound");
+    QTest::newRow("50") << 49.998 << 0.0035 << 50.0 << true;
+    QTest::newRow("0.1") << 0.10002 << 0.00004 << 0.1 << true;
+    QTest::newRow("power of ten from below") << 0.009999 << 0.00002 << 0.01 << true;
+    QTest::newRow("1.5") << 1.4997 << 0.0006 << 1.5 << true;
+    QTest::newRow("1366") << 1365.99 << 0.02 << 1366.0 << true;
+    QTest::newRow("25.4, a unit") << 25.3999 << 0.0002 << 25.4 << true;
+    QTest::newRow("negative") << -31.004 << 0.01 << -31.0 << true;
+    QTest::newRow("not round") << 37.8312 << 0.0035 << 37.83 << false;
+    QTest::newRow("too unsure") << 49.1 << 1.2 << 50.0 << false;
+}
+
+void TestDoctorSolved::aValueIsWrittenAsPeopleWriteIt()
+{
+    QFETCH(double, value);
+    QFETCH(double, unsure);
+    QFETCH(double, expected);
+    QFETCH(bool, isRound);
+    constexpr std::array kUnits{25.4, 0.3048};
+    const WrittenValue written = doctor::written({value, unsure}, kUnits);
+    QCOMPARE(written.value, expected);
+    QCOMPARE(written.coincidence <= kRoundByChance, isRound);
+    QVERIFY(std::abs(written.value - value) <= unsure);
+}
+
+/// A width that is right is no evidence that the height was typed in.
+void TestDoctorSolved::theScenesValueIsNoEvidence()
+{
+    const WrittenValue written = doctor::written({1024.003, 0.02, 1024.0});
+    QCOMPARE(written.value, 1024.0);
+    QCOMPARE(written.coincidence, 1.0);
+}
+
+QTEST_GUILESS_MAIN(TestDoctorSolved)
+#include "test_doctor_solved.moc"
