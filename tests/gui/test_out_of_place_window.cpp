@@ -12,6 +12,8 @@
 
 #include <QFile>
 #include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -49,6 +51,7 @@ private slots:
     void theWorstComesFirst();
     void aClickShowsTheLandmark();
     void oneOfTwoOfANameIsShown();
+    void aLowPanelScrolls();
     void fewScansAreTold();
     void expectedPlacesAreDrawn();
 
@@ -201,6 +204,27 @@ void TestOutOfPlaceWindow::oneOfTwoOfANameIsShown()
     }
     worst.sort();
     QCOMPARE(worst, (QStringList{QStringLiteral("s3.obj 8"), QStringLiteral("s4.obj mouth left (2)")}));
+}
+
+void TestOutOfPlaceWindow::aLowPanelScrolls()
+{
+    for (int scan = 6; scan <= 16; ++scan) // many names in the summary
+        writeScan(scan, landmarksOf(scan).mid(0, 2));
+    const std::unique_ptr<MainWindow> window = openedWindow();
+    QVERIFY(list(*window)->rowCount() > 0);
+    auto *view = window->findChild<DeviationsView *>();
+    auto *rows = view->findChild<QTreeView *>();
+    auto *scroll = view->findChild<QScrollArea *>();
+    window->resizeDocks({dockOf(*window, "series")}, {60}, Qt::Vertical);
+    settle();
+    const int line = rows->fontMetrics().lineSpacing();
+    QVERIFY2(view->height() < 7 * line, qPrintable(QString::number(view->height() / line)));
+    QVERIFY(rows->viewport()->height() >= 4 * line);
+    scroll->verticalScrollBar()->setValue(scroll->verticalScrollBar()->maximum());
+    settle();
+    const int bottom = rows->mapTo(view, QPoint(0, rows->height())).y();
+    QVERIFY2(bottom <= view->height(), qPrintable(QString::number(bottom)));
+    QVERIFY(rows->viewport()->visibleRegion().boundingRect().height() >= 2 * line);
 }
 
 void TestOutOfPlaceWindow::fewScansAreTold()
