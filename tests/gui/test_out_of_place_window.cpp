@@ -1,5 +1,6 @@
 // The window of a series: the list of landmarks out of place, and the expected places in the view.
 
+#include "scan_folder.h"
 #include "window_user.h"
 
 #include "gui/landmarks/deviations_model.h"
@@ -15,7 +16,6 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStatusBar>
-#include <QTemporaryDir>
 #include <QToolButton>
 #include <QTreeView>
 
@@ -27,8 +27,6 @@ using namespace guitest;
 using namespace unprojector::geometry;
 
 namespace {
-
-const QByteArray kSquare = "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nf 1 2 3\nf 1 3 4\n";
 
 /// Eight landmarks; small differences from scan to scan.
 QStringList landmarksOf(int scan)
@@ -43,7 +41,7 @@ QStringList landmarksOf(int scan)
 
 } // namespace
 
-class TestOutOfPlaceWindow : public QObject {
+class TestOutOfPlaceWindow : public QObject, ScanFolder {
     Q_OBJECT
 
 private slots:
@@ -56,12 +54,6 @@ private slots:
     void expectedPlacesAreDrawn();
 
 private:
-    void write(const QString &name, const QByteArray &text) const
-    {
-        QFile out(m_folder->filePath(name));
-        QVERIFY(out.open(QIODevice::WriteOnly));
-        QCOMPARE(out.write(text), text.size());
-    }
     void writeScan(int number, const QStringList &rows) const
     {
         write(QStringLiteral("s%1.obj").arg(number), kSquare);
@@ -70,13 +62,11 @@ private:
     std::unique_ptr<MainWindow> openedWindow() const;
     /// Opens the list and waits for its rows.
     DeviationsModel *list(MainWindow &window) const;
-
-    std::unique_ptr<QTemporaryDir> m_folder;
 };
 
 void TestOutOfPlaceWindow::init()
 {
-    m_folder = std::make_unique<QTemporaryDir>();
+    begin();
     for (int scan = 1; scan <= 5; ++scan)
         writeScan(scan, landmarksOf(scan));
 }
@@ -84,7 +74,7 @@ void TestOutOfPlaceWindow::init()
 std::unique_ptr<MainWindow> TestOutOfPlaceWindow::openedWindow() const
 {
     std::unique_ptr<MainWindow> window = windowOfSize({1280, 800});
-    part<ScanSeries>(*window).open(m_folder->path().toStdU16String());
+    part<ScanSeries>(*window).open(path(QString()).toStdU16String());
     [&] { QTRY_COMPARE_WITH_TIMEOUT(window->document().objects().size(), std::size_t(1), kPatienceMilliseconds); }();
     window->workspaces().show(Panel::Series);
     return window;
@@ -230,8 +220,8 @@ void TestOutOfPlaceWindow::aLowPanelScrolls()
 void TestOutOfPlaceWindow::fewScansAreTold()
 {
     for (int scan = 3; scan <= 5; ++scan) {
-        QFile::remove(m_folder->filePath(QStringLiteral("s%1.obj").arg(scan)));
-        QFile::remove(m_folder->filePath(QStringLiteral("s%1.obj.points.csv").arg(scan)));
+        QFile::remove(path(QStringLiteral("s%1.obj").arg(scan)));
+        QFile::remove(path(QStringLiteral("s%1.obj.points.csv").arg(scan)));
     }
     const std::unique_ptr<MainWindow> window = openedWindow();
     QCOMPARE(list(*window)->rowCount(), 0);
