@@ -3,6 +3,7 @@
 #include "scan_folder.h"
 #include "window_user.h"
 
+#include "gui/document/scene_edits.h"
 #include "gui/landmarks/deviations_model.h"
 #include "gui/landmarks/deviations_view.h"
 #include "gui/landmarks/scan_series.h"
@@ -52,6 +53,7 @@ private slots:
     void aLowPanelScrolls();
     void fewScansAreTold();
     void expectedPlacesAreDrawn();
+    void anExpectedNameCoversNoMarker();
 
 private:
     void writeScan(int number, const QStringList &rows) const
@@ -209,7 +211,7 @@ void TestOutOfPlaceWindow::aLowPanelScrolls()
     settle();
     const int line = rows->fontMetrics().lineSpacing();
     QVERIFY2(view->height() < 7 * line, qPrintable(QString::number(view->height() / line)));
-    QVERIFY(rows->viewport()->height() >= 4 * line);
+    QVERIFY(rows->height() >= 6 * line); // with the header
     scroll->verticalScrollBar()->setValue(scroll->verticalScrollBar()->maximum());
     settle();
     const int bottom = rows->mapTo(view, QPoint(0, rows->height())).y();
@@ -285,6 +287,35 @@ void TestOutOfPlaceWindow::expectedPlacesAreDrawn()
     QTest::keyClick(&window->view(), Qt::Key_N);
     QTRY_VERIFY_WITH_TIMEOUT(window->statusBar()->currentMessage().contains(QStringLiteral("No landmark is next")),
                              kPatienceMilliseconds);
+}
+
+void TestOutOfPlaceWindow::anExpectedNameCoversNoMarker()
+{
+    QStringList rows = landmarksOf(5);
+    rows[6] = QStringLiteral("ear left,,,\n");
+    writeScan(5, rows);
+    const std::unique_ptr<MainWindow> window = openedWindow();
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().landmarks().size(), std::size_t(8), kPatienceMilliseconds);
+    QAction *action = actionOf(*window, QStringLiteral("Show Expected Places"));
+    const auto grab = [&](bool hasExpected) {
+        action->setChecked(hasExpected);
+        settle();
+        return window->view().grabFramebuffer();
+    };
+    // A marker where the name stands otherwise: beside the expected place, to the right and below.
+    const QPointF expected = localOf(*window, {9.0, 6.0, 0.0});
+    const double unit = localOf(*window, {9.1, 6.0, 0.0}).x() - expected.x();
+    landmarks::Landmark wart;
+    wart.world = WorldPoint(9.0 + 0.1 * 40.0 / unit, 6.0 - 0.1 * 16.0 / unit, 0.0);
+    std::vector<landmarks::Landmark> all = window->document().landmarks();
+    all.push_back(wart);
+    QVERIFY(editLandmarks(window->document(), all, {QStringLiteral("Wart")}));
+    const QImage with = grab(true), without = grab(false);
+    const QPointF at = localOf(*window, wart.world->coordinates()) * with.devicePixelRatio();
+    const QRect about(at.toPoint() - QPoint(6, 6), QSize(13, 13));
+    QVERIFY(with.rect().contains(about));
+    QVERIFY(differentPixels(with, without) > 50);
+    QCOMPARE(differentPixels(with.copy(about), without.copy(about)), 0);
 }
 
 QTEST_MAIN(TestOutOfPlaceWindow)
