@@ -114,7 +114,7 @@ QString RecoveryInfo::shownName() const
     std::filesystem::path folder = series->folder;
     if (!folder.has_filename()) // "scans/"
         folder = folder.parent_path();
-    return RecoveryTexts::tr("%1 of the series %2").arg(name, textOf(folder.filename()));
+    return RecoveryTexts::tr("%1 of the series “%2”").arg(name, textOf(folder.filename()));
 }
 
 QString RecoveryInfo::lostText() const

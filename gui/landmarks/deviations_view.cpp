@@ -8,6 +8,7 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QScrollArea>
 #include <QTreeView>
 #include <QVBoxLayout>
 
@@ -45,10 +46,21 @@ DeviationsView::DeviationsView(ScanSeries &series, QWidget *parent)
     });
     connect(m_rows, &QTreeView::clicked, this, &DeviationsView::want);
     connect(m_rows, &QTreeView::activated, this, &DeviationsView::want);
+    // In a low panel, summary and list scroll together: the list keeps a few rows.
+    constexpr int kFewestLines = 6;
+    m_rows->setMinimumHeight(kFewestLines * fontMetrics().lineSpacing());
+    auto *page = new QWidget;
+    auto *lines = new QVBoxLayout(page);
+    lines->setContentsMargins({});
+    lines->addWidget(m_summary);
+    lines->addWidget(m_rows, 1);
+    auto *scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidget(page);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins({});
-    layout->addWidget(m_summary);
-    layout->addWidget(m_rows, 1);
+    layout->addWidget(scroll);
     const int digit = fontMetrics().horizontalAdvance(u'0');
     m_rows->header()->resizeSection(DeviationsModel::Scan, 20 * digit);
     m_rows->header()->resizeSection(DeviationsModel::Landmark, 24 * digit);

@@ -86,7 +86,10 @@ void LandmarkDrawing::drawMarks(QPainter &painter, const QRectF &area, const std
     std::vector<QRectF> occupied = taken;
     if (m_expected && m_expected->isShown()) {
         const std::vector<ExpectedMark> expected = expectedMarks(m_document, m_expected->all());
-        const QRectF label = expectedLabelBox(expected, QFontMetricsF(painter.font()), area, taken);
+        std::vector<QRectF> marks = taken;
+        for (const LandmarkMark &mark : shown)
+            marks.emplace_back(mark.at - QPointF(kMarkReach, kMarkReach), QSizeF(2.0 * kMarkReach, 2.0 * kMarkReach));
+        const QRectF label = expectedLabelBox(expected, QFontMetricsF(painter.font()), area, marks);
         for (const ExpectedMark &mark : expected) // the next click may go there
             occupied.push_back(boxOf(mark));
         occupied.push_back(label);

@@ -7,6 +7,7 @@
 #include "gui/view/frame_view.h"
 #include "gui/view/painters/mesh_painter.h"
 #include "tests/support/cube_sphere.h"
+#include "tests/support/mesh_model.h"
 
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
@@ -103,7 +104,6 @@ Setup setupOf(const WorldPoint &eye, const WorldPoint &center, const Projection 
 /// picture.
 std::shared_ptr<Model> litter(const glm::dvec3 &place)
 {
-    auto model = std::make_shared<Model>();
     Mesh mesh;
     mesh.origin = place;
     std::mt19937 random(11);
@@ -114,9 +114,7 @@ std::shared_ptr<Model> litter(const glm::dvec3 &place)
         for (int k = 0; k < 3; ++k)
             mesh.positions.push_back(middle + 0.2f * std::pow(10.0f, size(random)) * any());
     }
-    model->meshes.push_back(std::move(mesh));
-    model->bounds = boundsOf(model->meshes);
-    return model;
+    return modelOf(std::move(mesh));
 }
 
 } // namespace
@@ -139,13 +137,7 @@ void TestCoveringTriangles::thePictureIsTheSame_data()
     const Projection box = Ortho{-1.6, 1.6, -1.2, 1.2, 0.1, 10.0};
     const WorldPoint middle(0.0, 0.0, 0.0);
     const auto sphere = cubeSphere(90);
-    auto soup = std::make_shared<Model>();
-    for (const std::uint32_t index : sphere->meshes[0].indices) {
-        if (soup->meshes.empty())
-            soup->meshes.emplace_back();
-        soup->meshes[0].positions.push_back(sphere->meshes[0].positions[index]);
-    }
-    soup->bounds = sphere->bounds;
+    const auto soup = modelOf(soupOf(sphere->meshes[0]));
     const auto row = [](const char *name, const std::shared_ptr<Model> &model, const Setup &setup,
                         bool isClipped = false) { QTest::newRow(name) << model << setup << isClipped; };
     row("sphere", sphere, setupOf({1.0, 2.0, 3.0}, middle, perspective));

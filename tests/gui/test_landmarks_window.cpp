@@ -1,6 +1,7 @@
 // Points in the whole window: opened with their model, dropped, from menus, and on a series of
 // scans by keys.
 
+#include "scan_folder.h"
 #include "window_user.h"
 
 #include "gui/document/camera_looks.h"
@@ -27,7 +28,6 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPlainTextEdit>
-#include <QTemporaryDir>
 #include <QTimer>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -41,13 +41,7 @@ using namespace unprojector::gui;
 using namespace guitest;
 using namespace unprojector::geometry;
 
-namespace {
-
-const QByteArray kSquare = "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nf 1 2 3\nf 1 3 4\n";
-
-} // namespace
-
-class TestLandmarksWindow : public QObject {
+class TestLandmarksWindow : public QObject, ScanFolder {
     Q_OBJECT
 
 private slots:
@@ -62,20 +56,11 @@ private slots:
     void fromAScanToASavedSceneAndBack();
 
 private:
-    QString path(const QString &name) const { return m_folder->filePath(name); }
-    void write(const QString &name, const QByteArray &text) const
-    {
-        QFile out(path(name));
-        QVERIFY(out.open(QIODevice::WriteOnly));
-        QCOMPARE(out.write(text), text.size());
-    }
-
-    std::unique_ptr<QTemporaryDir> m_folder;
 };
 
 void TestLandmarksWindow::init()
 {
-    m_folder = std::make_unique<QTemporaryDir>();
+    begin();
     for (const char *name : {"a.obj", "b.obj"})
         write(QLatin1String(name), kSquare);
 }
@@ -203,7 +188,7 @@ void TestLandmarksWindow::longMessagesAreFolded()
 void TestLandmarksWindow::keysGoThroughASeries()
 {
     std::unique_ptr<MainWindow> window = windowOfSize({1280, 800});
-    QVERIFY(part<ScanSeries>(*window).open(m_folder->path().toStdU16String()));
+    QVERIFY(part<ScanSeries>(*window).open(path(QString()).toStdU16String()));
     QTRY_COMPARE_WITH_TIMEOUT(window->document().objects().size(), std::size_t(1), kPatienceMilliseconds);
     QVERIFY(actionOf(*window, QStringLiteral("Next Scan"))->isEnabled());
     QVERIFY(!actionOf(*window, QStringLiteral("Previous Scan"))->isEnabled());
@@ -227,7 +212,7 @@ void TestLandmarksWindow::whatIsBeingTypedIsKeptWithItsScan()
 {
     write(QStringLiteral("a.obj.points.csv"), "name,x,y,z\nfirst,1,2,0\nlast,,,\n");
     const std::unique_ptr<MainWindow> window = windowOfSize({1280, 800});
-    QVERIFY(part<ScanSeries>(*window).open(m_folder->path().toStdU16String()));
+    QVERIFY(part<ScanSeries>(*window).open(path(QString()).toStdU16String()));
     QTRY_COMPARE_WITH_TIMEOUT(window->document().landmarks().size(), std::size_t(2), kPatienceMilliseconds);
     window->workspaces().show(Panel::Landmarks);
     auto *table = window->findChild<LandmarksTable *>();

@@ -157,14 +157,6 @@ Mesh square(
     return mesh;
 }
 
-Mesh soupOf(const Mesh &mesh)
-{
-    Mesh soup;
-    for (const std::uint32_t index : mesh.indices)
-        soup.positions.push_back(mesh.positions[index]);
-    return soup;
-}
-
 /// A coarse ball that has everything a mesh can have.
 std::shared_ptr<Model> richBall()
 {

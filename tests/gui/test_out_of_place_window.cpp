@@ -1,7 +1,9 @@
 // The window of a series: the list of landmarks out of place, and the expected places in the view.
 
+#include "scan_folder.h"
 #include "window_user.h"
 
+#include "gui/document/scene_edits.h"
 #include "gui/landmarks/deviations_model.h"
 #include "gui/landmarks/deviations_view.h"
 #include "gui/landmarks/scan_series.h"
@@ -12,8 +14,9 @@
 
 #include <QFile>
 #include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QStatusBar>
-#include <QTemporaryDir>
 #include <QToolButton>
 #include <QTreeView>
 
@@ -25,8 +28,6 @@ using namespace guitest;
 using namespace unprojector::geometry;
 
 namespace {
-
-const QByteArray kSquare = "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nf 1 2 3\nf 1 3 4\n";
 
 /// Eight landmarks; small differences from scan to scan.
 QStringList landmarksOf(int scan)
@@ -41,7 +42,7 @@ QStringList landmarksOf(int scan)
 
 } // namespace
 
-class TestOutOfPlaceWindow : public QObject {
+class TestOutOfPlaceWindow : public QObject, ScanFolder {
     Q_OBJECT
 
 private slots:
@@ -49,16 +50,12 @@ private slots:
     void theWorstComesFirst();
     void aClickShowsTheLandmark();
     void oneOfTwoOfANameIsShown();
+    void aLowPanelScrolls();
     void fewScansAreTold();
     void expectedPlacesAreDrawn();
+    void anExpectedNameCoversNoMarker();
 
 private:
-    void write(const QString &name, const QByteArray &text) const
-    {
-        QFile out(m_folder->filePath(name));
-        QVERIFY(out.open(QIODevice::WriteOnly));
-        QCOMPARE(out.write(text), text.size());
-    }
     void writeScan(int number, const QStringList &rows) const
     {
         write(QStringLiteral("s%1.obj").arg(number), kSquare);
@@ -67,13 +64,11 @@ private:
     std::unique_ptr<MainWindow> openedWindow() const;
     /// Opens the list and waits for its rows.
     DeviationsModel *list(MainWindow &window) const;
-
-    std::unique_ptr<QTemporaryDir> m_folder;
 };
 
 void TestOutOfPlaceWindow::init()
 {
-    m_folder = std::make_unique<QTemporaryDir>();
+    begin();
     for (int scan = 1; scan <= 5; ++scan)
         writeScan(scan, landmarksOf(scan));
 }
@@ -81,7 +76,7 @@ void TestOutOfPlaceWindow::init()
 std::unique_ptr<MainWindow> TestOutOfPlaceWindow::openedWindow() const
 {
     std::unique_ptr<MainWindow> window = windowOfSize({1280, 800});
-    part<ScanSeries>(*window).open(m_folder->path().toStdU16String());
+    part<ScanSeries>(*window).open(path(QString()).toStdU16String());
     [&] { QTRY_COMPARE_WITH_TIMEOUT(window->document().objects().size(), std::size_t(1), kPatienceMilliseconds); }();
     window->workspaces().show(Panel::Series);
     return window;
@@ -203,11 +198,32 @@ void TestOutOfPlaceWindow::oneOfTwoOfANameIsShown()
     QCOMPARE(worst, (QStringList{QStringLiteral("s3.obj 8"), QStringLiteral("s4.obj mouth left (2)")}));
 }
 
+void TestOutOfPlaceWindow::aLowPanelScrolls()
+{
+    for (int scan = 6; scan <= 16; ++scan) // many names in the summary
+        writeScan(scan, landmarksOf(scan).mid(0, 2));
+    const std::unique_ptr<MainWindow> window = openedWindow();
+    QVERIFY(list(*window)->rowCount() > 0);
+    auto *view = window->findChild<DeviationsView *>();
+    auto *rows = view->findChild<QTreeView *>();
+    auto *scroll = view->findChild<QScrollArea *>();
+    window->resizeDocks({dockOf(*window, "series")}, {60}, Qt::Vertical);
+    settle();
+    const int line = rows->fontMetrics().lineSpacing();
+    QVERIFY2(view->height() < 7 * line, qPrintable(QString::number(view->height() / line)));
+    QVERIFY(rows->height() >= 6 * line); // with the header
+    scroll->verticalScrollBar()->setValue(scroll->verticalScrollBar()->maximum());
+    settle();
+    const int bottom = rows->mapTo(view, QPoint(0, rows->height())).y();
+    QVERIFY2(bottom <= view->height(), qPrintable(QString::number(bottom)));
+    QVERIFY(rows->viewport()->visibleRegion().boundingRect().height() >= 2 * line);
+}
+
 void TestOutOfPlaceWindow::fewScansAreTold()
 {
     for (int scan = 3; scan <= 5; ++scan) {
-        QFile::remove(m_folder->filePath(QStringLiteral("s%1.obj").arg(scan)));
-        QFile::remove(m_folder->filePath(QStringLiteral("s%1.obj.points.csv").arg(scan)));
+        QFile::remove(path(QStringLiteral("s%1.obj").arg(scan)));
+        QFile::remove(path(QStringLiteral("s%1.obj.points.csv").arg(scan)));
     }
     const std::unique_ptr<MainWindow> window = openedWindow();
     QCOMPARE(list(*window)->rowCount(), 0);
@@ -271,6 +287,35 @@ void TestOutOfPlaceWindow::expectedPlacesAreDrawn()
     QTest::keyClick(&window->view(), Qt::Key_N);
     QTRY_VERIFY_WITH_TIMEOUT(window->statusBar()->currentMessage().contains(QStringLiteral("No landmark is next")),
                              kPatienceMilliseconds);
+}
+
+void TestOutOfPlaceWindow::anExpectedNameCoversNoMarker()
+{
+    QStringList rows = landmarksOf(5);
+    rows[6] = QStringLiteral("ear left,,,\n");
+    writeScan(5, rows);
+    const std::unique_ptr<MainWindow> window = openedWindow();
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().landmarks().size(), std::size_t(8), kPatienceMilliseconds);
+    QAction *action = actionOf(*window, QStringLiteral("Show Expected Places"));
+    const auto grab = [&](bool hasExpected) {
+        action->setChecked(hasExpected);
+        settle();
+        return window->view().grabFramebuffer();
+    };
+    // A marker where the name stands otherwise: beside the expected place, to the right and below.
+    const QPointF expected = localOf(*window, {9.0, 6.0, 0.0});
+    const double unit = localOf(*window, {9.1, 6.0, 0.0}).x() - expected.x();
+    landmarks::Landmark wart;
+    wart.world = WorldPoint(9.0 + 0.1 * 40.0 / unit, 6.0 - 0.1 * 16.0 / unit, 0.0);
+    std::vector<landmarks::Landmark> all = window->document().landmarks();
+    all.push_back(wart);
+    QVERIFY(editLandmarks(window->document(), all, {QStringLiteral("Wart")}));
+    const QImage with = grab(true), without = grab(false);
+    const QPointF at = localOf(*window, wart.world->coordinates()) * with.devicePixelRatio();
+    const QRect about(at.toPoint() - QPoint(6, 6), QSize(13, 13));
+    QVERIFY(with.rect().contains(about));
+    QVERIFY(differentPixels(with, without) > 50);
+    QCOMPARE(differentPixels(with.copy(about), without.copy(about)), 0);
 }
 
 QTEST_MAIN(TestOutOfPlaceWindow)

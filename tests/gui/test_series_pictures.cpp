@@ -1,16 +1,16 @@
 // --series with --screenshots: an image of each scan with its landmarks, and a contact sheet.
 
 #include "tests/gui/program_run.h"
+#include "tests/gui/scan_folder.h"
 
 #include <QDir>
 #include <QFile>
 #include <QImage>
-#include <QTemporaryDir>
 #include <QTest>
 
 using namespace program_run;
 
-class TestSeriesPictures : public QObject {
+class TestSeriesPictures : public QObject, ScanFolder {
     Q_OBJECT
 
 private slots:
@@ -23,13 +23,6 @@ private slots:
     void aMistakeIsToldOnStderr();
 
 private:
-    QString path(const QString &name) const { return m_folder->filePath(name); }
-    void write(const QString &name, const QByteArray &text) const
-    {
-        QFile out(path(name));
-        QVERIFY(out.open(QIODevice::WriteOnly));
-        QCOMPARE(out.write(text), text.size());
-    }
     QStringList files() const { return QDir(path(QStringLiteral("scans"))).entryList(QDir::Files); }
     Run pictures(const QStringList &more = {}) const
     {
@@ -37,16 +30,14 @@ private:
                                QStringLiteral("--screenshots"), path(QStringLiteral("out"))}
                    + (more.isEmpty() ? QStringList{QStringLiteral("--size"), QStringLiteral("400x300")} : more));
     }
-
-    std::unique_ptr<QTemporaryDir> m_folder;
 };
 
 void TestSeriesPictures::init()
 {
-    m_folder = std::make_unique<QTemporaryDir>();
-    QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("scans")));
+    begin();
+    QVERIFY(QDir(path(QString())).mkdir(QStringLiteral("scans")));
     for (const char *name : {"scans/a.obj", "scans/b.obj", "scans/c.obj"})
-        write(QLatin1String(name), "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nf 1 2 3\nf 1 3 4\n");
+        write(QLatin1String(name), kSquare);
     write(QStringLiteral("scans/a.obj.points.csv"), "name,x,y,z,color\nleft,2,5,0,#ff0000\nright,8,5,0,#ff0000\n");
     write(QStringLiteral("scans/b.obj.points.csv"), "name,x,y,z\nleft,2,5,0\nright,,,\n");
 }

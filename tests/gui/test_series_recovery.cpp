@@ -126,7 +126,7 @@ void TestSeriesRecovery::aKilledSeriesContinues()
     window->session().openBundledScene();
     window->session().offerRecovery();
     const auto *text = window->findChild<RecoveryBar *>()->findChild<QLabel *>();
-    QVERIFY2(text->text().contains(QStringLiteral("b.obj of the series scans")), qPrintable(text->text()));
+    QVERIFY2(text->text().contains(QStringLiteral("b.obj of the series “scans”")), qPrintable(text->text()));
     buttonOf(*window, QStringLiteral("Recover")).click();
     QVERIFY(hasLoaded(*window));
     QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
@@ -179,7 +179,7 @@ void TestSeriesRecovery::discardingTellsWhatIsLost()
     timer.start(10);
     buttonOf(*window, QStringLiteral("Discard")).click();
     QCOMPARE(asked,
-             QStringLiteral("Delete the unsaved changes to b.obj of the series scans (landmarks placed: 2; in its "
+             QStringLiteral("Delete the unsaved changes to b.obj of the series “scans” (landmarks placed: 2; in its "
                             "file: 0) for good?"));
     QVERIFY(keptIn(m_folder->recovery()).isEmpty());
 }

@@ -599,7 +599,7 @@ void TestSeriesWork::aKilledSeriesContinues()
     crash();
     QCOMPARE(m_session->offered().size(), std::size_t(1));
     const RecoveryInfo info = m_session->offered()[0];
-    QVERIFY2(info.shownName().startsWith(QStringLiteral("b.obj of the series ")), qPrintable(info.shownName()));
+    QVERIFY2(info.shownName().startsWith(QStringLiteral("b.obj of the series “")), qPrintable(info.shownName()));
     QVERIFY2(info.lostText().endsWith(QStringLiteral("(landmarks placed: 2; in its file: 1)")),
              qPrintable(info.lostText()));
     m_session->recover(0);
