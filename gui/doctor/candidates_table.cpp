@@ -8,7 +8,6 @@
 
 #include <QEvent>
 #include <QHeaderView>
-#include <QResizeEvent>
 #include <QSignalBlocker>
 
 namespace unprojector::gui {
@@ -36,6 +35,11 @@ CandidatesTable::CandidatesTable(QWidget *parent) : QTableWidget(0, ColumnCount,
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setAccessibleName(tr("Candidates"));
     setToolTip(tr("Mistakes that explain the point, the best first. The code to change belongs to the selected one"));
+    // The names' column changes with the panel and with the other columns.
+    connect(horizontalHeader(), &QHeaderView::sectionResized, this, [this](int column) {
+        if (column == Name)
+            fitRows();
+    });
     connect(this, &QTableWidget::currentCellChanged, this, [this](int current) {
         if (current >= 0)
             emit chosen(current);
@@ -76,13 +80,6 @@ void CandidatesTable::changeEvent(QEvent *event)
 {
     QTableWidget::changeEvent(event);
     if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
-        fitRows();
-}
-
-void CandidatesTable::resizeEvent(QResizeEvent *event)
-{
-    QTableWidget::resizeEvent(event);
-    if (event->size().width() != event->oldSize().width())
         fitRows();
 }
 

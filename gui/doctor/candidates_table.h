@@ -22,7 +22,6 @@ signals:
 
 protected:
     void changeEvent(QEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
 
 private:
     /// Makes each row as high as its name, and the table as high as its rows.
