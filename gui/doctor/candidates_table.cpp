@@ -6,6 +6,7 @@
 #include "gui/text/number_text.h"
 #include "gui/widgets/digits_font.h"
 
+#include <QEvent>
 #include <QHeaderView>
 #include <QSignalBlocker>
 
@@ -17,7 +18,7 @@ enum Column { Name, Answer, Digits, Off, ColumnCount };
 
 } // namespace
 
-CandidatesTable::CandidatesTable(QWidget *parent) : WholeTable(0, ColumnCount, parent)
+CandidatesTable::CandidatesTable(QWidget *parent) : QTableWidget(0, ColumnCount, parent)
 {
     setHorizontalHeaderLabels({tr("Mistake"), tr("Its answer"), tr("Digits"), tr("Off by")});
     horizontalHeaderItem(Off)->setToolTip(tr("Greatest difference of a coordinate, in units of the last given digit"));
@@ -28,8 +29,17 @@ CandidatesTable::CandidatesTable(QWidget *parent) : WholeTable(0, ColumnCount, p
     verticalHeader()->hide();
     setSelectionBehavior(SelectRows);
     setSelectionMode(SingleSelection);
+    setEditTriggers(NoEditTriggers);
+    setTabKeyNavigation(false);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setAccessibleName(tr("Candidates"));
     setToolTip(tr("Mistakes that explain the point, the best first. The code to change belongs to the selected one"));
+    // The names' column changes with the panel and with the other columns.
+    connect(horizontalHeader(), &QHeaderView::sectionResized, this, [this](int column) {
+        if (column == Name)
+            fitRows();
+    });
     connect(this, &QTableWidget::currentCellChanged, this, [this](int current) {
         if (current >= 0)
             emit chosen(current);
@@ -57,7 +67,20 @@ void CandidatesTable::setDiagnosis(const Diagnosis &diagnosis, const WrongPoint 
         put(Off, significantText(candidate.distance, 3), Qt::AlignRight);
     }
     setCurrentCell(diagnosis.namesMistake() ? 0 : -1, 0);
-    fit();
+    fitRows();
+}
+
+void CandidatesTable::fitRows()
+{
+    resizeRowsToContents();
+    setFixedHeight(verticalHeader()->length() + horizontalHeader()->sizeHint().height() + 2 * frameWidth());
+}
+
+void CandidatesTable::changeEvent(QEvent *event)
+{
+    QTableWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+        fitRows();
 }
 
 } // namespace unprojector::gui

@@ -168,9 +168,14 @@ void ForeignCameraBox::createFields()
         made->addWidget(second, between.isEmpty() ? 0 : 1);
         return made;
     };
+    const auto label = [](const QString &text, QWidget *buddy) {
+        auto *made = new QLabel(text);
+        made->setBuddy(buddy);
+        return made;
+    };
     m_form->addRow(tr("&Image:"), m_image);
-    m_form->addRow(tr("Picture &size:"), line(m_size, m_takesSize));
-    m_form->addRow(tr("&Near, far:"), line(m_near, m_far, QStringLiteral("–")));
+    m_form->addRow(label(tr("Picture &size:"), m_size), line(m_size, m_takesSize));
+    m_form->addRow(label(tr("&Near, far:"), m_near), line(m_near, m_far, QStringLiteral("–")));
     m_form->addRow(tr("&Axes:"), m_axes);
     m_form->addRow(tr("P&ose:"), m_direction);
     m_form->addRow(tr("Pixel &centres:"), m_centres);

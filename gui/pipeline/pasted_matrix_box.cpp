@@ -25,7 +25,7 @@ using namespace matrices;
 
 namespace {
 
-constexpr int kTextLines = 5;
+constexpr int kTextLines = 5, kLinesOfCamera = 16;
 
 /// The choices in the order of the switch.
 constexpr std::array<std::optional<NdcDepth>, 3> kNdcDepths{std::nullopt, NdcDepth::MinusOneToOne, NdcDepth::ZeroToOne};
@@ -64,8 +64,7 @@ PastedMatrixBox::PastedMatrixBox(MatrixRole role, QWidget *parent) : QWidget(par
     m_text->setToolTip(tr(
         "Sixteen numbers in a row are read column after column, four lines or brackets as rows. Calls of OpenGL, GLM, "
         "three.js, System.Numerics and DirectXMath are read with the numbers in them."));
-    const int line = QFontMetrics(m_text->font()).lineSpacing();
-    m_text->setFixedHeight(kTextLines * line + 3 * m_text->frameWidth() + line);
+    setTextLines(kTextLines);
     m_title->setBuddy(m_text);
     setFocusProxy(m_text);
 
@@ -151,6 +150,12 @@ void PastedMatrixBox::setTextOnly(bool isTextOnly)
 {
     m_title->setText(isTextOnly ? tr("Camera") : QStringLiteral("%1   %2").arg(roleName(m_role), variableName(m_role)));
     m_read->setVisible(!isTextOnly);
+    setTextLines(isTextOnly ? kLinesOfCamera : kTextLines);
+}
+
+void PastedMatrixBox::setTextLines(int lines)
+{
+    m_text->setFixedHeight((lines + 1) * QFontMetrics(m_text->font()).lineSpacing() + 3 * m_text->frameWidth());
 }
 
 QStringList PastedMatrixBox::saidOf(const MatrixPaste &paste) const

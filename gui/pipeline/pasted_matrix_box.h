@@ -42,6 +42,7 @@ signals:
     void asPastedWanted();
 
 private:
+    void setTextLines(int lines);
     /// The descriptions of how the text was interpreted.
     QStringList saidOf(const matrices::MatrixPaste &paste) const;
 

@@ -3,6 +3,7 @@
 #include "window_user.h"
 
 #include "gui/doctor/doctor_panel.h"
+#include "gui/document/camera_looks.h"
 #include "gui/document/picks.h"
 
 #include <QApplication>

@@ -5,12 +5,14 @@
 #include "document_edits.h"
 #include "gui_scene.h"
 
+#include "gui/document/camera_looks.h"
 #include "gui/pipeline/foreign_camera_box.h"
 #include "gui/pipeline/paste_camera_dialog.h"
 #include "gui/pipeline/pasted_matrix_box.h"
 #include "tests/core/foreign_camera_texts.h"
 #include "tests/support/patience.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
