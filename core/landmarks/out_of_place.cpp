@@ -15,7 +15,7 @@ namespace unprojector::landmarks {
 namespace {
 
 constexpr double kPooledCount = 8.0;
-constexpr double kSwapBefore = 2.0, kSwapAfter = 2.0; // spreads
+constexpr double kSwapBefore = 2.0, kSwapAfter = kSpreadsOutOfPlace; // spreads
 constexpr int kMostRounds = 8;
 
 /// Medians of a landmark's positions with one or two specimens left out.

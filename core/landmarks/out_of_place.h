@@ -59,7 +59,7 @@ inline constexpr double kSpreadsOutOfPlace = 2.8;
 /// landmarks and from a robust alignment; the start that needs fewer landmarks out of place is taken.
 /// It goes on with the predictions.
 ///
-/// Two landmarks are swapped if both are 2 spreads off, and each is within 2 spreads of the other's
+/// Two landmarks are swapped if both are 2 spreads off, and each is within 2.8 spreads of the other's
 /// position. All left and right landmarks of a specimen are swapped if swapping them back more than
 /// halves the median of its distances in spreads.
 ///
