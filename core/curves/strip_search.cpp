@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -75,8 +76,12 @@ private:
     glm::dvec3 placeOf(std::uint32_t number) const
     {
         const TriangleStrip::Edge &edge = m_edges[number / kPlaces];
-        const double share = double(number % kPlaces + 1) / double(kPlaces + 1);
-        return (1.0 - share) * m_mesh[edge[0]] + share * m_mesh[edge[1]];
+        return between(m_mesh[edge[0]], m_mesh[edge[1]], number % kPlaces);
+    }
+    static glm::dvec3 between(const glm::dvec3 &a, const glm::dvec3 &b, std::uint32_t i)
+    {
+        const double share = double(i + 1) / double(kPlaces + 1);
+        return (1.0 - share) * a + share * b;
     }
 
     std::uint32_t firstOf(std::uint32_t a, std::uint32_t b)
@@ -104,12 +109,16 @@ private:
             }
         }
         const std::array<std::uint32_t, 3> &corners = m_mesh.mesh().corners(triangle);
+        const std::array places{m_mesh[corners[0]], m_mesh[corners[1]], m_mesh[corners[2]]};
         for (std::size_t side = 0; side < 3; ++side) {
-            const std::uint32_t first = firstOf(corners[side], corners[(side + 1) % 3]);
+            const std::size_t next = (side + 1) % 3;
+            const std::uint32_t first = firstOf(corners[side], corners[next]);
             if (parent != kNone && first == parent - parent % kPlaces)
                 continue;
+            const bool isAscending = corners[side] < corners[next];
             for (std::uint32_t i = 0; i < kPlaces; ++i) {
-                const glm::dvec3 there = placeOf(first + i);
+                const glm::dvec3 there =
+                    between(places[isAscending ? side : next], places[isAscending ? next : side], i);
                 const double sum = cost + glm::distance(place, there);
                 Node &node = m_nodes[first + i];
                 if (node.isDone || !(sum < node.cost))

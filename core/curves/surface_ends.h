@@ -3,6 +3,7 @@
 #include "core/curves/surface_mesh.h"
 
 #include <glm/common.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 
 #include <algorithm>
@@ -15,18 +16,22 @@ namespace unprojector::curves {
 class PlacedMesh {
 public:
     PlacedMesh(const SurfaceMesh &mesh, const glm::dmat4 &worldFromObject)
-        : m_mesh(mesh), m_worldFromObject(worldFromObject)
+        : m_mesh(mesh), m_linear(worldFromObject), m_shift(worldFromObject[3]),
+          m_isPlain(worldFromObject == glm::dmat4(1.0))
     {
     }
     const SurfaceMesh &mesh() const { return m_mesh; }
     glm::dvec3 operator[](std::uint32_t corner) const
     {
-        return glm::dvec3(m_worldFromObject * glm::dvec4(m_mesh.place(corner), 1.0));
+        const glm::dvec3 &place = m_mesh.place(corner);
+        return m_isPlain ? place : m_linear * place + m_shift;
     }
 
 private:
     const SurfaceMesh &m_mesh;
-    glm::dmat4 m_worldFromObject;
+    glm::dmat3 m_linear;
+    glm::dvec3 m_shift;
+    bool m_isPlain; ///< the world is the object's space; searches ask for millions of positions
 };
 
 /// An end of a path, by its corners: one for a vertex, two for an edge, three inside a triangle.

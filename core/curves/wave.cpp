@@ -46,7 +46,8 @@ Beyond beyondEdge(const Sides &sides, double atA, double atB)
     const double crossing = (sourceX * above + cornerX * below) / (above + below);
     if (crossing < 0.0 || crossing > edge)
         return around;
-    return {std::hypot(cornerX - sourceX, above + below), crossing <= edge / 2.0};
+    const double across = cornerX - sourceX, up = above + below;
+    return {std::sqrt(across * across + up * up), crossing <= edge / 2.0};
 }
 
 /// The straight distance between the corners on both sides of an edge, unfolded into a plane;
@@ -131,29 +132,28 @@ private:
     void spread(std::uint32_t corner)
     {
         const glm::dvec3 place = m_mesh[corner];
-        const double own = m_corners[corner].distance;
+        const double distance = m_corners[corner].distance;
         const auto [begin, end] = m_mesh.mesh().around(corner);
         for (const std::uint32_t *triangle = begin; triangle != end; ++triangle) {
             const std::array<std::uint32_t, 3> &corners = m_mesh.mesh().corners(*triangle);
             const std::size_t k = corners[0] == corner ? 0 : corners[1] == corner ? 1 : 2;
             const std::array others{corners[(k + 1) % 3], corners[(k + 2) % 3]};
+            // A triangle's positions and lengths serve all offers in it.
+            const std::array places{m_mesh[others[0]], m_mesh[others[1]]};
+            const Sides own{glm::distance(places[0], places[1]), glm::distance(places[0], place),
+                            glm::distance(places[1], place)};
+            const std::array isDone{m_corners[others[0]].isDone, m_corners[others[1]].isDone};
             for (std::size_t i = 0; i < 2; ++i) {
-                const std::uint32_t next = others[i], third = others[1 - i];
-                if (m_corners[next].isDone)
+                if (isDone[i])
                     continue;
-                if (m_corners[third].isDone)
-                    pass(corner, third, next, sidesOf(corner, third, next));
+                const double leg = i == 0 ? own.toA : own.toB, thirdLeg = i == 0 ? own.toB : own.toA;
+                if (isDone[1 - i])
+                    pass(corner, others[1 - i], others[i], {thirdLeg, leg, own.edge});
                 else
-                    offer(next, own + glm::distance(place, m_mesh[next]), corner);
+                    offer(others[i], distance + leg, corner);
             }
-            spreadAcross(corner, *triangle, others);
+            spreadAcross(corner, *triangle, others, places, own);
         }
-    }
-
-    Sides sidesOf(std::uint32_t a, std::uint32_t b, std::uint32_t c) const
-    {
-        return {glm::distance(m_mesh[a], m_mesh[b]), glm::distance(m_mesh[a], m_mesh[c]),
-                glm::distance(m_mesh[b], m_mesh[c])};
     }
 
     /// Offers a distance from two corners that have theirs.
@@ -165,7 +165,10 @@ private:
 
     /// Offers distances to the corner on the other side of an opposite edge: an obtuse triangle
     /// there lacks the wave from its own corners.
-    void spreadAcross(std::uint32_t corner, std::uint32_t triangle, const std::array<std::uint32_t, 2> &edge)
+    /// @param ends  the positions of the edge's ends
+    /// @param own   the triangle's sides, from the edge to the corner
+    void spreadAcross(std::uint32_t corner, std::uint32_t triangle, const std::array<std::uint32_t, 2> &edge,
+                      const std::array<glm::dvec3, 2> &ends, const Sides &own)
     {
         const std::uint32_t other = m_mesh.mesh().onlyAcross(triangle, edge[0], edge[1]);
         if (other == kNone)
@@ -175,7 +178,8 @@ private:
             corners.begin(), corners.end(), [&](std::uint32_t each) { return each != edge[0] && each != edge[1]; });
         if (m_corners[next].isDone)
             return;
-        const Sides own = sidesOf(edge[0], edge[1], corner), beyond = sidesOf(edge[0], edge[1], next);
+        const glm::dvec3 place = m_mesh[next];
+        const Sides beyond{own.edge, glm::distance(ends[0], place), glm::distance(ends[1], place)};
         const std::optional<double> straight = acrossEdge(own, beyond);
         if (!straight)
             return;

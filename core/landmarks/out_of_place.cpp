@@ -1,18 +1,21 @@
 #include "core/landmarks/out_of_place.h"
 
+#include "core/landmarks/shape_variation.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace unprojector::landmarks {
 
 namespace {
 
-constexpr double kPooledCount = 4.0;
-constexpr double kSwapBefore = 2.0, kSwapAfter = 2.0; // spreads
+constexpr double kPooledCount = 8.0;
+constexpr double kSwapBefore = 2.0, kSwapAfter = kSpreadsOutOfPlace; // spreads
 constexpr int kMostRounds = 8;
 
 /// Medians of a landmark's positions with one or two specimens left out.
@@ -70,68 +73,165 @@ double rootMeanSquareOf(const std::vector<double> &values)
     return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
-/// Where the others put a landmark of a specimen, in the mean's space.
-struct Expected {
-    glm::dvec3 place{0.0};
-    double spread = 0.0;
+/// One way to judge a specimen.
+struct Judgement {
+    ShapeVariation variation;
+    std::vector<double> spreads; ///< for each landmark; 0: it cannot be judged
 };
-using ExpectedTable = std::vector<std::vector<std::optional<Expected>>>; ///< [specimen][landmark]
 
-/// @param reference  the aligned specimens, without landmarks out of place
-/// @param judged     the specimens; with all landmarks
-/// @param isMedian   the spread comes from the median of the distances, not from their squares
-ExpectedTable expectedOf(const std::vector<Configuration> &reference, const std::vector<Configuration> &judged,
-                         bool isMedian)
-{
-    const std::size_t specimens = judged.size(), landmarks = specimens > 0 ? judged.front().size() : 0;
-    ExpectedTable table(specimens, std::vector<std::optional<Expected>>(landmarks));
-    for (std::size_t j = 0; j < landmarks; ++j) {
-        std::vector<std::optional<glm::dvec3>> points(specimens);
-        for (std::size_t k = 0; k < specimens; ++k)
-            points[k] = reference[k][j];
-        const MediansWithout medians(points);
-        for (std::size_t i = 0; i < specimens; ++i) {
-            const std::optional<glm::dvec3> place = judged[i][j] ? medians.without(i, i) : std::nullopt;
-            std::vector<double> distances;
-            for (std::size_t k = 0; place && k < specimens; ++k) {
-                if (k == i || !points[k])
+/// What the other specimens tell about one, in the mean's space.
+struct Usual {
+    Configuration places;
+    Judgement alone;    ///< each landmark alone, against its place
+    Judgement together; ///< each landmark against what the specimen's other landmarks predict
+};
+
+/// The aligned specimens without landmarks out of place, seen from one or two specimens fewer.
+class Reference {
+public:
+    Reference(const std::vector<Configuration> &aligned, const Configuration &mean)
+        : m_aligned(aligned), m_smooth(smoothFunctionsOver(mean))
+    {
+        std::vector<std::optional<glm::dvec3>> points(aligned.size());
+        for (std::size_t j = 0; j < mean.size(); ++j) {
+            for (std::size_t k = 0; k < aligned.size(); ++k)
+                points[k] = aligned[k][j];
+            m_medians.emplace_back(points);
+        }
+    }
+
+    Configuration placesWithout(std::size_t i) const
+    {
+        Configuration places;
+        for (const MediansWithout &medians : m_medians)
+            places.push_back(medians.without(i, i));
+        return places;
+    }
+    /// The offsets of a specimen from the medians without two others.
+    Offsets offsetsOf(std::size_t specimen, std::size_t one, std::size_t other) const
+    {
+        Offsets offsets(m_medians.size());
+        for (std::size_t j = 0; j < offsets.size(); ++j) {
+            const std::optional<glm::dvec3> &point = m_aligned[specimen][j];
+            if (const auto place = point ? m_medians[j].without(one, other) : std::nullopt)
+                offsets[j] = *point - *place;
+        }
+        return offsets;
+    }
+    ShapeVariation variationWithout(std::size_t one, std::size_t other, const VarianceShares &shares) const
+    {
+        if (shares.own >= 1.0)
+            return {};
+        std::vector<Offsets> others;
+        for (std::size_t k = 0; k < m_aligned.size(); ++k) {
+            if (k != one && k != other)
+                others.push_back(offsetsOf(k, one, other));
+        }
+        return ShapeVariation(others, m_smooth, shares);
+    }
+    /// What a specimen's landmarks leave unexplained, if it and another one have no part in the rest.
+    Offsets restsOf(std::size_t specimen, std::size_t other, const VarianceShares &shares) const
+    {
+        return variationWithout(specimen, other, shares)
+            .rests(offsetsOf(specimen, specimen, other), std::vector<bool>(m_medians.size(), false));
+    }
+    std::vector<Offsets> allRests(const VarianceShares &shares) const
+    {
+        std::vector<Offsets> all;
+        for (std::size_t k = 0; k < m_aligned.size(); ++k)
+            all.push_back(restsOf(k, k, shares));
+        return all;
+    }
+    /// The shares with which landmarks predict each other best: cross-validation over all specimens.
+    VarianceShares bestShares() const
+    {
+        constexpr std::size_t kMostForSmooth = 20; // more specimens show themselves what varies together
+        VarianceShares best;
+        double least = std::numeric_limits<double>::infinity();
+        for (const double own : {1.0, 0.7, 0.4, 0.2, 0.1, 0.05}) {
+            for (const double smooth : {0.0, 0.5, 1.0}) {
+                if (smooth > 0.0 && (own >= 1.0 || m_aligned.size() > kMostForSmooth))
                     continue;
-                if (const std::optional<glm::dvec3> center = medians.without(k, i))
-                    distances.push_back(glm::distance(*points[k], *center));
+                const VarianceShares shares{own, smooth * (1.0 - own)};
+                std::vector<double> lengths;
+                for (const Offsets &rests : allRests(shares)) {
+                    for (const std::optional<glm::dvec3> &rest : rests) {
+                        if (rest)
+                            lengths.push_back(glm::length(*rest));
+                    }
+                }
+                const double typical = lengths.empty() ? 0.0 : medianOf(std::move(lengths));
+                if (typical < least) {
+                    least = typical;
+                    best = shares;
+                }
             }
-            if (distances.size() + 1 >= kFewestSpecimens)
-                table[i][j] = Expected{*place, isMedian ? kSpreadPerMedian * medianOf(std::move(distances))
-                                                        : rootMeanSquareOf(distances)};
+        }
+        return best;
+    }
+
+private:
+    const std::vector<Configuration> &m_aligned;
+    std::vector<std::vector<double>> m_smooth;
+    std::vector<MediansWithout> m_medians;
+};
+
+/// The spread of each landmark of specimen i, from the others' rests.
+/// @param isMedian  from the median of the rests, not from their squares
+std::vector<double> spreadsOf(std::size_t i, const std::vector<Offsets> &rests, bool isMedian)
+{
+    const std::size_t landmarks = rests[i].size();
+    std::vector<double> spreads(landmarks, 0.0), counts(landmarks, 0.0), known;
+    for (std::size_t j = 0; j < landmarks; ++j) {
+        std::vector<double> lengths;
+        for (std::size_t k = 0; k < rests.size(); ++k) {
+            if (k != i && rests[k][j])
+                lengths.push_back(glm::length(*rests[k][j]));
+        }
+        counts[j] = static_cast<double>(lengths.size());
+        if (lengths.size() + 1 >= kFewestSpecimens) {
+            spreads[j] = isMedian ? kSpreadPerMedian * medianOf(std::move(lengths)) : rootMeanSquareOf(lengths);
+            known.push_back(spreads[j]);
         }
     }
+    if (known.empty())
+        return spreads;
     // The spread of few specimens is averaged with the usual one.
-    for (std::size_t i = 0; i < specimens; ++i) {
-        std::vector<double> spreads;
-        for (const std::optional<Expected> &expected : table[i]) {
-            if (expected)
-                spreads.push_back(expected->spread);
-        }
-        if (spreads.empty())
+    const double usual = medianOf(known);
+    for (std::size_t j = 0; j < landmarks; ++j) {
+        if (counts[j] + 1.0 < double(kFewestSpecimens))
             continue;
-        const double usual = medianOf(spreads);
-        for (std::size_t j = 0; j < landmarks; ++j) {
-            if (!table[i][j])
-                continue;
-            double count = 0.0;
-            for (std::size_t k = 0; k < specimens; ++k)
-                count += k != i && reference[k][j] ? 1.0 : 0.0;
-            double &spread = table[i][j]->spread;
-            spread = std::sqrt((count * spread * spread + kPooledCount * usual * usual) / (count + kPooledCount));
-            constexpr double kRounding = 1e-12; // of the mean's size, 1
-            spread = std::max(spread, kRounding);
-        }
+        const double squares = counts[j] * spreads[j] * spreads[j] + kPooledCount * usual * usual;
+        constexpr double kRounding = 1e-12; // of the mean's size, 1
+        spreads[j] = std::max(std::sqrt(squares / (counts[j] + kPooledCount)), kRounding);
     }
-    return table;
+    return spreads;
 }
 
-double spreadsOff(const std::optional<glm::dvec3> &point, const Expected &expected)
+/// @param shares  of the variance, for the judgement of landmarks together
+std::vector<Usual> usualOf(const Reference &reference, std::size_t specimens, const VarianceShares &shares,
+                           bool isMedian)
 {
-    return glm::distance(*point, expected.place) / expected.spread;
+    // Among few specimens, one out of place would hide in the others' spreads.
+    constexpr std::size_t kFew = 8;
+    const std::vector<Offsets> all = reference.allRests(shares);
+    std::vector<Usual> usual(specimens);
+    for (std::size_t i = 0; i < specimens; ++i) {
+        std::vector<Offsets> alone(specimens), together = all;
+        for (std::size_t k = 0; k < specimens; ++k) {
+            alone[k] = reference.offsetsOf(k, k, i);
+            if (specimens <= kFew)
+                together[k] = reference.restsOf(k, i, shares);
+        }
+        usual[i].places = reference.placesWithout(i);
+        usual[i].alone.spreads = spreadsOf(i, alone, isMedian);
+        usual[i].together = {reference.variationWithout(i, i, shares), spreadsOf(i, together, isMedian)};
+        for (std::size_t j = 0; j < usual[i].places.size(); ++j) {
+            if (!(usual[i].alone.spreads[j] > 0.0 && usual[i].together.spreads[j] > 0.0))
+                usual[i].places[j].reset();
+        }
+    }
+    return usual;
 }
 
 Configuration withPairsSwapped(Configuration points, std::span<const Pair> pairs)
@@ -146,14 +246,13 @@ struct Fit {
     std::optional<Similarity> meanFromSpecimen;
     std::vector<bool> isOff; ///< for each landmark: it is out of place and has no part in the fit
     std::size_t offCount = 0;
-    double unusual = 1.0; ///< factor of its spreads: 1.126 times the median of its distances, at least 1
-    double median = 0.0;  ///< of the distances of its judged landmarks, in spreads
+    double unusual = 1.0;   ///< factor of its spreads: 1.126 times the median of its distances, at least 1
+    Configuration expected; ///< where its landmarks should be, in the mean's space
 };
 
 /// Takes the landmark farthest off from the fit, fits again, and so on until none is out of place.
 /// Then a landmark that fits after all gets its part back.
-Fit fitWithout(Fit fit, const Configuration &specimen, const Configuration &places,
-               const std::vector<std::optional<Expected>> &expected)
+Fit fitWithout(Fit fit, const Configuration &specimen, const Configuration &places, const Judgement &judgement)
 {
     std::vector<double> weights(places.size(), 0.0), spreads(places.size(), 0.0);
     const std::size_t most = 2 * places.size();
@@ -164,18 +263,28 @@ Fit fitWithout(Fit fit, const Configuration &specimen, const Configuration &plac
         if (!similarity) // too few are left
             break;
         fit.meanFromSpecimen = similarity;
-        // A specimen that differs from the others as a whole has larger spreads.
-        std::vector<double> all;
+        Offsets offsets(places.size());
         for (std::size_t j = 0; j < places.size(); ++j) {
             if (places[j] && specimen[j])
-                all.push_back(spreadsOff(similarity->mapped(*specimen[j]), *expected[j]));
+                offsets[j] = similarity->mapped(*specimen[j]) - *places[j];
+        }
+        const Offsets rests = judgement.variation.rests(offsets, fit.isOff);
+        // A specimen that differs from the others as a whole has larger spreads.
+        std::vector<double> all;
+        fit.expected.assign(places.size(), std::nullopt);
+        for (std::size_t j = 0; j < places.size(); ++j) {
+            if (!offsets[j])
+                continue;
+            spreads[j] = glm::length(*rests[j]) / judgement.spreads[j];
+            all.push_back(spreads[j]);
+            fit.expected[j] = *places[j] + *offsets[j] - *rests[j];
         }
         fit.unusual = std::max(1.0, kSpreadPerMedian * medianOf(std::move(all)));
         std::size_t worst = places.size(), back = places.size();
         for (std::size_t j = 0; j < places.size(); ++j) {
-            if (!places[j] || !specimen[j])
+            if (!offsets[j])
                 continue;
-            spreads[j] = spreadsOff(similarity->mapped(*specimen[j]), *expected[j]) / fit.unusual;
+            spreads[j] /= fit.unusual;
             if (!fit.isOff[j] && spreads[j] > kSpreadsOutOfPlace
                 && (worst == places.size() || spreads[j] > spreads[worst]))
                 worst = j;
@@ -195,22 +304,20 @@ Fit fitWithout(Fit fit, const Configuration &specimen, const Configuration &plac
 }
 
 /// Two ways of finding what is out of place: from all landmarks, and from those that a robust fit
-/// keeps. The one that needs fewer landmarks out of place explains the specimen better.
-Fit fitOf(const Configuration &specimen, const std::vector<std::optional<Expected>> &expected)
+/// keeps. The one that needs fewer landmarks out of place explains the specimen better. Each landmark
+/// counts alone here, so that one far off spoils no prediction.
+Fit fitAlone(const Configuration &specimen, const Usual &usual)
 {
-    Configuration places(expected.size());
-    for (std::size_t j = 0; j < places.size(); ++j) {
-        if (expected[j])
-            places[j] = expected[j]->place;
-    }
+    const Configuration &places = usual.places;
     Fit start;
     start.isOff.assign(places.size(), false);
-    Fit fit = fitWithout(start, specimen, places, expected);
+    Fit fit = fitWithout(start, specimen, places, usual.alone);
     if (const std::optional<Similarity> robust = robustSimilarityOf(specimen, places)) {
         for (std::size_t j = 0; j < places.size(); ++j)
-            start.isOff[j] =
-                places[j] && specimen[j] && spreadsOff(robust->mapped(*specimen[j]), *expected[j]) > kSpreadsOutOfPlace;
-        Fit other = fitWithout(std::move(start), specimen, places, expected);
+            start.isOff[j] = places[j] && specimen[j]
+                             && glm::distance(robust->mapped(*specimen[j]), *places[j])
+                                    > kSpreadsOutOfPlace * usual.alone.spreads[j];
+        Fit other = fitWithout(std::move(start), specimen, places, usual.alone);
         if (other.meanFromSpecimen && (!fit.meanFromSpecimen || other.offCount < fit.offCount))
             fit = std::move(other);
     }
@@ -250,70 +357,76 @@ Deviations deviationsOf(std::span<const Configuration> specimens, std::span<cons
     }
     const std::vector<Configuration> usable = reference;
     std::vector<bool> isSwapped(all.size(), false); // all left and right landmarks
-    std::vector<std::optional<Similarity>> fits(all.size());
+    std::vector<Fit> fits(all.size());
+    std::vector<std::vector<bool>> wasOff(all.size(), std::vector<bool>(landmarks, false)); // in the round before
     std::vector<Configuration> aligned(all.size(), Configuration(landmarks));
-    ExpectedTable expected;
+    std::vector<Usual> usual;
+    VarianceShares shares;
     for (int round = 0; round < kMostRounds; ++round) {
         const bool isFirst = round == 0;
         const Superimposition mean = superimposed(reference, isFirst ? Estimate::Robust : Estimate::LeastSquares);
-        expected = expectedOf(mean.aligned, usable, isFirst);
+        const Reference others(mean.aligned, mean.mean);
+        if (round == 1) // what is far out of place is left out by now
+            shares = others.bestShares();
+        usual = usualOf(others, all.size(), shares, isFirst);
         std::vector<Configuration> next = usable;
         for (std::size_t k = 0; k < all.size(); ++k) {
-            Fit fit = fitOf(usable[k], expected[k]);
+            Fit fit = fitAlone(usable[k], usual[k]);
             if (!pairs.empty()) {
-                Fit swapped = fitOf(withPairsSwapped(usable[k], pairs), expected[k]);
+                Configuration exchanged = withPairsSwapped(usable[k], pairs);
+                Fit swapped = fitAlone(exchanged, usual[k]);
                 isSwapped[k] = swapped.meanFromSpecimen && 2.0 * swapped.unusual < fit.unusual;
-                if (isSwapped[k])
+                if (isSwapped[k]) {
                     fit = std::move(swapped);
+                    next[k] = std::move(exchanged);
+                }
             }
-            if (isSwapped[k])
-                next[k] = withPairsSwapped(usable[k], pairs);
-            fits[k] = fit.meanFromSpecimen;
-            for (std::optional<Expected> &one : expected[k]) {
-                if (one)
-                    one->spread *= fit.unusual;
-            }
-            aligned[k] = fits[k] ? fits[k]->mapped(usable[k]) : Configuration(landmarks);
+            if (fit.meanFromSpecimen)
+                fit = fitWithout(std::move(fit), next[k], usual[k].places, usual[k].together);
+            aligned[k] = fit.meanFromSpecimen ? fit.meanFromSpecimen->mapped(usable[k]) : Configuration(landmarks);
             for (std::size_t j = 0; j < landmarks; ++j) {
-                if (fit.isOff[j])
+                // Otherwise two mistakes of a landmark could hide each other in turns.
+                if (fit.isOff[j] || wasOff[k][j])
                     next[k][j].reset();
             }
+            wasOff[k] = fit.isOff;
+            fits[k] = std::move(fit);
         }
         if (next == reference && !isFirst)
             break;
         reference = std::move(next);
     }
     for (std::size_t k = 0; k < all.size(); ++k) {
+        const Fit &fit = fits[k];
         const bool isAny =
             std::any_of(all[k].begin(), all[k].end(), [](const auto &point) { return point.has_value(); });
-        if (isAny && !fits[k])
+        if (isAny && !fit.meanFromSpecimen)
             result.notAligned.push_back(k);
         if (isSwapped[k])
             result.swappedSpecimens.push_back(k);
         std::vector<std::size_t> position(landmarks, 0);
-        for (std::size_t j = 0; fits[k] && j < landmarks; ++j) {
-            if (!aligned[k][j] || !expected[k][j])
+        const auto isJudged = [&](std::size_t j) { return fit.meanFromSpecimen && aligned[k][j] && fit.expected[j]; };
+        const auto spread = [&](std::size_t j) { return fit.unusual * usual[k].together.spreads[j]; };
+        const auto spreadsOff = [&](std::size_t j, std::size_t place) {
+            return glm::distance(*aligned[k][j], *fit.expected[place]) / spread(place);
+        };
+        for (std::size_t j = 0; j < landmarks; ++j) {
+            if (!isJudged(j))
                 continue;
-            const double unit = 1.0 / fits[k]->scale;
-            Deviation deviation{k,
-                                j,
-                                unit * glm::distance(*aligned[k][j], expected[k][j]->place),
-                                unit * expected[k][j]->spread,
-                                false,
-                                std::nullopt};
+            const double unit = 1.0 / fit.meanFromSpecimen->scale;
+            Deviation deviation{
+                k, j, unit * glm::distance(*aligned[k][j], *fit.expected[j]), unit * spread(j), false, std::nullopt};
             deviation.isOutOfPlace = deviation.spreads() > kSpreadsOutOfPlace;
             position[j] = result.worstFirst.size();
             result.worstFirst.push_back(deviation);
         }
-        const auto isJudged = [&](std::size_t j) { return fits[k] && aligned[k][j] && expected[k][j]; };
         for (std::size_t a = 0; a < landmarks; ++a) {
             for (std::size_t b = a + 1; b < landmarks && isJudged(a); ++b) {
                 if (!isJudged(b))
                     continue;
                 Deviation &one = result.worstFirst[position[a]], &other = result.worstFirst[position[b]];
-                if (std::min(one.spreads(), other.spreads()) > kSwapBefore
-                    && spreadsOff(aligned[k][a], *expected[k][b]) < kSwapAfter
-                    && spreadsOff(aligned[k][b], *expected[k][a]) < kSwapAfter) {
+                if (std::min(one.spreads(), other.spreads()) > kSwapBefore && spreadsOff(a, b) < kSwapAfter
+                    && spreadsOff(b, a) < kSwapAfter) {
                     one.isOutOfPlace = other.isOutOfPlace = true;
                     one.swappedWith = b;
                     other.swappedWith = a;

@@ -125,7 +125,7 @@ void TestOutOfPlaceWindow::theWorstComesFirst()
     QVERIFY(std::abs(model->index(4, DeviationsModel::Distance).data().toDouble() - 0.8) < 0.1);
     QVERIFY(model->index(5, DeviationsModel::Outcome).data().toString().isEmpty());
     const QString summary = window->findChild<DeviationsView *>()->findChild<QLabel *>()->text();
-    QVERIFY2(summary.contains(QStringLiteral("Compared scans: 5. Landmarks more than 2.5 spreads off: 5.")),
+    QVERIFY2(summary.contains(QStringLiteral("Compared scans: 5. Landmarks more than 2.8 spreads off: 5.")),
              qPrintable(summary));
 }
 

@@ -1,0 +1,78 @@
+// Landmarks out of place in simulated series: how many are found, and how many reports are false.
+//   bench_out_of_place [first seed [series]]; 1000 and 200 without them
+// The goal for 12 scans: at least 95 % of the displaced landmarks, and below 2 % false reports.
+
+#include "core/landmarks/out_of_place.h"
+#include "tests/core/simulated_series.h"
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <set>
+
+namespace {
+
+using namespace unprojector::landmarks;
+
+void measure(const char *name, const simulated::Kind &kind, std::uint64_t seed, int count)
+{
+    std::size_t displaced = 0, displacedFound = 0, swapped = 0, swappedFound = 0, good = 0, falseReports = 0;
+    double seconds = 0.0;
+    for (int i = 0; i < count; ++i) {
+        simulated::Random random(seed + static_cast<std::uint64_t>(i));
+        const simulated::Series series = simulated::series(random, kind);
+        std::set<simulated::Place> ofSwaps;
+        for (const auto &[scan, a, b] : series.swapped) {
+            ofSwaps.insert({scan, a});
+            ofSwaps.insert({scan, b});
+        }
+        const auto start = std::chrono::steady_clock::now();
+        const Deviations deviations = deviationsOf(series.scans, series.pairs);
+        seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        for (const Deviation &one : deviations.worstFirst) {
+            const simulated::Place place{one.specimen, one.landmark};
+            const std::size_t reported = one.isOutOfPlace ? 1 : 0;
+            if (ofSwaps.contains(place)) {
+                swappedFound += reported;
+            } else if (series.wrong.contains(place)) {
+                displacedFound += reported;
+            } else {
+                ++good;
+                falseReports += reported;
+            }
+        }
+        swapped += ofSwaps.size();
+        displaced += series.wrong.size() - ofSwaps.size();
+    }
+    const auto percent = [](std::size_t part, std::size_t whole) {
+        return 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+    };
+    std::printf("%-22s displaced %6.2f %% of %zu, swapped %6.2f %% of %zu, false %5.2f %% of reports, %.4f %% of good; "
+                "%.1f ms a series\n",
+                name, percent(displacedFound, displaced), displaced, percent(swappedFound, swapped), swapped,
+                percent(falseReports, falseReports + displacedFound + swappedFound), percent(falseReports, good),
+                1e3 * seconds / count);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    const std::uint64_t seed = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1000;
+    const int count = argc > 2 ? std::atoi(argv[2]) : 200;
+    const auto row = [&](const char *name, std::size_t scans, double missing, double modeDeviation) {
+        simulated::Kind kind;
+        kind.scans = scans;
+        kind.missing = missing;
+        kind.modeDeviation = modeDeviation;
+        measure(name, kind, seed, count);
+    };
+    row("3 scans", 3, 0.0, 2.0);
+    row("5 scans", 5, 0.0, 2.0);
+    row("6 scans", 6, 0.0, 2.0);
+    row("12 scans", 12, 0.0, 2.0);
+    row("12, a tenth missing", 12, 0.1, 2.0);
+    row("12, little shape", 12, 0.0, 1.0);
+    row("40 scans", 40, 0.0, 2.0);
+    return 0;
+}
