@@ -1,6 +1,6 @@
 // The words of the command line: the help of every command, and the errors for unknown words.
 
-#include "tests/cli/command.h"
+#include "tests/cli/depth_files.h"
 #include "tests/support/patience.h"
 
 #include <QDir>
@@ -50,6 +50,7 @@ void TestCommandLine::helpHasExamplesThatWork()
     m_folder.write("points.csv", "x,y,z\n0,0,2\n");
     m_folder.write("clicks.json", "[{\"window\": [400.5, 300.5, 0.5], \"scene\": " + kFrustumScene + "}]");
     m_folder.write("depth.pfm", "Pf\n800 600\n-1\n" + QByteArray(qsizetype(800) * 600 * 4, '\0'));
+    m_folder.write("depth.npy", npy(npyHeader("<u2", "(600, 800)"), QByteArray("\xd0\x07").repeated(800 * 600)));
     m_folder.write("depth.raw", QByteArray(qsizetype(1920) * 1080 * 4, '\0'));
     m_folder.write("matrices.txt", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1  1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0  0 0 400 300");
     m_folder.write("camera.yml", "%YAML:1.0\n---\nimage_width: 640\nimage_height: 480\nK: !!opencv-matrix\n   rows: 3\n"

@@ -100,6 +100,8 @@ void TestKeptInputs::anInputIsRefused_data()
     const QStringList map{"map", "--what", "formula-matrix", "--size", "4x3"};
     add("cloud over the scene", cloud, "scene.json");
     add("cloud over the depths", cloud, "depth.raw");
+    add("cloud over the colors", {"cloud", "--size", "800x600", "--color", "skin.jpg", "scene.json", "depth.raw", "-o"},
+        "skin.jpg");
     add("cloud over the model", cloud, "face.obj");
     add("cloud over the model's other name", cloud, "hard.obj");
     add("code over the scene", code, "scene.json");

@@ -141,7 +141,7 @@ template <class Scalar>
 std::size_t writeDistances(const Cloud &c, ByteSink &sink, Extent &extent, ProgressBar &progress)
 {
     const DistanceCloud cloud(c.unprojection, c.lines, c.rows);
-    const auto [width, height] = c.image.size;
+    const std::size_t width = c.image.size.width, height = c.image.size.height;
     PointRow row;
     std::string bytes;
     /// @param use  receives the index and the point of each pixel that has one

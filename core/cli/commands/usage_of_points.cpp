@@ -234,8 +234,8 @@ void addCloud(CLI::App &app, Run &run)
            "counted on stderr.\nFloats have 7 digits: for large coordinates, as on maps, use --precision double.")
         + "\n\n" + tr("Examples:")
         + "\n  unproject cloud scene.json depth.pfm -o cloud.ply\n  unproject cloud --size 1920x1080 scene.json "
-          "depth.raw -o cloud.ply\n  unproject cloud scene.json depth.png --depth-is z --depth-scale 1000 --color "
-          "rgb.png -o cloud.ply");
+          "depth.raw -o cloud.ply\n  unproject cloud scene.json depth.npy --depth-is z --depth-scale 1000 -o "
+          "cloud.ply");
     command->callback([options, meaning, &run] {
         options->numbers.isMeaningGiven = meaning->count() > 0;
         run = [options] { return runCloud(*options); };
