@@ -211,6 +211,11 @@ void TestDoctorCameras::aMistakeOfTheCameraIsNamed()
     const Camera camera;
     const Diagnosis diagnosis = diagnosed(caseOf(camera), camera, program, 1);
     QCOMPARE(QString::fromStdString(diagnosis.verdict), id);
+    const QString name = QString::fromStdString(candidateName(diagnosis.candidates.front()));
+    if (id == QStringLiteral("quaternion-order"))
+        QCOMPARE(name, QStringLiteral("quaternion's order (w x y z read as x y z w, OpenCV's view)"));
+    if (id == QStringLiteral("euler-order"))
+        QVERIFY2(name.contains("angles for the order zyx, multiplied in the order xyz"), qPrintable(name));
 }
 
 /// y not flipped about the middle, and z of the eye point positive, are OpenCV's axes by name.
