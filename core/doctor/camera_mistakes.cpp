@@ -83,9 +83,10 @@ void addQuaternions(VariantList &list)
 
 // Euler angles of the camera's placement
 
-/// The axes of a product of three rotations, from the left: 0 is x.
+/// The axes of a product of three rotations, from the left: 0 is x. The usual orders come first, because
+/// several orders give the same camera where it does not roll.
 using EulerOrder = std::array<int, 3>;
-constexpr std::array<EulerOrder, 6> kOrders{{{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+constexpr std::array<EulerOrder, 6> kOrders{{{2, 1, 0}, {0, 1, 2}, {1, 0, 2}, {2, 0, 1}, {1, 2, 0}, {0, 2, 1}}};
 
 std::string nameOf(const EulerOrder &order)
 {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 namespace unprojector::doctor {
@@ -78,7 +79,11 @@ Alike alikeOf(const Given &given, std::span<const Target> points, const Hypothes
 
 bool isRestated(const Given &given, std::span<const Target> points, const Hypothesis &best, const Hypothesis &pair)
 {
-    return best.count == 1 && pair.count == 2 && pair.parts[0]->stage == pair.parts[1]->stage
+    if (best.count != 1 || pair.count != 2)
+        return false;
+    const std::string_view id = mistakes()[best.parts[0]->mistake].id;
+    const bool isTwoByName = id == "opencv-axes"; // y not flipped, and z of the eye point positive
+    return (isTwoByName || pair.parts[0]->stage == pair.parts[1]->stage)
            && alikeOf(given, points, best, pair) == Alike::Always;
 }
 

@@ -137,6 +137,7 @@ class TestDoctorCameras : public QObject {
 private slots:
     void aMistakeOfTheCameraIsNamed_data();
     void aMistakeOfTheCameraIsNamed();
+    void opencvAxesAreOneMistake();
     void kOfAnotherSizeIsOneOfTheRatios();
     void kOfTheSizeGiven();
     void distortion();
@@ -210,6 +211,25 @@ void TestDoctorCameras::aMistakeOfTheCameraIsNamed()
     const Camera camera;
     const Diagnosis diagnosis = diagnosed(caseOf(camera), camera, program, 1);
     QCOMPARE(QString::fromStdString(diagnosis.verdict), id);
+    const QString name = QString::fromStdString(candidateName(diagnosis.candidates.front()));
+    if (id == QStringLiteral("quaternion-order"))
+        QCOMPARE(name, QStringLiteral("quaternion's order (w x y z read as x y z w, OpenCV's view)"));
+    if (id == QStringLiteral("euler-order"))
+        QVERIFY2(name.contains("angles for the order zyx, multiplied in the order xyz"), qPrintable(name));
+}
+
+/// y not flipped about the middle, and z of the eye point positive, are OpenCV's axes by name.
+void TestDoctorCameras::opencvAxesAreOneMistake()
+{
+    Camera camera;
+    camera.cx = 320;
+    camera.cy = 240;
+    const Program opencv = [](const Camera &c, const Shot &s) {
+        return c.fromAxes((s.pixel.x - c.cx) / c.fx * s.z, -(s.pixel.y - c.cy) / c.fy * s.z, -s.z);
+    };
+    const Diagnosis diagnosis = diagnosed(caseOf(camera), camera, opencv, 1);
+    QCOMPARE(QString::fromStdString(diagnosis.verdict), QStringLiteral("opencv-axes"));
+    QVERIFY(diagnosis.alike().empty());
 }
 
 /// They give the same answers if the picture is the whole window.
