@@ -214,8 +214,8 @@ CameraRead readUnreal(std::span<const NamedText> texts, const CameraChoices &cho
         camera.axes = EyeAxes::AheadRightUp;
         camera.isDirectionCertain = camera.areAxesCertain = true;
         camera.rightHandedFromWorld[1][1] = -1.0;
-        // FRotator turns about x by roll, about y by pitch, then about z by yaw. Pitch and roll count
-        // against the right-hand rule.
+        // FRotator turns about x by roll, about y by pitch, then about z by yaw. Pitch and roll
+        // count against the right-hand rule.
         camera.pose = rigid(about(2, pose->rotation.y) * about(1, -pose->rotation.x) * about(0, -pose->rotation.z),
                             pose->location);
         camera.size = sizeIn(values);

@@ -29,7 +29,7 @@ ForeignCamera cameraOf(const char *program, PoseDirection direction)
     return camera;
 }
 
-/// The cameras of mjData: cam_xpos, cam_xmat by rows, and mjModel's cam_fovy in degrees; one or all.
+/// One or all cameras of mjData: cam_xpos, cam_xmat by rows, and mjModel's cam_fovy in degrees.
 Result<ForeignCamera, CameraError> readData(const NamedText &text, const NamedValues &values,
                                             const CameraChoices &choices)
 {

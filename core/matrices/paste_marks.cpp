@@ -132,7 +132,8 @@ private:
     }
 
     /// Returns whether the brackets with one number, or two, are a size or an index: Go's
-    /// [16]float32, lldb's (float [16]) and [0] = 1, PHP's [0] =>, ublas' [4,4](, IPython's In [1]:.
+    /// [16]float32, lldb's (float [16]) and [0] = 1, PHP's [0] =>, ublas' [4,4](, IPython's
+    /// In [1]:.
     bool isSizeOrIndex(std::size_t begin, std::size_t end, bool isPair) const
     {
         const std::string_view before = std::string_view(m_text).substr(0, begin),
@@ -227,8 +228,8 @@ private:
         return at(word) == static_cast<char>('0' + index) && (word + 1 >= m_text.size() || isBetweenWords(word + 1));
     }
 
-    /// Labels of pandas and of console.table: a line 0 1 2 3 above four lines that begin with 0 to 3
-    /// and have four numbers.
+    /// Labels of pandas and of console.table: a line 0 1 2 3 above four lines that begin with 0 to
+    /// 3 and have four numbers.
     void blankColumnLabels()
     {
         for (std::size_t at = 0; at < m_text.size();) {

@@ -381,7 +381,7 @@ private:
             add(value, m_text.size(), {});
     }
 
-    /// Returns whether the number is a factor alone on its line: 1.0e+03 * before MATLAB's matrices.
+    /// Returns whether the number is a factor alone on its line: MATLAB's 1.0e+03 *.
     bool isFactor() const
     {
         const std::size_t star = m_text.find_first_not_of(" \t", m_at);

@@ -27,8 +27,8 @@ struct PastedNumbers {
     std::vector<std::string> aside; ///< names whose numbers belong to no matrix: "near", "Mouse"
 };
 
-/// The numbers of matrices and viewports. A width and a height are the viewport 0 0 width height, if
-/// the text names no other.
+/// The numbers of matrices and viewports. A width and a height are the viewport 0 0 width height,
+/// if the text names no other.
 /// @return the word, line and column of NotFinite
 geometry::Result<PastedNumbers, PasteError> pastedNumbers(std::string_view text);
 

@@ -304,7 +304,7 @@ void TestCameraReaders::namesAndValuesAreFound()
     QCOMPARE(values.find({"lens"})->line, std::size_t(8));
 }
 
-/// Parts of the texts are cut out, doubled, or replaced. Any answer is right, but there must be one.
+/// Parts of the texts are cut out, doubled, or replaced. Any answer is right, if there is one.
 void TestCameraReaders::damagedTextsAreAnswered()
 {
     std::uint32_t state = 1;
