@@ -887,6 +887,126 @@ Grey digits are smaller than the uncertainty.</source>
     </message>
 </context>
 <context>
+    <name>unprojector::gui::CameraStep</name>
+    <message>
+        <source>&amp;Paste camera…</source>
+        <translation>粘贴相机(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Use curre&amp;nt view</source>
+        <translation>使用当前视图(&amp;N)</translation>
+    </message>
+    <message>
+        <source>The camera that counts</source>
+        <translation>作为依据的相机</translation>
+    </message>
+    <message>
+        <source>Setup of the pixels</source>
+        <translation>像素所属的设置</translation>
+    </message>
+    <message>
+        <source>Give the camera of your program: K, R, t, a camera&apos;s file, matrices, or calls</source>
+        <translation>给出您的程序的相机：K、R、t，相机文件，矩阵或调用</translation>
+    </message>
+    <message>
+        <source>Read the pixels in the current view</source>
+        <translation>在当前视图中读取像素</translation>
+    </message>
+    <message>
+        <source>Your camera</source>
+        <translation>您的相机</translation>
+    </message>
+    <message>
+        <source>More about your program</source>
+        <translation>您的程序的其他情况</translation>
+    </message>
+    <message>
+        <source>The size of its window, and another size that it may use by mistake</source>
+        <translation>它的窗口大小，以及它可能仍在沿用的另一个大小</translation>
+    </message>
+    <message>
+        <source>Its window</source>
+        <translation>它的窗口</translation>
+    </message>
+    <message>
+        <source>Device pixels, such as 1000 x 700. Empty: as large as the view</source>
+        <translation>以设备像素计，例如 1000 x 700。留空：与视图一样大</translation>
+    </message>
+    <message>
+        <source>Another size</source>
+        <translation>另一个大小</translation>
+    </message>
+    <message>
+        <source>Device pixels, such as 640 x 480: an earlier size of the window, or another framebuffer&apos;s</source>
+        <translation>以设备像素计，例如 640 x 480：窗口以前的大小，或另一个帧缓冲的大小</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Its &amp;window:</source>
+        <translation>它的窗口(&amp;W)：</translation>
+    </message>
+    <message>
+        <source>Another &amp;size it may use:</source>
+        <translation>可能沿用的另一个大小(&amp;S)：</translation>
+    </message>
+    <message>
+        <source>The camera that you gave counts: its projection and its view.</source>
+        <translation>以您给出的相机为准：它的投影和观察。</translation>
+    </message>
+    <message>
+        <source>The projection that you gave counts, with this scene&apos;s view.</source>
+        <translation>以您给出的投影为准，观察取自此场景。</translation>
+    </message>
+    <message>
+        <source>The view that you gave counts, with this scene&apos;s projection.</source>
+        <translation>以您给出的观察为准，投影取自此场景。</translation>
+    </message>
+    <message>
+        <source>This scene&apos;s camera counts.</source>
+        <translation>以此场景的相机为准。</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>透视投影</translation>
+    </message>
+    <message>
+        <source>Orthographic</source>
+        <translation>正投影</translation>
+    </message>
+    <message>
+        <source>%1, near %2, far %3.</source>
+        <comment>kind of projection</comment>
+        <translation>%1，近 %2，远 %3。</translation>
+    </message>
+    <message>
+        <source>as the view, %1</source>
+        <translation>与视图相同，%1</translation>
+    </message>
+    <message>
+        <source>The scene cannot be drawn in a window of %1.</source>
+        <translation>在 %1 的窗口里，这个场景没有画面。</translation>
+    </message>
+    <message>
+        <source>Pixels of %1, of the view when they were entered</source>
+        <translation>像素属于给出它们时的视图，%1</translation>
+    </message>
+    <message>
+        <source>Pixels of your program&apos;s window, %1</source>
+        <translation>像素属于您的程序的窗口，%1</translation>
+    </message>
+    <message>
+        <source>Pixels of the view, %1</source>
+        <translation>像素属于视图，%1</translation>
+    </message>
+    <message>
+        <source>Not used: %1</source>
+        <translation>未采用：%1</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::CandidatesTable</name>
     <message>
         <source>Mistake</source>
@@ -1900,10 +2020,6 @@ Both in the scene&apos;s units. The circle is the clicked point. A click&apos;s 
         <translation>位数</translation>
     </message>
     <message>
-        <source>Click &amp;there: %1</source>
-        <translation>点击那里(&amp;T)：%1</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <comment>a mistake: how many digits it explains</comment>
         <translation>%1：%2</translation>
@@ -1920,6 +2036,14 @@ Both in the scene&apos;s units. The circle is the clicked point. A click&apos;s 
         <source>Projects</source>
         <translation>投影</translation>
     </message>
+    <message>
+        <source>Click &amp;there to tell them apart: %1</source>
+        <translation>点击那里以区分(&amp;T)：%1</translation>
+    </message>
+    <message>
+        <source>Click &amp;there to be sure: %1</source>
+        <translation>点击那里以确认(&amp;T)：%1</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::DoctorFeature</name>
@@ -1935,10 +2059,6 @@ Both in the scene&apos;s units. The circle is the clicked point. A click&apos;s 
 <context>
     <name>unprojector::gui::DoctorPanel</name>
     <message>
-        <source>Use curre&amp;nt view</source>
-        <translation>使用当前视图(&amp;N)</translation>
-    </message>
-    <message>
         <source>&amp;In the space:</source>
         <translation>所在空间(&amp;I)：</translation>
     </message>
@@ -1951,76 +2071,8 @@ Both in the scene&apos;s units. The circle is the clicked point. A click&apos;s 
         <translation>程序的点是哪个空间里的</translation>
     </message>
     <message>
-        <source>Setup of the pixels</source>
-        <translation>像素所属的视图设置</translation>
-    </message>
-    <message>
-        <source>Read the pixels in the current view</source>
-        <translation>把这些像素当作现在的视图的像素</translation>
-    </message>
-    <message>
         <source>The mistakes could not be tried: %1. Close other programs, then try again.</source>
         <translation>无法试遍所有错误：%1。请关闭其他程序，然后重试。</translation>
-    </message>
-    <message>
-        <source>More about your program</source>
-        <translation>您的程序的其他情况</translation>
-    </message>
-    <message>
-        <source>The size of its window, and another size that it may use by mistake</source>
-        <translation>它的窗口大小，以及它可能仍在沿用的另一个大小</translation>
-    </message>
-    <message>
-        <source>Its window</source>
-        <translation>它的窗口</translation>
-    </message>
-    <message>
-        <source>Device pixels, such as 1000 x 700. Empty: as large as the view</source>
-        <translation>以设备像素计，例如 1000 x 700。留空：与视图一样大</translation>
-    </message>
-    <message>
-        <source>Another size</source>
-        <translation>另一个大小</translation>
-    </message>
-    <message>
-        <source>Device pixels, such as 640 x 480: an earlier size of the window, or another framebuffer&apos;s</source>
-        <translation>以设备像素计，例如 640 x 480：窗口以前的大小，或另一个帧缓冲的大小</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>无</translation>
-    </message>
-    <message>
-        <source>Its &amp;window:</source>
-        <translation>它的窗口(&amp;W)：</translation>
-    </message>
-    <message>
-        <source>Another &amp;size it may use:</source>
-        <translation>可能沿用的另一个大小(&amp;S)：</translation>
-    </message>
-    <message>
-        <source>“%1” is not a size: type width and height in whole pixels, such as 1000 x 700.</source>
-        <translation>“%1”不是大小：请键入以整像素计的宽和高，例如 1000 x 700。</translation>
-    </message>
-    <message>
-        <source>as the view, %1</source>
-        <translation>与视图相同，%1</translation>
-    </message>
-    <message>
-        <source>The scene cannot be drawn in a window of %1.</source>
-        <translation>在 %1 的窗口里，这个场景没有画面。</translation>
-    </message>
-    <message>
-        <source>Pixels of %1, of the view when they were entered</source>
-        <translation>像素属于给出它们时的视图，%1</translation>
-    </message>
-    <message>
-        <source>Pixels of your program&apos;s window, %1</source>
-        <translation>像素属于您的程序的窗口，%1</translation>
-    </message>
-    <message>
-        <source>Pixels of the view, %1</source>
-        <translation>像素属于视图，%1</translation>
     </message>
     <message>
         <source>World</source>
@@ -2043,12 +2095,8 @@ Both in the scene&apos;s units. The circle is the clicked point. A click&apos;s 
         <translation>请给出像素，以及您的程序为它得到的三个坐标。</translation>
     </message>
     <message>
-        <source>Not used: a click on the background has no pixel in another setup.</source>
-        <translation>未采用：背景在另一幅画面中没有对应的像素。</translation>
-    </message>
-    <message>
-        <source>Not used: %1</source>
-        <translation>未采用：%1</translation>
+        <source>a click on the background has no pixel in another setup.</source>
+        <translation>背景上的点击在另一个设置中没有像素。</translation>
     </message>
 </context>
 <context>
@@ -2650,6 +2698,214 @@ Both are scaled to fit.</source>
     <message>
         <source>Follow the point that you typed</source>
         <translation>跟踪您用数值给出的点</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::ForeignCameraBox</name>
+    <message>
+        <source>OpenGL: right, up, back</source>
+        <translation>OpenGL：右、上、后</translation>
+    </message>
+    <message>
+        <source>OpenCV: right, down, ahead</source>
+        <translation>OpenCV：右、下、前</translation>
+    </message>
+    <message>
+        <source>Direct3D: right, up, ahead</source>
+        <translation>Direct3D：右、上、前</translation>
+    </message>
+    <message>
+        <source>Unreal: ahead, right, up</source>
+        <translation>Unreal：前、右、上</translation>
+    </message>
+    <message>
+        <source>ROS: ahead, left, up</source>
+        <translation>ROS：前、左、上</translation>
+    </message>
+    <message>
+        <source>World to camera</source>
+        <translation>世界到相机</translation>
+    </message>
+    <message>
+        <source>Camera to world</source>
+        <translation>相机到世界</translation>
+    </message>
+    <message>
+        <source>At 0, 0</source>
+        <translation>在 0, 0</translation>
+    </message>
+    <message>
+        <source>At 0.5, 0.5</source>
+        <translation>在 0.5, 0.5</translation>
+    </message>
+    <message>
+        <source>“Pixel centres”</source>
+        <translation>“像素中心”</translation>
+    </message>
+    <message>
+        <source>“Image”</source>
+        <translation>“图像”</translation>
+    </message>
+    <message>
+        <source>“Picture size”</source>
+        <translation>“图像大小”</translation>
+    </message>
+    <message>
+        <source>“Near”</source>
+        <translation>“近”</translation>
+    </message>
+    <message>
+        <source>“Far”</source>
+        <translation>“远”</translation>
+    </message>
+    <message>
+        <source>“Axes”</source>
+        <translation>“坐标轴”</translation>
+    </message>
+    <message>
+        <source>“Pose”</source>
+        <translation>“位姿”</translation>
+    </message>
+    <message>
+        <source>“File &gt; Add to Scene”</source>
+        <translation>“文件 &gt; 添加到场景”</translation>
+    </message>
+    <message>
+        <source>“My pixels are of the undistorted picture”</source>
+        <translation>“我的像素取自去畸变后的图像”</translation>
+    </message>
+    <message>
+        <source>What was assumed</source>
+        <translation>所作的假定</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>图像</translation>
+    </message>
+    <message>
+        <source>The image or frame whose camera is read</source>
+        <translation>读取其相机的图像或帧</translation>
+    </message>
+    <message>
+        <source>Picture size</source>
+        <translation>图像大小</translation>
+    </message>
+    <message>
+        <source>Width and height of the camera&apos;s picture, pixels: 640 x 480</source>
+        <translation>相机图像的宽和高，像素：640 x 480</translation>
+    </message>
+    <message>
+        <source>Give the view this size</source>
+        <translation>视图也取此大小</translation>
+    </message>
+    <message>
+        <source>Pixels of the view are then the camera&apos;s pixels; View &gt; Fit the Window undoes it</source>
+        <translation>这样视图的像素就是相机的像素；“视图 &gt; 充满窗口”可还原</translation>
+    </message>
+    <message>
+        <source>Near</source>
+        <translation>近</translation>
+    </message>
+    <message>
+        <source>Distance of the near plane: it maps depths, and hides what is closer</source>
+        <translation>近平面的距离：它决定深度的映射，并隐去更近的东西</translation>
+    </message>
+    <message>
+        <source>Far</source>
+        <translation>远</translation>
+    </message>
+    <message>
+        <source>Distance of the far plane: it maps depths, and hides what is farther</source>
+        <translation>远平面的距离：它决定深度的映射，并隐去更远的东西</translation>
+    </message>
+    <message>
+        <source>Axes of the camera</source>
+        <translation>相机的坐标轴</translation>
+    </message>
+    <message>
+        <source>The directions of the camera&apos;s x, y and z in its picture</source>
+        <translation>相机的 x、y、z 在其图像中的方向</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>位姿</translation>
+    </message>
+    <message>
+        <source>What the pose turns into what: its direction</source>
+        <translation>位姿的方向：由什么变换到什么</translation>
+    </message>
+    <message>
+        <source>Pixel centres</source>
+        <translation>像素中心</translation>
+    </message>
+    <message>
+        <source>The coordinates of the first pixel&apos;s centre in the program</source>
+        <translation>在该程序中第一个像素中心的坐标</translation>
+    </message>
+    <message>
+        <source>My pixels are of the undistorted picture</source>
+        <translation>我的像素取自去畸变后的图像</translation>
+    </message>
+    <message>
+        <source>Drop the distortion coefficients: the view has no distortion</source>
+        <translation>去掉畸变系数：视图没有畸变</translation>
+    </message>
+    <message>
+        <source>&amp;Image:</source>
+        <translation>图像(&amp;I)：</translation>
+    </message>
+    <message>
+        <source>Picture &amp;size:</source>
+        <translation>图像大小(&amp;S)：</translation>
+    </message>
+    <message>
+        <source>&amp;Near, far:</source>
+        <translation>近、远(&amp;N)：</translation>
+    </message>
+    <message>
+        <source>&amp;Axes:</source>
+        <translation>坐标轴(&amp;A)：</translation>
+    </message>
+    <message>
+        <source>P&amp;ose:</source>
+        <translation>位姿(&amp;O)：</translation>
+    </message>
+    <message>
+        <source>Pixel &amp;centres:</source>
+        <translation>像素中心(&amp;C)：</translation>
+    </message>
+    <message>
+        <source>Camera of %1</source>
+        <translation>%1 的相机</translation>
+    </message>
+    <message>
+        <source>As read: %1</source>
+        <translation>按读取：%1</translation>
+    </message>
+    <message>
+        <source>The picture is larger than %1 pixels: the view keeps its own size.</source>
+        <translation>图像大于 %1 像素：视图保持自己的大小。</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>第 %1 行</translation>
+    </message>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1，第 %2 行</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a place in a text, what is wrong</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>“%1” is not a distance: type a number greater than 0.</source>
+        <translation>“%1”不是距离：请键入大于 0 的数。</translation>
+    </message>
+    <message>
+        <source>The camera has distortion (k1 %1, k2 %2, p1 %3, p2 %4, k3 %5), which the view cannot draw. If your pixels are of the undistorted picture, tick the box. Else undo the distortion: unproject points --distortion.</source>
+        <translation>该相机有畸变（k1 %1，k2 %2，p1 %3，p2 %4，k3 %5），视图无法绘制。若您的像素取自去畸变后的图像，请勾选复选框。否则先去除畸变：unproject points --distortion。</translation>
     </message>
 </context>
 <context>
@@ -5792,18 +6048,34 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
 </context>
 <context>
-    <name>unprojector::gui::PasteMatricesDialog</name>
+    <name>unprojector::gui::PasteCameraDialog</name>
     <message>
-        <source>Paste Matrices</source>
-        <translation>粘贴矩阵</translation>
+        <source>Not a camera: %1</source>
+        <translation>不是相机：%1</translation>
+    </message>
+    <message>
+        <source>Paste Camera</source>
+        <translation>粘贴相机</translation>
+    </message>
+    <message>
+        <source>Meaning of the camera</source>
+        <translation>相机的含义</translation>
+    </message>
+    <message>
+        <source>Set the scene&apos;s camera from these texts; Ctrl+Z undoes it</source>
+        <translation>用这些文本设定场景的相机；Ctrl+Z 可撤销</translation>
     </message>
     <message>
         <source>Pasted matrices</source>
         <translation>粘贴的内容</translation>
     </message>
     <message>
-        <source>Projection and view</source>
-        <translation>投影和观察</translation>
+        <source>Camera, or projection and view</source>
+        <translation>相机，或投影和观察</translation>
+    </message>
+    <message>
+        <source>A program&apos;s camera, or the two matrices, or one of them; the scene keeps the other</source>
+        <translation>一个程序的相机，或两个矩阵，或其中之一；另一个保留场景原有的</translation>
     </message>
     <message>
         <source>Product</source>
@@ -5814,32 +6086,60 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>投影乘观察矩阵，或乘模型视图矩阵（MVP），并拆成这两个矩阵</translation>
     </message>
     <message>
-        <source>Meaning of the matrices</source>
-        <translation>矩阵的含义</translation>
+        <source>Files of the camera</source>
+        <translation>相机的文件</translation>
     </message>
     <message>
-        <source>Set the scene&apos;s camera from these matrices; Ctrl+Z undoes it</source>
-        <translation>让场景的相机取自这些矩阵；可用 Ctrl+Z 撤销</translation>
+        <source>&amp;Type instead</source>
+        <translation>改为键入(&amp;T)</translation>
     </message>
     <message>
-        <source>The viewport, %1 × %2, is ignored: the view keeps its own (Parameters, Viewport).</source>
-        <translation>视口 %1 × %2 未采用：保留视图原有的视口（参数，视口）。</translation>
+        <source>Forget the files and read pasted texts again</source>
+        <translation>不用这些文件，重新读取粘贴的文本</translation>
     </message>
     <message>
-        <source>Not a camera: %1</source>
-        <translation>不是相机：%1</translation>
+        <source>Open &amp;File…</source>
+        <translation>打开文件(&amp;F)…</translation>
     </message>
     <message>
-        <source>The two matrices, or one of them; the scene keeps the other</source>
-        <translation>两个矩阵，或其中之一；另一个保留场景原有的</translation>
+        <source>Read a camera&apos;s file, or several that belong together (COLMAP). Files can be dropped here</source>
+        <translation>读取一个相机文件，或几个同属的文件（COLMAP）。也可以把文件拖到这里</translation>
+    </message>
+    <message>
+        <source>Open a Camera</source>
+        <translation>打开相机</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>%1 is larger than 256 MiB: it is no camera&apos;s file.</source>
+        <translation>%1 大于 256 MiB：它不是相机文件。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation>无法读取 %1：%2。</translation>
+    </message>
+    <message>
+        <source>These files have no camera of a program that is known here. Open cameras.txt and images.txt of COLMAP together, or paste the camera&apos;s numbers.</source>
+        <translation>这些文件中没有已知程序的相机。COLMAP 的 cameras.txt 和 images.txt 请一起打开，或粘贴相机的数值。</translation>
     </message>
     <message>
         <source>The product cannot be decomposed: it is not a perspective or orthographic projection times a view. Paste projection and view.</source>
         <translation>无法分解乘积：它不是透视投影或正交投影与观察矩阵的乘积。请分别粘贴投影矩阵和观察矩阵。</translation>
     </message>
     <message>
+        <source>The view gets the picture&apos;s size, %1 × %2.</source>
+        <translation>视图取图像的大小，%1 × %2。</translation>
+    </message>
+    <message>
         <source>The viewport is set by glViewport: %1 × %2 at (%3, %4).</source>
         <translation>视口改为 glViewport 的视口：%1 × %2，位于 (%3, %4)。</translation>
+    </message>
+    <message>
+        <source>The viewport, %1 × %2, is ignored: the view keeps its own (Parameters, Viewport).</source>
+        <translation>视口 %1 × %2 未采用：保留视图原有的视口（参数，视口）。</translation>
     </message>
 </context>
 <context>
@@ -5979,6 +6279,24 @@ gluPerspective(45, 1.5, 0.1, 100)</translation>
     <message>
         <source>The text has a projection or a view: read it as these</source>
         <translation>文本中有投影矩阵或观察矩阵：按它们读取</translation>
+    </message>
+    <message>
+        <source>Paste 16 numbers as a program prints them
+(glm::to_string, NumPy, JSON, C …), its calls
+(gluPerspective(45, 1.5, 0.1, 100)), or a
+camera: K, R, t, OpenCV&apos;s YAML, transforms.json …</source>
+        <translation>按程序打印的样子粘贴 16 个数
+（glm::to_string、NumPy、JSON、C……），其调用
+（gluPerspective(45, 1.5, 0.1, 100)），或一个
+相机：K、R、t，OpenCV 的 YAML，transforms.json……</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Numbers that belong to no matrix are not used: %1.</source>
+        <translation>不属于任何矩阵的数未被采用：%1。</translation>
     </message>
 </context>
 <context>
@@ -6238,12 +6556,12 @@ click:</source>
         <translation>深度精度</translation>
     </message>
     <message>
-        <source>Paste &amp;Matrices…</source>
-        <translation>粘贴矩阵(&amp;M)…</translation>
+        <source>Paste Ca&amp;mera…</source>
+        <translation>粘贴相机(&amp;M)…</translation>
     </message>
     <message>
-        <source>Set the camera from another program&apos;s projection and view, or from their product</source>
-        <translation>让相机取自其他程序打印的投影矩阵和观察矩阵，或它们的乘积</translation>
+        <source>Set the camera from another program&apos;s: its matrices, K, R, t, its calls, or its camera&apos;s file</source>
+        <translation>取用其他程序的相机：其矩阵，K、R、t，调用或相机文件</translation>
     </message>
 </context>
 <context>
@@ -6463,14 +6781,6 @@ click:</source>
         <translation>粘贴(&amp;A)…</translation>
     </message>
     <message>
-        <source>Set the camera from another program&apos;s matrices (Ctrl+V here)</source>
-        <translation>让相机取自其他程序打印的矩阵（在此按 Ctrl+V）</translation>
-    </message>
-    <message>
-        <source>Paste matrices</source>
-        <translation>粘贴矩阵</translation>
-    </message>
-    <message>
         <source>None (identity)</source>
         <translation>无（单位矩阵）</translation>
     </message>
@@ -6521,6 +6831,14 @@ click:</source>
     <message>
         <source>The clicked point in the view as it is now</source>
         <translation>点击的点在现在视图中的坐标</translation>
+    </message>
+    <message>
+        <source>Set the camera from another program&apos;s (Ctrl+V here)</source>
+        <translation>取用其他程序的相机（此处 Ctrl+V）</translation>
+    </message>
+    <message>
+        <source>Paste camera</source>
+        <translation>粘贴相机</translation>
     </message>
 </context>
 <context>
@@ -7147,12 +7465,12 @@ of a point that needs no division</source>
 <context>
     <name>unprojector::gui::RecoveryTexts</name>
     <message>
-        <source>%1 of the series %2</source>
-        <translation>系列 %2 的 %1</translation>
-    </message>
-    <message>
         <source>%1 (landmarks placed: %2; in its file: %3)</source>
         <translation>%1（已放置标志点：%2；其文件中：%3）</translation>
+    </message>
+    <message>
+        <source>%1 of the series “%2”</source>
+        <translation>系列“%2”的 %1</translation>
     </message>
 </context>
 <context>
@@ -8005,6 +8323,10 @@ of a point that needs no division</source>
         <source>Another window or program has changed %1 since it was read. It is not overwritten; move it away to keep the measures.</source>
         <translation>%1 读取之后被另一个窗口或程序更改。它不会被覆盖；要保留测量值，请把它移走。</translation>
     </message>
+    <message>
+        <source>The protocol now measures “%1” instead of “%2”. Scans that still have “%2”: %3. Rename it there too.</source>
+        <translation>测量方案现在测量“%1”，不再是“%2”。仍有“%2”的扫描：%3。请在那里也改名。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::SeriesTable</name>
@@ -8381,6 +8703,18 @@ of a point that needs no division</source>
         <source>--screenshot writes one image. For a series, give --screenshots OUT.</source>
         <translation>--screenshot 只写一张图像。对系列请用 --screenshots OUT。</translation>
     </message>
+    <message>
+        <source>With --screenshots: the side that the images show: front, back, right, left, top or bottom. Default: the view in which the series opens.</source>
+        <translation>与 --screenshots 一起：图像显示的一侧：front、back、right、left、top 或 bottom。默认为系列打开时的视图。</translation>
+    </message>
+    <message>
+        <source>--view is %1; give front, back, right, left, top or bottom.</source>
+        <translation>--view 为 %1；请给出 front、back、right、left、top 或 bottom。</translation>
+    </message>
+    <message>
+        <source>--view works together with --screenshots OUT.</source>
+        <translation>--view 须与 --screenshots OUT 一起使用。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::StatusReadout</name>
@@ -8616,6 +8950,13 @@ of a point that needs no division</source>
     <message>
         <source>Changes of the setup since the click</source>
         <translation>点击之后设置的变化</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::TypedNumbers</name>
+    <message>
+        <source>“%1” is not a size: type width and height in whole pixels, such as 1000 x 700.</source>
+        <translation>“%1”不是大小：请键入以整像素表示的宽和高，例如 1000 x 700。</translation>
     </message>
 </context>
 <context>
@@ -9490,10 +9831,6 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>深度</translation>
     </message>
     <message>
-        <source>Your program got</source>
-        <translation>您的程序得到</translation>
-    </message>
-    <message>
         <source>Reason why the input is rejected</source>
         <translation>不能采用的内容</translation>
     </message>
@@ -9502,20 +9839,8 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>同一程序的另一次点击：能确定一次点击定不下来的事。在视图里点击就会填入</translation>
     </message>
     <message>
-        <source>click, or 400.5, 300.5</source>
-        <translation>点击，或 400.5, 300.5</translation>
-    </message>
-    <message>
         <source>Pixel</source>
         <translation>像素</translation>
-    </message>
-    <message>
-        <source>Device pixels from the top-left corner; the first pixel&apos;s centre is 0.5, 0.5</source>
-        <translation>以设备像素计，从左上角起；第一个像素的中心是 0.5, 0.5</translation>
-    </message>
-    <message>
-        <source>from the mesh</source>
-        <translation>按网格</translation>
     </message>
     <message>
         <source>0.7051 -0.4122 0.0918</source>
@@ -9570,6 +9895,26 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
     <message>
         <source>three coordinates as the program prints them, such as 0.7051 -0.4122 0.0918</source>
         <translation>三个坐标，如程序所打印的样子，例如 0.7051 -0.4122 0.0918</translation>
+    </message>
+    <message>
+        <source>Your click</source>
+        <translation>您的点击</translation>
+    </message>
+    <message>
+        <source>What your program printed</source>
+        <translation>您的程序打印的结果</translation>
+    </message>
+    <message>
+        <source>x, y, z</source>
+        <translation>x, y, z</translation>
+    </message>
+    <message>
+        <source>Click in the view, or type device pixels from the top-left corner; the first pixel&apos;s centre is 0.5, 0.5</source>
+        <translation>在视图中点击，或键入从左上角起的设备像素；第一个像素的中心是 0.5, 0.5</translation>
+    </message>
+    <message>
+        <source>of mesh</source>
+        <translation>按网格</translation>
     </message>
 </context>
 </TS>
