@@ -22,7 +22,7 @@ struct CameraExample {
     const char *image; ///< chosen; empty: none
     struct Size {
         int width, height;
-    } size; ///< chosen; 0: none
+    } size;           ///< chosen; 0: none
     double tolerance; ///< relative to the picture's size
     double corner;    ///< added to the program's pixels: from the picture's corner
     std::vector<ProjectedPoint> points;
