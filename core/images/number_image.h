@@ -70,7 +70,7 @@ struct ImageRequest {
 ///   PFM ("Pf")     floats of either byte order, rows from the bottom
 ///   PGM ("P5")     8 or 16 bits
 ///   PNG            8 or 16 bits of gray, by libpng
-///   NumPy (.npy)   whole numbers and floats of 8 to 64 bits, either byte order, C and Fortran order
+///   NumPy (.npy)   whole numbers and floats of 8 to 64 bits, both byte orders and layouts
 ///   OpenEXR        the channel of depth; see exr_image.h
 ///   TIFF           one channel of 8 to 64 bits; see tiff_image.h
 ///   anything else  raw 32-bit floats, little-endian, rows from the top, of the given size

@@ -23,7 +23,8 @@ struct LineConstants {
 /// See BatchUnprojection::byFormula, also for the errors.
 geometry::Result<LineConstants> lineConstants(const geometry::Setup &setup, const BatchSpace &space);
 
-/// The inverted matrix of BatchUnprojection::byMatrix: (x, y, z, w) of a space from (px, py, depth, 1).
+/// The inverted matrix of BatchUnprojection::byMatrix: (x, y, z, w) of a space from
+/// (px, py, depth, 1).
 /// @return the errors of byMatrix
 geometry::Result<glm::dmat4> spaceFromDevice(const geometry::Setup &setup, const BatchSpace &space);
 

@@ -18,7 +18,7 @@ glm::dvec3 vectorOf(const double (&v)[3])
     return {v[0], v[1], v[2]};
 }
 
-/// The distance from the plane of the eye as a function of a world point, homogeneous: the row times
+/// The distance from the plane of the eye as a function of a world point: the row times
 /// (x, y, z, 1).
 Result<glm::dvec4> distanceRow(const Setup &setup, bool isPerspective)
 {

@@ -25,13 +25,14 @@ geometry::Result<ClipDistances> clipDistances(const geometry::Setup &setup);
 /// computed: it would round a distance far behind the near plane.
 class PixelLines {
 public:
-    /// Builds the lines by formulas (9) to (12) and the camera's axes: start = eye, ahead = f + X (r - l) / (width n)
-    /// s - Y (t - b) / (height n) u; for a box, X and Y are terms of start.
+    /// Builds the lines by formulas (9) to (12) and the camera's axes: start = eye,
+    /// ahead = f + X (r - l) / (width n) s - Y (t - b) / (height n) u. In a box, X and Y are terms
+    /// of start.
     /// @return the errors of BatchUnprojection::byFormula and clipDistances
     static geometry::Result<PixelLines> byFormula(const geometry::Setup &setup);
 
-    /// Builds the lines by the inverted matrix M: in a perspective, M (0, 0, 1, 0) is the eye, and M
-    /// (px, py, 0, 1) a second point of the line; in a box, M (0, 0, 1, 0) is the direction.
+    /// Builds the lines by the inverted matrix M. In a perspective, M (0, 0, 1, 0) is the eye, and
+    /// M (px, py, 0, 1) a second point of the line. In a box, M (0, 0, 1, 0) is the direction.
     /// @return the errors of BatchUnprojection::byMatrix and clipDistances
     static geometry::Result<PixelLines> byMatrix(const geometry::Setup &setup);
 
