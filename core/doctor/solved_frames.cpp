@@ -143,6 +143,17 @@ VariantName nameOf(const FrameFit &frame, const AxisPermutation *permutation)
                               : VariantName(marked("turned by %1 degrees, scaled by %2"), angle, scale);
 }
 
+/// The units in 1 of a rotation's last digit that the points determine: a power of ten.
+double rotationUnits(const FrameFit &frame, const Points &points)
+{
+    constexpr double kShare = 0.1;
+    double size = 0.0;
+    for (const glm::dvec3 &right : points.right)
+        size = std::max(size, frame.scale * glm::distance(right, points.right.front()));
+    const double digit = std::max({points.lastDigit.x, points.lastDigit.y, points.lastDigit.z});
+    return std::pow(10.0, std::ceil(-std::log10(kShare * digit / size)));
+}
+
 void add(VariantList &list, const Solved &solved, const Points &points)
 {
     FrameFit frame = solved.frame;
@@ -167,9 +178,10 @@ void add(VariantList &list, const Solved &solved, const Points &points)
             variant.values.push_back(moved);
     } else {
         SolvedValue rotation{"rotation", {}, {}};
+        const double units = rotationUnits(frame, points);
         for (int row = 0; row < 3; ++row) {
             for (int column = 0; column < 3; ++column)
-                rotation.numbers.push_back(frame.rotation[column][row]);
+                rotation.numbers.push_back(std::round(frame.rotation[column][row] * units) / units + 0.0); // no -0
         }
         variant.values = {rotation, moved, scaled};
     }
