@@ -35,7 +35,7 @@ using Corridor = std::vector<std::uint32_t>;
 /// @return NotConnected, Stopped
 geometry::Result<Corridor, PathError> corridorBetween(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
                                                       const GoesOn &goesOn);
-/// Some rings of triangles around others.
+/// Some rings of triangles around others, which may come in any order.
 Corridor corridorAbout(const SurfaceMesh &mesh, Corridor triangles);
 
 /// The strip of stripBetween, searched only in a corridor.

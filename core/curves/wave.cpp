@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <queue>
@@ -229,13 +230,21 @@ Result<Corridor, PathError> corridorBetween(const PlacedMesh &mesh, const PathEn
 
 Corridor corridorAbout(const SurfaceMesh &mesh, Corridor triangles)
 {
+    sort(triangles); // those of a path come in its order
     constexpr int kRings = 12;
+    Corridor last = triangles; // only the last ring has neighbours outside
     for (int ring = 0; ring < kRings; ++ring) {
-        for (const std::uint32_t corner : cornersOf(mesh, triangles)) {
+        Corridor touched;
+        for (const std::uint32_t corner : cornersOf(mesh, last)) {
             const auto [begin, end] = mesh.around(corner);
-            triangles.insert(triangles.end(), begin, end);
+            touched.insert(touched.end(), begin, end);
         }
-        sort(triangles);
+        sort(touched);
+        last.clear();
+        std::set_difference(touched.begin(), touched.end(), triangles.begin(), triangles.end(),
+                            std::back_inserter(last));
+        const auto middle = triangles.insert(triangles.end(), last.begin(), last.end());
+        std::inplace_merge(triangles.begin(), middle, triangles.end());
     }
     return triangles;
 }
