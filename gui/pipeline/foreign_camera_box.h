@@ -30,7 +30,7 @@ public:
     void read(std::span<const cameras::NamedText> texts, const std::optional<geometry::Box> &objects);
     /// The last camera read; nothing if the texts have no known program's form.
     const std::optional<Camera> &camera() const { return m_camera; }
-    /// What prevents the use of the camera, with what to do; empty if nothing does.
+    /// The reason why the camera cannot be used, with what to do; empty if it can.
     QString fault() const;
     /// Returns whether the view should get the picture's size.
     bool isSizeWanted() const;

@@ -17,12 +17,20 @@
 /// The workspace Doctor in tests: a window with a cube, and the hands that click and type in it.
 namespace doctordesk {
 
-using namespace unprojector;
-using namespace unprojector::gui;
-using namespace guitest;
-using namespace unprojector::geometry;
-using namespace unprojector::scene;
-using namespace unprojector::unproject;
+using guitest::click;
+using guitest::cubeScene;
+using guitest::kCubeCenter;
+using guitest::localOf;
+using guitest::settle;
+using guitest::shownWindow;
+using unprojector::geometry::clipFromWorld;
+using unprojector::geometry::Setup;
+using unprojector::geometry::WorldPoint;
+using unprojector::gui::DoctorPanel;
+using unprojector::gui::MainWindow;
+using unprojector::gui::openObjects;
+using unprojector::gui::Workspace;
+using unprojector::unproject::Pick;
 
 inline constexpr QSize kWindow(1280, 800);
 

@@ -28,7 +28,13 @@
 #include <cmath>
 #include <functional>
 
+using namespace unprojector;
+using namespace unprojector::gui;
 using namespace doctordesk;
+using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::scene;
+using namespace unprojector::unproject;
 
 namespace {
 

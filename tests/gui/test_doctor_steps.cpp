@@ -28,7 +28,13 @@
 #include <algorithm>
 #include <cmath>
 
+using namespace unprojector;
+using namespace unprojector::gui;
 using namespace doctordesk;
+using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::scene;
+using namespace unprojector::unproject;
 
 namespace {
 
@@ -234,21 +240,24 @@ void TestDoctorSteps::theUsersLibraryIsRemembered()
     type(gotOf(*window), pointText(clickedAndWrong(*window)));
     CodeChangesView &code = panelOf(*window).code();
     QTRY_VERIFY_WITH_TIMEOUT(code.isVisible(), kPatienceMilliseconds);
-    for (QToolButton *segment : code.findChildren<QToolButton *>()) {
-        if (segment->text() == QStringLiteral("NumPy"))
-            QTest::mouseClick(segment, Qt::LeftButton);
-    }
-    QCOMPARE(code.library(), QStringLiteral("NumPy"));
-    const auto withoutNumPy = [&] {
-        for (const std::string &id : doctor::mistakeIds()) {
-            code.setMistake(id);
-            if (code.library() != QStringLiteral("NumPy"))
-                return id;
+    const auto choose = [&code](const QString &library) {
+        for (QToolButton *segment : code.findChildren<QToolButton *>()) {
+            if (segment->text() == library)
+                QTest::mouseClick(segment, Qt::LeftButton);
         }
-        return std::string();
     };
-    QVERIFY(!withoutNumPy().empty());
+    choose(QStringLiteral("GLM"));
+    choose(QStringLiteral("GLU"));
+    const std::vector<std::string> ids = doctor::mistakeIds();
+    const auto withoutGlu = std::find_if(ids.begin(), ids.end(), [&code](const std::string &id) {
+        code.setMistake(id);
+        return code.library() != QStringLiteral("GLU");
+    });
+    QVERIFY(withoutGlu != ids.end());
+    QCOMPARE(code.chosenLibrary(), QStringLiteral("GLU"));
     code.setMistake("y-not-flipped");
+    QCOMPARE(code.library(), QStringLiteral("GLU"));
+    choose(QStringLiteral("NumPy"));
     QCOMPARE(code.library(), QStringLiteral("NumPy"));
     // The next start of the program.
     QSettings settings;
