@@ -168,8 +168,8 @@ void TestDoctorSolved::onePointLeavesSeveralValues()
         const Candidate *candidate = named(diagnosis, id);
         QVERIFY2(candidate && candidate->explains && !candidate->values.empty(), id);
     }
-    const double far = named(diagnosis, "far-differs")->values.front().numbers.front();
-    QVERIFY(std::abs(far - 37.8312) < 0.01);
+    const double solved = named(diagnosis, "far-differs")->values.front().numbers.front();
+    QVERIFY(std::abs(solved - 37.8312) < 0.01);
     const std::string sentence = verdictSentence(diagnosis);
     QVERIFY2(sentence.starts_with("A value would explain the point: another "), sentence.c_str());
     QVERIFY2(sentence.ends_with(". Another wrong point at another depth separates them."), sentence.c_str());
