@@ -8,6 +8,7 @@
 
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -72,6 +73,20 @@ MatrixProjection projectionOf(const glm::dmat4 &clipFromCamera)
     return {turned(true, false) * clipFromCamera * turned(true, true), NdcDepth::ZeroToOne};
 }
 
+/// The matrix without the entries that are only the rounding of single precision.
+glm::dmat4 withoutNoise(glm::dmat4 m)
+{
+    constexpr double kNoise = 1e-7;
+    double largest = 0.0;
+    for (int i = 0; i < 16; ++i)
+        largest = std::max(largest, std::abs(m[i / 4][i % 4]));
+    for (int i = 0; i < 16; ++i) {
+        if (std::abs(m[i / 4][i % 4]) < kNoise * largest)
+            m[i / 4][i % 4] = 0.0;
+    }
+    return m;
+}
+
 Result<ForeignCamera, CameraError> readMatrices(const NamedText &text, const NamedValues &values,
                                                 const CameraChoices &choices)
 {
@@ -89,7 +104,7 @@ Result<ForeignCamera, CameraError> readMatrices(const NamedText &text, const Nam
     if (view && lens) {
         camera.projection = projectionOf(*lens);
     } else if (view && product) {
-        camera.projection = projectionOf(*product * glm::inverse(*view));
+        camera.projection = projectionOf(withoutNoise(*product * glm::inverse(*view)));
     } else if (view && angleX && angleY) {
         if (auto error = setVerticalAngle(camera, choices, *angleY, std::tan(*angleX / 2.0) / std::tan(*angleY / 2.0),
                                           text.name))

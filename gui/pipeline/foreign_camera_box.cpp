@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <string>
 #include <utility>
 
 namespace unprojector::gui {
@@ -218,8 +220,15 @@ void ForeignCameraBox::read(std::span<const NamedText> texts, const std::optiona
 {
     m_camera.reset();
     auto read = readCamera(texts, choices());
-    if (read && *read && QString::fromStdString((*read)->program) != m_program) {
+    std::size_t hash = 0;
+    for (const NamedText &text : texts)
+        hash = 31 * hash + std::hash<std::string>()(text.text);
+    const bool areOthers = std::exchange(m_textsHash, hash) != hash;
+    const QString before = m_program;
+    if (read && *read)
         m_program = QString::fromStdString((*read)->program);
+    // A choice that makes the texts readable is of this camera.
+    if (areOthers && m_program != before) {
         dropChoices();
         read = readCamera(texts, choices());
     } else if (read && !*read && m_image->count() > 0) {

@@ -4,6 +4,7 @@
 
 #include <QWidget>
 
+#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -47,6 +48,7 @@ private:
     void showFault();
 
     QString m_program;
+    std::size_t m_textsHash = 0; ///< of the last texts
     std::optional<Camera> m_camera;
     QString m_fault; ///< of a camera that cannot be read
     QFormLayout *m_form;

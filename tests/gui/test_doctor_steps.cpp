@@ -289,11 +289,6 @@ void TestDoctorSteps::severalExplanationsAskForAClick()
     QPushButton *click = buttonOf(*window, QStringLiteral("Click there to tell them apart"));
     QVERIFY(click);
     QVERIFY(placeIn(*window, *click).y() < placeIn(*window, panelOf(*window).code()).y());
-    type(gotOf(*window), pointText(clickedAndWrong(*window)));
-    QTRY_VERIFY_WITH_TIMEOUT(buttonOf(*window, QStringLiteral("Click there to be sure")), kPatienceMilliseconds);
-    settle(50);
-    click = buttonOf(*window, QStringLiteral("Click there to be sure"));
-    QVERIFY(placeIn(*window, *click).y() > placeIn(*window, panelOf(*window).code()).y());
 }
 
 void TestDoctorSteps::nothingIsCut_data()
