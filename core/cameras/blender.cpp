@@ -94,10 +94,10 @@ private:
         return std::nullopt;
     }
 
-    /// The lens, as Blender computes its view plane: the sensor's side that fits the picture's.
+    /// The lens, as Blender computes its view plane: the sensor's side that fits the image's.
     std::optional<CameraError> readLens()
     {
-        const std::optional<PictureSize> size = sizeOf(m_camera, m_choices);
+        const std::optional<ImageSize> size = sizeOf(m_camera, m_choices);
         if (!size)
             return CameraError{m_text.name, 0, tr("the size of the image is not given; give it with --size 800x600")};
         const auto number = [this](const char *name, double otherwise) {
@@ -147,7 +147,7 @@ private:
         return std::nullopt;
     }
 
-    std::optional<CameraError> readParallel(const PictureSize &size, const std::optional<double> &scale, double pixel,
+    std::optional<CameraError> readParallel(const ImageSize &size, const std::optional<double> &scale, double pixel,
                                             double tall, const std::array<double, 2> &shift)
     {
         if (!scale || !m_camera.nearDistance || !m_camera.farDistance)

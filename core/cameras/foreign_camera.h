@@ -17,7 +17,7 @@
 /// Each program has a reader; all readers fill a ForeignCamera, and sceneCamera() converts it.
 namespace unprojector::cameras {
 
-/// The directions of the axes x, y, z of an eye space, as seen in the picture.
+/// The directions of the axes x, y, z of an eye space, as seen in the image.
 enum class EyeAxes {
     RightUpBack,    ///< OpenGL, Blender, NeRF, PyBullet, MuJoCo
     RightDownAhead, ///< OpenCV, COLMAP, Open3D, ROS's optical frames
@@ -46,10 +46,10 @@ struct Distortion {
     friend bool operator==(const Distortion &, const Distortion &) = default;
 };
 
-/// Width and height of the picture, pixels.
-struct PictureSize {
+/// Width and height of the image, pixels.
+struct ImageSize {
     int width = 0, height = 0;
-    friend bool operator==(const PictureSize &, const PictureSize &) = default;
+    friend bool operator==(const ImageSize &, const ImageSize &) = default;
 };
 
 /// A camera as another program gives it, before conversion.
@@ -59,7 +59,7 @@ struct ForeignCamera {
     std::size_t image = 0;           ///< the index of the one read, among `images`
     std::optional<Intrinsics> intrinsics;
     std::optional<geometry::MatrixProjection> projection; ///< instead of intrinsics; OpenGL's clip space
-    std::optional<PictureSize> size;
+    std::optional<ImageSize> size;
     std::optional<double> nearDistance, farDistance;
     std::optional<glm::dmat4> pose; ///< column vectors; the camera's axes are `axes`
     PoseDirection direction = PoseDirection::WorldToCamera;
@@ -76,12 +76,12 @@ struct ForeignCamera {
 /// The choices of the user about a camera. Empty members are taken from the file or assumed.
 struct CameraChoices {
     std::string image; ///< the image's or frame's name, or a frame's index from 0; empty: the only one, else the first
-    std::optional<PictureSize> size;
+    std::optional<ImageSize> size;
     std::optional<double> nearDistance, farDistance;
     std::optional<EyeAxes> axes;
     std::optional<PoseDirection> direction;
     std::optional<PixelCentres> centres;
-    bool isUndistorted = false; ///< pixels are of the undistorted picture: coefficients are dropped, and this is said
+    bool isUndistorted = false; ///< pixels are of the undistorted image: coefficients are dropped, and this is said
 
     /// Returns whether the user says nothing but the size.
     bool isNothing() const
@@ -106,7 +106,7 @@ struct CameraError {
 struct SceneCamera {
     geometry::MatrixProjection projection;
     glm::dmat4 eyeFromWorld{1.0};
-    PictureSize size;
+    ImageSize size;
     std::optional<Distortion> distortion;                   ///< of its pixels, where it was not dropped
     std::optional<Intrinsics> intrinsics;                   ///< of the file, for undistorting pixels
     PoseDirection direction = PoseDirection::WorldToCamera; ///< as read

@@ -122,7 +122,7 @@ private:
     std::optional<CameraError> readParallel()
     {
         const auto half = m_values.number({"orthographicsize"});
-        const std::optional<PictureSize> size = sizeOf(m_camera, m_choices);
+        const std::optional<ImageSize> size = sizeOf(m_camera, m_choices);
         if (!half || !m_camera.nearDistance || !m_camera.farDistance)
             return fault("orthographic", tr("an orthographic camera needs orthographicSize, nearClipPlane and "
                                             "farClipPlane"));

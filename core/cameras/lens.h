@@ -10,7 +10,7 @@
 
 namespace unprojector::cameras {
 
-/// A position in the picture of a lens with these coefficients (Brown 1966; Conrady 1919), from
+/// A position in the image of a lens with these coefficients (Brown 1966; Conrady 1919), from
 /// that of a pinhole:
 ///
 ///   r^2 = x^2 + y^2,  c = 1 + k1 r^2 + k2 r^4 + k3 r^6
@@ -23,10 +23,10 @@ glm::dvec2 distorted(const Distortion &lens, const glm::dvec2 &position);
 
 /// The inverse of distorted(), by Newton's iteration.
 /// @return nothing if no position near the centre has this image: far out, coefficients fold the
-///         picture over
+///         image over
 std::optional<glm::dvec2> undistorted(const Distortion &lens, const glm::dvec2 &position);
 
-/// The same for pixels, counted from the picture's top-left corner.
+/// The same for pixels, counted from the image's top-left corner.
 /// @param k  centres at whole numbers or at halves, as they say
 glm::dvec2 distortedPixel(const Distortion &lens, const Intrinsics &k, const glm::dvec2 &pixel);
 std::optional<glm::dvec2> undistortedPixel(const Distortion &lens, const Intrinsics &k, const glm::dvec2 &pixel);

@@ -116,7 +116,7 @@ private:
             if (auto error = angleX ? setHorizontalAngle(m_camera, m_choices, *angleX, m_text.name)
                                     : setVerticalAngle(m_camera, m_choices, *angleY, {}, m_text.name))
                 return error;
-            const std::optional<PictureSize> size = sizeOf(m_camera, m_choices);
+            const std::optional<ImageSize> size = sizeOf(m_camera, m_choices);
             if (angleX && angleY && size)
                 m_camera.intrinsics->fy = size->height / (2.0 * std::tan(*angleY / 2.0));
         } else {
@@ -130,7 +130,7 @@ private:
     /// Says that the angle is another than the focal length's.
     void sayAngle(double focal, const std::optional<double> &angle)
     {
-        const std::optional<PictureSize> size = sizeOf(m_camera, m_choices);
+        const std::optional<ImageSize> size = sizeOf(m_camera, m_choices);
         constexpr double kSame = 0.01;
         if (!angle || !size)
             return;
@@ -144,7 +144,7 @@ private:
     std::optional<CameraError> readCentre()
     {
         const auto cx = value("cx"), cy = value("cy");
-        const std::optional<PictureSize> size = sizeOf(m_camera, m_choices);
+        const std::optional<ImageSize> size = sizeOf(m_camera, m_choices);
         if ((!cx || !cy) && !size)
             return CameraError{m_text.name, 0, tr("the size of the image is not given; give it with --size 800x600")};
         m_camera.intrinsics->cx = cx ? *cx : size->width / 2.0;

@@ -127,7 +127,7 @@ private:
         m_camera.nearDistance = std::max(0.01 * extent, nearDistance);
         if (!isOrthographic)
             return setVerticalAngle(m_camera, m_choices, radiansFromDegrees(*degrees), {}, m_text.name);
-        const std::optional<PictureSize> size = m_choices.size;
+        const std::optional<ImageSize> size = m_choices.size;
         if (!size)
             return CameraError{m_text.name, 0, tr("the size of the image is not given; give it with --size 800x600")};
         const double aspect = double(size->width) / size->height;

@@ -267,7 +267,7 @@ private:
         m_camera.pose = rigid(turn, shift);
     }
 
-    /// ROS: the raw picture is K's, with D; the rectified one is P's, turned by R.
+    /// ROS: the raw image is K's, with D; the rectified one is P's, turned by R.
     void readRectification(const OpenCvValue &p)
     {
         const std::optional<CameraParts> parts = partsOf(p.numbers);

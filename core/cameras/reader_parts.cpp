@@ -36,7 +36,7 @@ std::string firstNames(const std::vector<std::string> &images)
     return images.size() > kMost ? list + ", …" : list;
 }
 
-std::string sizeText(const PictureSize &size)
+std::string sizeText(const ImageSize &size)
 {
     return std::to_string(size.width) + 'x' + std::to_string(size.height);
 }
@@ -90,12 +90,12 @@ std::optional<CameraError> chooseImage(ForeignCamera &camera, const CameraChoice
     return std::nullopt;
 }
 
-std::optional<PictureSize> sizeOf(const ForeignCamera &camera, const CameraChoices &choices)
+std::optional<ImageSize> sizeOf(const ForeignCamera &camera, const CameraChoices &choices)
 {
     return choices.size ? choices.size : camera.size;
 }
 
-std::optional<PictureSize> sizeOf(std::optional<double> width, std::optional<double> height)
+std::optional<ImageSize> sizeOf(std::optional<double> width, std::optional<double> height)
 {
     constexpr double kMost = 1e6;
     const auto isWhole = [](const std::optional<double> &side) {
@@ -103,10 +103,10 @@ std::optional<PictureSize> sizeOf(std::optional<double> width, std::optional<dou
     };
     if (!isWhole(width) || !isWhole(height))
         return std::nullopt;
-    return PictureSize{static_cast<int>(*width), static_cast<int>(*height)};
+    return ImageSize{static_cast<int>(*width), static_cast<int>(*height)};
 }
 
-std::optional<PictureSize> sizeIn(const NamedValues &values)
+std::optional<ImageSize> sizeIn(const NamedValues &values)
 {
     const auto width =
         values.number({"pixelwidth", "viewportwidth", "imagewidth", "screenwidth", "width", "sizex", "w"});
@@ -128,7 +128,7 @@ std::optional<CameraError> setVerticalAngle(ForeignCamera &camera, const CameraC
 {
     if (auto error = angleError(radians, file))
         return error;
-    const std::optional<PictureSize> size = sizeOf(camera, choices);
+    const std::optional<ImageSize> size = sizeOf(camera, choices);
     if (!size)
         return CameraError{file, 0, tr("the size of the image is not given; give it with --size 800x600")};
     const double width = size->width, height = size->height, focal = height / (2.0 * std::tan(radians / 2.0));
@@ -150,7 +150,7 @@ std::optional<CameraError> setHorizontalAngle(ForeignCamera &camera, const Camer
 {
     if (auto error = angleError(radians, file))
         return error;
-    const std::optional<PictureSize> size = sizeOf(camera, choices);
+    const std::optional<ImageSize> size = sizeOf(camera, choices);
     if (!size)
         return CameraError{file, 0, tr("the size of the image is not given; give it with --size 800x600")};
     const double focal = size->width / (2.0 * std::tan(radians / 2.0));

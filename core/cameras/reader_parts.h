@@ -39,12 +39,12 @@ std::optional<std::size_t> imageIndex(const std::vector<std::string> &images, co
 std::optional<CameraError> chooseImage(ForeignCamera &camera, const CameraChoices &choices, const std::string &file);
 
 /// The image's size, by the choices or by the camera's file.
-std::optional<PictureSize> sizeOf(const ForeignCamera &camera, const CameraChoices &choices);
+std::optional<ImageSize> sizeOf(const ForeignCamera &camera, const CameraChoices &choices);
 
 /// The size that two numbers give; nothing for anything but whole numbers above 0.
-std::optional<PictureSize> sizeOf(std::optional<double> width, std::optional<double> height);
+std::optional<ImageSize> sizeOf(std::optional<double> width, std::optional<double> height);
 /// The size among named values: width and height, resolution, viewport.
-std::optional<PictureSize> sizeIn(const NamedValues &values);
+std::optional<ImageSize> sizeIn(const NamedValues &values);
 
 /// Sets the intrinsics of a vertical angle of view, with the principal point in the image's
 /// centre.

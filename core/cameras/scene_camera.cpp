@@ -115,16 +115,16 @@ Result<glm::dmat4, CameraError> rigidPose(const glm::dmat4 &pose, PoseDirection 
     return rigid;
 }
 
-/// The position of the first pixel's centre from the picture's corner, pixels.
+/// The position of the first pixel's centre from the image's corner, pixels.
 double cornerToCentre(PixelCentres centres)
 {
     return centres == PixelCentres::AtIntegers ? kHalfPixel : 0.0;
 }
 
-/// The projection matrix of a pinhole, for pixels counted from the picture's corner:
+/// The projection matrix of a pinhole, for pixels counted from the image's corner:
 ///
 ///   w x_n = 2 (fx X + s Y + cx Z) / width - Z,  w y_n = Z - 2 (fy Y + cy Z) / height,  w = Z
-glm::dmat4 clipFromEye(const Intrinsics &k, const PictureSize &size, double n, double f)
+glm::dmat4 clipFromEye(const Intrinsics &k, const ImageSize &size, double n, double f)
 {
     const double width = size.width, height = size.height, toCorner = cornerToCentre(k.centres);
     glm::dmat4 m(0.0);
@@ -144,16 +144,16 @@ double withTwoDigits(double value)
     return text::doubleFromWord(significantText(value, 2)).value_or(value);
 }
 
-std::string sizeText(const PictureSize &size)
+std::string sizeText(const ImageSize &size)
 {
     return std::to_string(size.width) + 'x' + std::to_string(size.height);
 }
 
-/// The picture's size: the choice, the file's, or twice the principal point.
-Result<PictureSize, CameraError> pictureSize(const ForeignCamera &camera, const CameraChoices &choices,
-                                             std::vector<std::string> &assumed)
+/// The image's size: the choice, the file's, or twice the principal point.
+Result<ImageSize, CameraError> imageSize(const ForeignCamera &camera, const CameraChoices &choices,
+                                         std::vector<std::string> &assumed)
 {
-    std::optional<PictureSize> size = choices.size ? choices.size : camera.size;
+    std::optional<ImageSize> size = choices.size ? choices.size : camera.size;
     if (choices.size && camera.size && *choices.size != *camera.size)
         assumed.push_back(
             tr("The image is %1, as --size says; the file says %2.", sizeText(*choices.size), sizeText(*camera.size)));
@@ -166,7 +166,7 @@ Result<PictureSize, CameraError> pictureSize(const ForeignCamera &camera, const 
         if (!(width >= 1.0 && height >= 1.0 && width <= kMostPixels && height <= kMostPixels))
             return errorOf(tr("the principal point (%1, %2) gives no size of the image; give it with --size 800x600",
                               shortestText(k.cx), shortestText(k.cy)));
-        size = PictureSize{static_cast<int>(width), static_cast<int>(height)};
+        size = ImageSize{static_cast<int>(width), static_cast<int>(height)};
         assumed.push_back(
             tr("The image is assumed to be %1, twice the principal point; --size says otherwise.", sizeText(*size)));
     }
@@ -220,7 +220,7 @@ Result<std::pair<double, double>, CameraError> clipDistances(const ForeignCamera
 struct Reading {
     PoseDirection direction;
     EyeAxes axes;
-    double seen = 0.0; ///< the part of the objects in the picture
+    double seen = 0.0; ///< the part of the objects in the image
 };
 
 /// All readings that neither the file nor the choices exclude; the program's usual one first.
@@ -337,7 +337,7 @@ Result<SceneCamera, CameraError> sceneCamera(const ForeignCamera &camera, const 
     scene.assumed = camera.assumed;
     if (!camera.intrinsics && !camera.projection)
         return errorOf(tr("the camera has no projection: give its focal length, field of view, K or matrix"));
-    const auto size = pictureSize(camera, choices, scene.assumed);
+    const auto size = imageSize(camera, choices, scene.assumed);
     if (!size)
         return size.error();
     scene.size = *size;

@@ -7,7 +7,7 @@
 namespace unprojector::cameras {
 
 /// The part of a box that a camera sees: of 27 of its points (corners, centres of edges and faces,
-/// centre), those in front of the camera and in the picture. 0 to 1.
+/// centre), those in front of the camera and in the image. 0 to 1.
 double seenPart(const glm::dmat4 &clipFromEye, const glm::dmat4 &eyeFromWorld, const geometry::Box &box);
 
 /// The larger side of the part of the image that a box takes, in parts of the image's side; 0 for a

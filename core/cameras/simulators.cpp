@@ -93,7 +93,7 @@ Result<ForeignCamera, CameraError> readGlCamera(const NamedText &text, const Nam
     const double center = values.number({"frustumcenter"}).value_or(0.0);
     double half = values.number({"frustumwidth"}).value_or(0.0);
     if (half == 0.0) { // the width follows the viewport
-        const std::optional<PictureSize> size = sizeOf(camera, choices);
+        const std::optional<ImageSize> size = sizeOf(camera, choices);
         if (!size)
             return CameraError{text.name, 0, tr("the size of the image is not given; give it with --size 800x600")};
         half = 0.5 * size->width / size->height * (*top - *bottom);

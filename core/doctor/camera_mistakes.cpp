@@ -169,8 +169,8 @@ void exchangeCentres(Run &run, const Variant &)
 {
     glm::dmat4 &m = run.clipFromEye;
     const geometry::Viewport &v = run.viewport;
-    const glm::dvec2 centre = centreOf(run), ofPicture(v.x, run.given.surface.heightPixels - v.y - v.height);
-    const glm::dvec2 swapped(centre.y - ofPicture.y, centre.x - ofPicture.x); // K counts from the picture's corner
+    const glm::dvec2 centre = centreOf(run), ofImage(v.x, run.given.surface.heightPixels - v.y - v.height);
+    const glm::dvec2 swapped(centre.y - ofImage.y, centre.x - ofImage.x); // K counts from the image's corner
     m[2][0] = (2.0 * swapped.x / v.width - 1.0) * m[2][3];
     m[2][1] = (1.0 - 2.0 * swapped.y / v.height) * m[2][3];
 }

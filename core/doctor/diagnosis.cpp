@@ -407,8 +407,8 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
 
     Diagnosis diagnosis;
     if (diagnosis.projected = points.front().projected; diagnosis.projected) {
-        const glm::dvec2 inPicture = distorted(*input, glm::dvec2(*diagnosis.projected));
-        diagnosis.projected = glm::dvec3(inPicture, diagnosis.projected->z);
+        const glm::dvec2 inImage = distorted(*input, glm::dvec2(*diagnosis.projected));
+        diagnosis.projected = glm::dvec3(inImage, diagnosis.projected->z);
     }
     if (const auto unsure = diagnosis.projected ? unsureOf(*input, points.front()) : std::nullopt)
         diagnosis.depthUnsure = unsure->z;

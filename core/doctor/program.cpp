@@ -234,15 +234,15 @@ glm::dvec2 distorted(const Given &given, const glm::dvec2 &position)
                                      : cameras::distortedPixel(given.distortion, intrinsicsOf(given), position);
 }
 
-void setPixel(const Given &given, Click &click, const DevicePoint &inPicture)
+void setPixel(const Given &given, Click &click, const DevicePoint &inImage)
 {
-    const glm::dvec2 at = inPicture.coordinates();
+    const glm::dvec2 at = inImage.coordinates();
     const std::optional<glm::dvec2> straight =
         given.distortion.isNone() ? at : cameras::undistortedPixel(given.distortion, intrinsicsOf(given), at);
     if (straight)
         click.pixel = DevicePoint(straight->x, straight->y);
     else
-        click.pixel = inPicture;
+        click.pixel = inImage;
     click.distortedBy = at - click.pixel.coordinates();
     setRightEye(given, click);
 }

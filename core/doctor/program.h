@@ -37,7 +37,7 @@ struct Given {
 /// One click of the program, and its right answer.
 struct Click {
     geometry::DevicePoint pixel; ///< undistorted
-    glm::dvec2 distortedBy{0.0}; ///< from there to the pixel in the picture
+    glm::dvec2 distortedBy{0.0}; ///< from there to the pixel in the image
     double depth = 0.0;
     PointSpace space = PointSpace::World;
     glm::dmat4 worldFromObject{1.0}; ///< of the object in whose space the answer is; the identity for other spaces
@@ -131,11 +131,11 @@ glm::dmat4 worldFromSpace(const Given &given, const Click &click);
 
 /// K: focal lengths and centre in device pixels from the top-left corner. @pre isPerspective
 cameras::Intrinsics intrinsicsOf(const Given &given);
-/// The position in the picture that shows an undistorted position, both in device pixels.
+/// The position in the image that shows an undistorted position, both in device pixels.
 glm::dvec2 distorted(const Given &given, const glm::dvec2 &position);
 /// Sets a click's pixel, and its right eye point.
-/// @param inPicture  a position outside the range of the distortion's inverse stays as it is
-void setPixel(const Given &given, Click &click, const geometry::DevicePoint &inPicture);
+/// @param inImage  a position outside the range of the distortion's inverse stays as it is
+void setPixel(const Given &given, Click &click, const geometry::DevicePoint &inImage);
 
 /// Sets the right eye point of a click's pixel and depth.
 void setRightEye(const Given &given, Click &click);

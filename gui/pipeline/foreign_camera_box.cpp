@@ -52,7 +52,7 @@ QString centresName(PixelCentres centres)
     return centres == PixelCentres::AtIntegers ? ForeignCameraBox::tr("At 0, 0") : ForeignCameraBox::tr("At 0.5, 0.5");
 }
 
-QString sizeText(const PictureSize &size)
+QString sizeText(const ImageSize &size)
 {
     return QStringLiteral("%1 × %2").arg(size.width).arg(size.height);
 }
@@ -78,13 +78,13 @@ QString withFieldNames(QString sentence)
         {"--pixel-centers integer", ForeignCameraBox::tr("“Pixel centres”")},
         {"--image NAME", ForeignCameraBox::tr("“Image”")},
         {"--image", ForeignCameraBox::tr("“Image”")},
-        {"--size", ForeignCameraBox::tr("“Picture size”")},
+        {"--size", ForeignCameraBox::tr("“Image size”")},
         {"--near", ForeignCameraBox::tr("“Near”")},
         {"--far", ForeignCameraBox::tr("“Far”")},
         {"--axes", ForeignCameraBox::tr("“Axes”")},
         {"--pose", ForeignCameraBox::tr("“Pose”")},
         {"--objects", ForeignCameraBox::tr("“File > Add to Scene”")},
-        {"--undistorted", ForeignCameraBox::tr("“My pixels are of the undistorted picture”")},
+        {"--undistorted", ForeignCameraBox::tr("“My pixels are of the undistorted image”")},
     }};
     for (const auto &[option, name] : names)
         sentence.replace(QLatin1String(option), name);
@@ -148,19 +148,19 @@ void ForeignCameraBox::createFields()
         connect(made, &QLineEdit::textEdited, this, &ForeignCameraBox::choicesChanged);
         return made;
     };
-    m_size = field(tr("Picture size"), tr("Width and height of the camera's picture, pixels: 640 x 480"));
+    m_size = field(tr("Image size"), tr("Width and height of the camera's image, pixels: 640 x 480"));
     m_takesSize = new QCheckBox(tr("Give the view this size"));
     m_takesSize->setChecked(true);
     m_takesSize->setToolTip(tr("Pixels of the view are then the camera's pixels; View > Fit the Window undoes it"));
     m_near = field(tr("Near"), tr("Distance of the near plane: it maps depths, and hides what is closer"));
     m_far = field(tr("Far"), tr("Distance of the far plane: it maps depths, and hides what is farther"));
-    m_axes = choiceOf<EyeAxes>(tr("Axes of the camera"), tr("The directions of the camera's x, y and z in its picture"),
+    m_axes = choiceOf<EyeAxes>(tr("Axes of the camera"), tr("The directions of the camera's x, y and z in its image"),
                                kEyeAxes, axesName);
     m_direction = choiceOf<PoseDirection>(tr("Pose"), tr("What the pose turns into what: its direction"), kDirections,
                                           directionName);
     m_centres = choiceOf<PixelCentres>(
         tr("Pixel centres"), tr("The coordinates of the first pixel's centre in the program"), kCentres, centresName);
-    m_isUndistorted = new QCheckBox(tr("My pixels are of the undistorted picture"));
+    m_isUndistorted = new QCheckBox(tr("My pixels are of the undistorted image"));
     m_isUndistorted->setToolTip(tr("Drop the distortion coefficients: the view has no distortion"));
     const auto line = [](QWidget *first, QWidget *second, const QString &between = {}) {
         auto *made = new QHBoxLayout;
@@ -176,7 +176,7 @@ void ForeignCameraBox::createFields()
         return made;
     };
     m_form->addRow(tr("&Image:"), m_image);
-    m_form->addRow(label(tr("Picture &size:"), m_size), line(m_size, m_takesSize));
+    m_form->addRow(label(tr("Image &size:"), m_size), line(m_size, m_takesSize));
     m_form->addRow(label(tr("&Near, far:"), m_near), line(m_near, m_far, QStringLiteral("–")));
     m_form->addRow(tr("&Axes:"), m_axes);
     m_form->addRow(tr("P&ose:"), m_direction);
@@ -194,7 +194,7 @@ CameraChoices ForeignCameraBox::choices() const
     if (m_image->count() > 1)
         choices.image = m_image->currentText().toStdString();
     if (const auto size = typedSize(m_size->text()))
-        choices.size = PictureSize{size->widthPixels, size->heightPixels};
+        choices.size = ImageSize{size->widthPixels, size->heightPixels};
     choices.nearDistance = numberIn(*m_near);
     choices.farDistance = numberIn(*m_far);
     choices.axes = chosenIn<EyeAxes>(*m_axes);
@@ -287,7 +287,7 @@ void ForeignCameraBox::showRead(const ForeignCamera &camera)
     for (const std::string &sentence : scene.assumed)
         said << withFieldNames(QString::fromStdString(sentence));
     if (!canTakeSize)
-        said << tr("The picture is larger than %1 pixels: the view keeps its own size.").arg(kMostPixels);
+        said << tr("The image is larger than %1 pixels: the view keeps its own size.").arg(kMostPixels);
     setRefused(*m_size, isRefused(*m_size, typedSize(m_size->text()).has_value()));
     for (QLineEdit *field : {m_near, m_far})
         setRefused(*field, isRefused(*field, numberIn(*field).has_value()));
@@ -321,7 +321,7 @@ QString ForeignCameraBox::fault() const
         return {};
     const Distortion &d = *(*m_camera)->distortion;
     return tr("The camera has distortion (k1 %1, k2 %2, p1 %3, p2 %4, k3 %5), which the view cannot draw. If your "
-              "pixels are of the undistorted picture, tick the box. Else undo the distortion: unproject points "
+              "pixels are of the undistorted image, tick the box. Else undo the distortion: unproject points "
               "--distortion.")
         .arg(shortestText(d.k1), shortestText(d.k2), shortestText(d.p1), shortestText(d.p2), shortestText(d.k3));
 }

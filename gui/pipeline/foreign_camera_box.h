@@ -33,7 +33,7 @@ public:
     const std::optional<Camera> &camera() const { return m_camera; }
     /// The reason why the camera cannot be used, with what to do; empty if it can.
     QString fault() const;
-    /// Returns whether the view should get the picture's size.
+    /// Returns whether the view should get the image's size.
     bool isSizeWanted() const;
 
 signals:

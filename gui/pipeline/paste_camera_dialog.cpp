@@ -229,7 +229,7 @@ std::optional<Surface> PasteCameraDialog::viewSize() const
 {
     if (!isForeign() || !*m_foreign->camera() || !m_foreign->isSizeWanted())
         return std::nullopt;
-    const PictureSize size = (*m_foreign->camera())->size;
+    const ImageSize size = (*m_foreign->camera())->size;
     return Surface{size.width, size.height, 1.0};
 }
 
@@ -314,7 +314,7 @@ QString PasteCameraDialog::meaning(const MatrixPaste::Camera &camera, bool &isUs
     isUsable = true;
     QStringList said{cameraText(*shown, camera.projection)};
     if (const auto size = viewSize())
-        said << tr("The view gets the picture's size, %1 × %2.").arg(size->widthPixels).arg(size->heightPixels);
+        said << tr("The view gets the image's size, %1 × %2.").arg(size->widthPixels).arg(size->heightPixels);
     if (isProduct())
         said << sentence(decompositionText(*m_paste.apart()));
     if (camera.viewport)

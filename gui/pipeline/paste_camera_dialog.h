@@ -71,7 +71,7 @@ private:
     matrices::MatrixPaste::Camera camera() const;
     /// Describes the camera, or why it cannot be used.
     QString meaning(const matrices::MatrixPaste::Camera &camera, bool &isUsable) const;
-    /// The size that the view gets from the camera's picture.
+    /// The size that the view gets from the camera's image.
     std::optional<geometry::Surface> viewSize() const;
 
     SceneDocument &m_document;

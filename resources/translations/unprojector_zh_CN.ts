@@ -2747,7 +2747,7 @@ Both are scaled to fit.</source>
         <translation>“图像”</translation>
     </message>
     <message>
-        <source>“Picture size”</source>
+        <source>“Image size”</source>
         <translation>“图像大小”</translation>
     </message>
     <message>
@@ -2771,7 +2771,7 @@ Both are scaled to fit.</source>
         <translation>“文件 &gt; 添加到场景”</translation>
     </message>
     <message>
-        <source>“My pixels are of the undistorted picture”</source>
+        <source>“My pixels are of the undistorted image”</source>
         <translation>“我的像素取自去畸变后的图像”</translation>
     </message>
     <message>
@@ -2787,11 +2787,11 @@ Both are scaled to fit.</source>
         <translation>读取其相机的图像或帧</translation>
     </message>
     <message>
-        <source>Picture size</source>
+        <source>Image size</source>
         <translation>图像大小</translation>
     </message>
     <message>
-        <source>Width and height of the camera&apos;s picture, pixels: 640 x 480</source>
+        <source>Width and height of the camera&apos;s image, pixels: 640 x 480</source>
         <translation>相机图像的宽和高，像素：640 x 480</translation>
     </message>
     <message>
@@ -2823,7 +2823,7 @@ Both are scaled to fit.</source>
         <translation>相机的坐标轴</translation>
     </message>
     <message>
-        <source>The directions of the camera&apos;s x, y and z in its picture</source>
+        <source>The directions of the camera&apos;s x, y and z in its image</source>
         <translation>相机的 x、y、z 在其图像中的方向</translation>
     </message>
     <message>
@@ -2843,7 +2843,7 @@ Both are scaled to fit.</source>
         <translation>在该程序中第一个像素中心的坐标</translation>
     </message>
     <message>
-        <source>My pixels are of the undistorted picture</source>
+        <source>My pixels are of the undistorted image</source>
         <translation>我的像素取自去畸变后的图像</translation>
     </message>
     <message>
@@ -2855,7 +2855,7 @@ Both are scaled to fit.</source>
         <translation>图像(&amp;I)：</translation>
     </message>
     <message>
-        <source>Picture &amp;size:</source>
+        <source>Image &amp;size:</source>
         <translation>图像大小(&amp;S)：</translation>
     </message>
     <message>
@@ -2883,7 +2883,7 @@ Both are scaled to fit.</source>
         <translation>按读取：%1</translation>
     </message>
     <message>
-        <source>The picture is larger than %1 pixels: the view keeps its own size.</source>
+        <source>The image is larger than %1 pixels: the view keeps its own size.</source>
         <translation>图像大于 %1 像素：视图保持自己的大小。</translation>
     </message>
     <message>
@@ -2904,7 +2904,7 @@ Both are scaled to fit.</source>
         <translation>“%1”不是距离：请键入大于 0 的数。</translation>
     </message>
     <message>
-        <source>The camera has distortion (k1 %1, k2 %2, p1 %3, p2 %4, k3 %5), which the view cannot draw. If your pixels are of the undistorted picture, tick the box. Else undo the distortion: unproject points --distortion.</source>
+        <source>The camera has distortion (k1 %1, k2 %2, p1 %3, p2 %4, k3 %5), which the view cannot draw. If your pixels are of the undistorted image, tick the box. Else undo the distortion: unproject points --distortion.</source>
         <translation>该相机有畸变（k1 %1，k2 %2，p1 %3，p2 %4，k3 %5），视图无法绘制。若您的像素取自去畸变后的图像，请勾选复选框。否则先去除畸变：unproject points --distortion。</translation>
     </message>
 </context>
@@ -6130,7 +6130,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>无法分解乘积：它不是透视投影或正交投影与观察矩阵的乘积。请分别粘贴投影矩阵和观察矩阵。</translation>
     </message>
     <message>
-        <source>The view gets the picture&apos;s size, %1 × %2.</source>
+        <source>The view gets the image&apos;s size, %1 × %2.</source>
         <translation>视图取图像的大小，%1 × %2。</translation>
     </message>
     <message>

@@ -23,8 +23,8 @@ struct CameraExample {
     struct Size {
         int width, height;
     } size;           ///< chosen; 0: none
-    double tolerance; ///< relative to the picture's size
-    double corner;    ///< added to the program's pixels: from the picture's corner
+    double tolerance; ///< relative to the image's size
+    double corner;    ///< added to the program's pixels: from the image's corner
     std::vector<ProjectedPoint> points;
 };
 

@@ -36,7 +36,7 @@ CameraChoices choicesOf(const CameraExample &example)
     CameraChoices choices;
     choices.image = example.image;
     if (example.size.width > 0)
-        choices.size = PictureSize{example.size.width, example.size.height};
+        choices.size = ImageSize{example.size.width, example.size.height};
     return choices;
 }
 
@@ -76,7 +76,7 @@ QString assumedOf(const std::vector<NamedText> &texts, const CameraChoices &choi
     return said.join(QLatin1Char('\n'));
 }
 
-/// The pixel of a point, from the picture's top-left corner.
+/// The pixel of a point, from the image's top-left corner.
 glm::dvec2 pixelOf(const SceneCamera &camera, const ProjectedPoint &point)
 {
     const glm::dvec4 clip = camera.projection.clipFromEye * camera.eyeFromWorld

@@ -25,7 +25,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-/// A picture of 640 x 480 pixels, taken from (3, 2, 5) towards the origin.
+/// A image of 640 x 480 pixels, taken from (3, 2, 5) towards the origin.
 struct Camera {
     double fx = 600, fy = 500, cx = 300, cy = 260;
     double nearDistance = 0.1, farDistance = 50.0;
@@ -232,7 +232,7 @@ void TestDoctorCameras::opencvAxesAreOneMistake()
     QVERIFY(diagnosis.alike().empty());
 }
 
-/// They give the same answers if the picture is the whole window.
+/// They give the same answers if the image is the whole window.
 void TestDoctorCameras::kOfAnotherSizeIsOneOfTheRatios()
 {
     const Camera camera;
@@ -267,14 +267,14 @@ void TestDoctorCameras::distortion()
     const auto pixelOf = [&](const dvec2 &direction) {
         return dvec2(c.fx * direction.x + c.cx, c.fy * direction.y + c.cy);
     };
-    const dvec2 inPicture = pixelOf(distorted(*of.distortion, x, y));
+    const dvec2 inImage = pixelOf(distorted(*of.distortion, x, y));
     const auto verdict = [&](const dvec3 &got) {
-        const WrongPoint point = wrongPoint(c, {inPicture, z}, got);
+        const WrongPoint point = wrongPoint(c, {inImage, z}, got);
         return QString::fromStdString(diagnose(of, {&point, 1}).value().verdict);
     };
     QCOMPARE(verdict(c.fromAxes(x * z, y * z, z)), QStringLiteral("right"));
-    QCOMPARE(verdict(c.world(inPicture, z)), QStringLiteral("distortion-ignored"));
-    const dvec2 twice = distorted(*of.distortion, (inPicture.x - c.cx) / c.fx, (inPicture.y - c.cy) / c.fy);
+    QCOMPARE(verdict(c.world(inImage, z)), QStringLiteral("distortion-ignored"));
+    const dvec2 twice = distorted(*of.distortion, (inImage.x - c.cx) / c.fx, (inImage.y - c.cy) / c.fy);
     QCOMPARE(verdict(c.fromAxes(twice.x * z, twice.y * z, z)), QStringLiteral("distortion-added"));
     // Without the coefficients the right point is another pixel's.
     of.distortion.reset();
@@ -479,7 +479,7 @@ void TestDoctorCameras::pointsThatDetermineTooLittle()
     const Camera c;
     const glm::dmat3 turn = glm::mat3_cast(glm::angleAxis(0.7, glm::normalize(dvec3(1, -2, 0.5))));
     std::vector<WrongPoint> points;
-    // On a line parallel to the picture, so at one depth.
+    // On a line parallel to the image, so at one depth.
     for (const double x : {100.5, 250.5, 480.5}) {
         const Shot shot{{x, 200.5}, 6.0};
         points.push_back(wrongPoint(c, shot, turn * c.world(shot.pixel, shot.z) + dvec3(4, -1, 2)));

@@ -63,7 +63,7 @@ QString reasonOf(const std::string &text, const CameraChoices &choices = {})
     return scene ? QString() : QString::fromStdString(scene.error().reason);
 }
 
-/// The pixel of a world point, counted from the picture's top-left corner.
+/// The pixel of a world point, counted from the image's top-left corner.
 glm::dvec2 pixelOf(const SceneCamera &scene, const glm::dvec3 &world)
 {
     const geometry::Surface surface{scene.size.width, scene.size.height, 1.0};
@@ -170,7 +170,7 @@ void TestOpenCvCameras::pixelsAreThoseOfProjectPoints()
     QFETCH(QString, text);
     QFETCH(QString, image);
     const SceneCamera scene = sceneOf(text.toStdString(), choicesOf(image.toStdString()));
-    QCOMPARE(scene.size, (PictureSize{640, 480}));
+    QCOMPARE(scene.size, (ImageSize{640, 480}));
     QVERIFY2(largestMiss(scene) <= 1e-12, qPrintable(QString::number(largestMiss(scene))));
 }
 
@@ -269,7 +269,7 @@ void TestOpenCvCameras::assumptionsNameTheirOption()
           "The file has no pose"})
         QVERIFY2(said.find(sentence) != said.npos, said.c_str());
     CameraChoices choices;
-    choices.size = PictureSize{640, 480};
+    choices.size = ImageSize{640, 480};
     choices.nearDistance = 1.0;
     choices.farDistance = 9.0;
     const SceneCamera scene = sceneOf(kPlainK + "rvec = 0 0 0\ntvec = 0 0 0\n", choices);
@@ -309,7 +309,7 @@ void TestOpenCvCameras::skewIsExactAndReported()
     QVERIFY(join(scene.assumed).find("The skew is 12") != std::string::npos);
 }
 
-/// K is of the raw picture, P of the rectified one.
+/// K is of the raw image, P of the rectified one.
 void TestOpenCvCameras::rawAndRectifiedPicturesOfRos()
 {
     const std::string info = R"(header:
@@ -335,7 +335,7 @@ roi:
   do_rectify: False
 )";
     const SceneCamera raw = sceneOf(info), rectified = sceneOf(info, undistorted());
-    QCOMPARE(raw.size, (PictureSize{640, 480}));
+    QCOMPARE(raw.size, (ImageSize{640, 480}));
     QCOMPARE(raw.distortion.value(), (Distortion{0.1, -0.2, 0.001, 0.002, 0.0}));
     QVERIFY(!rectified.distortion);
     // In the optical frame (1, 2, 4): K gives the raw pixel; R turns it to (2, -1, 4),

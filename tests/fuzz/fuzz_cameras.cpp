@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     CameraChoices choices;
     choices.isUndistorted = size % 2 == 1;
     if (size % 3 == 1)
-        choices.size = PictureSize{640, 480};
+        choices.size = ImageSize{640, 480};
     if (size % 5 == 1)
         choices.image = "1";
     const auto camera = readCamera(texts, choices);

@@ -148,7 +148,7 @@ struct Pasting {
         }
         return all.join('\n');
     }
-    /// The pixel of a world point in the document's view, from the corner of the picture.
+    /// The pixel of a world point in the document's view, from the corner of the image.
     glm::dvec2 pixelOf(const glm::dvec3 &world) const
     {
         const Setup &setup = document.setup();
@@ -207,7 +207,7 @@ void TestPasteCamera::theSceneProjectsAsTheProgram()
     QVERIFY(!pasting.foreign()->isVisible());
     pasting.paste(krt());
     QVERIFY2(pasting.foreign()->isVisible() && pasting.said().contains("Camera of OpenCV"), qPrintable(pasting.said()));
-    QVERIFY2(pasting.said().contains("The view gets the picture's size, 640 × 480."), qPrintable(pasting.said()));
+    QVERIFY2(pasting.said().contains("The view gets the image's size, 640 × 480."), qPrintable(pasting.said()));
     QVERIFY(pasting.ok()->isEnabled());
     pasting.ok()->click();
     QVERIFY(!pasting.dialog.isVisible());
@@ -263,9 +263,9 @@ void TestPasteCamera::sizeCanBeSaidAndLeft()
 {
     Pasting pasting;
     pasting.paste(krt());
-    pasting.type("Picture size", "800 x");
+    pasting.type("Image size", "800 x");
     QVERIFY(!pasting.ok()->isEnabled());
-    pasting.type("Picture size", "800 x 600");
+    pasting.type("Image size", "800 x 600");
     QVERIFY2(pasting.said().contains("800 × 600"), qPrintable(pasting.said()));
     pasting.ok()->click();
     QCOMPARE(pasting.document.setup().surface, (Surface{800, 600, 1.0}));
@@ -299,7 +299,7 @@ void TestPasteCamera::pixelCentresCanBeSaid()
 {
     Pasting pasting;
     pasting.paste(krt());
-    pasting.type("Picture size", "640 x 480");
+    pasting.type("Image size", "640 x 480");
     pasting.choose("Pixel centres", 2); // at halves
     pasting.ok()->click();
     QVERIFY(areClose(pasting.pixelOf(kPoint), projectedByKrt(kPoint)));
@@ -328,7 +328,7 @@ void TestPasteCamera::distortionWantsAWord()
     QVERIFY2(pasting.said().contains("k1 0.1, k2 -0.02") || pasting.said().contains("k1 0.1, k2 −0.02"),
              qPrintable(pasting.said()));
     QVERIFY(!pasting.ok()->isEnabled());
-    pasting.check("My pixels are of the undistorted picture")->click();
+    pasting.check("My pixels are of the undistorted image")->click();
     QVERIFY2(pasting.ok()->isEnabled(), qPrintable(pasting.said()));
 }
 
@@ -365,7 +365,7 @@ void TestPasteCamera::everyProgramsFilesAreRead()
     pasting.dialog.readFiles(files);
     QVERIFY2(pasting.foreign()->isVisible(), qPrintable(pasting.said()));
     if (example.size.width > 0)
-        pasting.type("Picture size", QStringLiteral("%1 x %2").arg(example.size.width).arg(example.size.height));
+        pasting.type("Image size", QStringLiteral("%1 x %2").arg(example.size.width).arg(example.size.height));
     const QString wanted = QString::fromUtf8(example.image ? example.image : "");
     auto *image = pasting.named<QComboBox>("Image");
     if (image && !wanted.isEmpty()) {
@@ -377,7 +377,7 @@ void TestPasteCamera::everyProgramsFilesAreRead()
         QVERIFY2(at < image->count(), example.image);
         pasting.choose("Image", at);
     }
-    if (QCheckBox *undistorted = pasting.check("My pixels are of the undistorted picture"))
+    if (QCheckBox *undistorted = pasting.check("My pixels are of the undistorted image"))
         undistorted->click();
     QVERIFY2(pasting.ok()->isEnabled(), qPrintable(pasting.said()));
     pasting.ok()->click();

@@ -58,7 +58,7 @@ std::optional<ExitCode> runCameraScene(const SceneOptions &options, const GivenT
         const std::optional<SizeGiven> size = sizeGiven(options.size.empty() ? "--window" : "--size", sizeText);
         if (!size)
             return ExitCode::UnusableInput;
-        choices.size = PictureSize{size->width, size->height};
+        choices.size = ImageSize{size->width, size->height};
     }
     const auto read = readCamera(given.texts, choices);
     if (!read)

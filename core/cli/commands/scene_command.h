@@ -16,7 +16,7 @@ namespace unprojector::cli {
 struct SceneOptions {
     std::vector<std::string> from;         ///< files of a camera, recognised by their contents; or the text itself
     cameras::CameraChoices camera;         ///< without its size
-    std::string size;                      ///< "WxH" of a camera's picture; empty: the file's
+    std::string size;                      ///< "WxH" of a camera's image; empty: the file's
     std::vector<std::string> objects;      ///< scenes and models: their objects are the scene's
     std::vector<std::string> fromMatrices; ///< the numbers, or the name of one text file that has them, "-" for stdin
     std::optional<geometry::Api> conventions;   ///< conventions of the matrices; empty: OpenGL's
