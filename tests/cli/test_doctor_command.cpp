@@ -441,9 +441,10 @@ void TestDoctorCommand::unusable_data()
     QTest::newRow("points and a pixel") << kClick + QStringList{"--points", "-"} << QByteArray("--points");
     QTest::newRow("no such table") << QStringList{"--points", "nowhere.csv"} << QByteArray("nowhere.csv");
     QTest::newRow("coefficients of words")
-        << kClick + got + QStringList{"--distortion", "k1,0,0,0"} << QByteArray("--distortion: \"k1\" is not a number");
+        << kClick + got + QStringList{"--distortion", "k1,0,0,0"}
+        << QByteArray("--distortion k1,0,0,0: this is neither a file of a camera nor");
     QTest::newRow("three coefficients") << kClick + got + QStringList{"--distortion", "0.1,0,0"}
-                                        << QByteArray("--distortion: ");
+                                        << QByteArray("--distortion 0.1,0,0: ");
     QTest::newRow("no size") << kClick + got + QStringList{"--other-size", "640"} << QByteArray("--other-size 640");
     QTest::newRow("outside the view") << QStringList{"--pixel", "1001,5"} + got << QByteArray("--pixel: 1001,5 lies");
     QTest::newRow("a sign apart") << kClick + QStringList{"--got", "1 - 2 3"} << QByteArray("--got 1 - 2 3");

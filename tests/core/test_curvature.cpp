@@ -60,15 +60,6 @@ Mesh turnedOver(Mesh mesh)
     return mesh;
 }
 
-/// The same triangles, each with vertices of its own.
-Mesh soupOf(const Mesh &mesh)
-{
-    Mesh soup;
-    for (const std::uint32_t index : mesh.indices)
-        soup.positions.push_back(mesh.positions[index]);
-    return soup;
-}
-
 /// Each vertex moved by noise in all directions.
 Mesh noisy(Mesh mesh, double deviation)
 {

@@ -28,14 +28,6 @@ Mesh ball()
     return examples::sphereMesh(kRadius, 7);
 }
 
-Mesh soupOf(const Mesh &mesh)
-{
-    Mesh soup;
-    for (const std::uint32_t index : mesh.indices)
-        soup.positions.push_back(mesh.positions[index]);
-    return soup;
-}
-
 Mesh pointsOf(const Mesh &mesh)
 {
     Mesh points;

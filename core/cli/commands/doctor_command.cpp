@@ -2,6 +2,7 @@
 
 #include "core/cameras/lens.h"
 #include "core/cli/commands/doctor_texts.h"
+#include "core/cli/commands/lens_option.h"
 #include "core/cli/commands/opened_scene.h"
 #include "core/cli/commands/size_text.h"
 #include "core/cli/commands/wrong_points.h"
@@ -15,7 +16,6 @@
 #include "core/ray/mesh_depth.h"
 #include "core/text/error_text.h"
 #include "core/text/number_text.h"
-#include "core/text/text_scanner.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
@@ -178,48 +178,19 @@ std::string depthRefused(const WrongPoints &given, double depth, const Setup &se
     return place + ": " + depthOutsideText(shortestText(depth), setup.depthRange);
 }
 
-/// The coefficients of --distortion. Errors are printed on stderr.
-std::optional<cameras::Distortion> distortionGiven(const std::string &text)
-{
-    std::vector<double> coefficients;
-    for (std::size_t start = 0; start <= text.size();) {
-        const std::size_t end = std::min(text.find(',', start), text.size());
-        const std::optional<double> number = doubleFromWord(std::string_view(text).substr(start, end - start));
-        if (!number || !std::isfinite(*number)) {
-            complain(tr("--distortion: \"%1\" is not a number; give k1,k2,p1,p2,k3", text.substr(start, end - start)));
-            return std::nullopt;
-        }
-        coefficients.push_back(*number);
-        start = end + 1;
-    }
-    const Result<cameras::Distortion, std::string> distortion = cameras::distortionOf(coefficients);
-    if (!distortion) {
-        complain("--distortion: " + distortion.error());
-        return std::nullopt;
-    }
-    return *distortion;
-}
-
 /// Sets the distortion, and removes the points whose pixels it cannot be undone for. Errors are
 /// printed on stderr.
-bool setDistortion(Case &scene, WrongPoints &given, const std::string &text)
+bool setDistortion(Case &scene, WrongPoints &given, const DoctorOptions &options)
 {
-    scene.distortion = distortionGiven(text);
-    if (!scene.distortion)
+    const std::optional<SceneLens> lens = sceneLens(options.distortion, scene.setup, options.scene);
+    if (!lens)
         return false;
-    const Result<Given> input = Given::of(scene.setup, *scene.distortion);
-    if (!input) // diagnose() reports it
-        return true;
-    if (!input->isPerspective) {
-        complain(tr("--distortion: the scene's projection is orthographic, which has no distortion; leave it out"));
-        return false;
-    }
-    const cameras::Intrinsics k = intrinsicsOf(*input);
+    scene.distortion = lens->distortion;
     for (std::size_t i = given.points.size(); i-- > 0;) {
-        if (cameras::undistortedPixel(*scene.distortion, k, given.points[i].pixel.coordinates()))
+        if (cameras::undistortedPixel(lens->distortion, lens->pinhole, given.points[i].pixel.coordinates()))
             continue;
         complain(tr("%1: the distortion cannot be undone at this pixel: %2 fold the image over there; check them",
-                    given.names[i], cameras::coefficientsText(*scene.distortion)));
+                    given.names[i], cameras::coefficientsText(lens->distortion)));
         given.isComplete = false;
         given.points.erase(given.points.begin() + std::ptrdiff_t(i));
         given.names.erase(given.names.begin() + std::ptrdiff_t(i));
@@ -269,7 +240,7 @@ ExitCode runDoctor(const DoctorOptions &options)
         }
     }
     leaveOutside(given, scene.setup.surface);
-    if (!options.distortion.empty() && !setDistortion(scene, given, options.distortion))
+    if (!options.distortion.empty() && !setDistortion(scene, given, options))
         return ExitCode::UnusableInput;
     if (given.points.empty())
         return ExitCode::UnusableInput;

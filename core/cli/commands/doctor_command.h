@@ -15,7 +15,7 @@ struct DoctorOptions {
     std::string gotSpace = "world"; ///< world, eye, object or object:NAME
     std::string points;             ///< CSV px,py,depth,x,y,z, replaces pixel, depth and got; "-" is stdin
     std::string otherSize;          ///< "WxH"; empty: none
-    std::string distortion;         ///< "k1,k2,p1,p2,k3"; empty: none
+    std::string distortion;         ///< see SceneLens; empty: none
     bool isJson = false;
 };
 

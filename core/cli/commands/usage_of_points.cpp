@@ -75,7 +75,7 @@ void addPoints(CLI::App &app, Run &run)
     command->add_flag("--pixel", options->isPixel,
                       tr("px and py are integer indices of pixels; 1/2 is added to get their centres"));
     addDistortion(*command, options->distortion,
-                  tr("The pixels are of a image that a lens distorts: undo it, with the scene's K.\nA file of a "
+                  tr("The pixels are of an image that a lens distorts: undo it, with the scene's K.\nA file of a "
                      "camera, or coefficients in OpenCV's order"));
     command->footer(
         tr("The input can also be clicks printed by 'unprojector --screenshot': give their file instead of SCENE and "
@@ -284,10 +284,10 @@ void addDoctor(CLI::App &app, Run &run)
                      tr("A size in device pixels that the program may use by mistake: an earlier size of the\nwindow, "
                         "or another framebuffer's"))
         ->type_name("WxH");
-    command
-        ->add_option("--distortion", options->distortion,
-                     tr("The lens's coefficients in OpenCV's order. The pixels are those of the distorted image"))
-        ->type_name("K1,K2,P1,P2,K3");
+    addDistortion(
+        *command, options->distortion,
+        tr("The pixels are those of the image that a lens distorts, with the scene's K.\nA file of a camera, or "
+           "coefficients in OpenCV's order"));
     command->add_flag("--json", options->isJson, tr("Write one JSON object"));
     command->footer(
         tr("Every known mistake, and every pair of them, is applied to the click. The result names the mistake whose "
