@@ -369,8 +369,11 @@ void TestPasteCamera::everyProgramsFilesAreRead()
     const QString wanted = QString::fromUtf8(example.image ? example.image : "");
     auto *image = pasting.named<QComboBox>("Image");
     if (image && !wanted.isEmpty()) {
+        bool isNumber = false;
+        wanted.toInt(&isNumber);
         int at = 0; // of the name, else the wanted index
-        while (at < image->count() && !image->itemText(at).contains(wanted))
+        while (at < image->count() && image->itemText(at) != wanted
+               && (isNumber || !image->itemText(at).contains(wanted)))
             ++at;
         if (at == image->count())
             at = wanted.toInt();
