@@ -35,11 +35,13 @@ CandidatesTable::CandidatesTable(QWidget *parent) : QTableWidget(0, ColumnCount,
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setAccessibleName(tr("Candidates"));
     setToolTip(tr("Mistakes that explain the point, the best first. The code to change belongs to the selected one"));
-    // The names' column changes with the panel and with the other columns.
-    connect(horizontalHeader(), &QHeaderView::sectionResized, this, [this](int column) {
+    // The names' column changes with the panel and with the other columns, whose final widths the
+    // view knows only after the event.
+    const auto fitLater = [this](int column) {
         if (column == Name)
             fitRows();
-    });
+    };
+    connect(horizontalHeader(), &QHeaderView::sectionResized, this, fitLater, Qt::QueuedConnection);
     connect(this, &QTableWidget::currentCellChanged, this, [this](int current) {
         if (current >= 0)
             emit chosen(current);
