@@ -18,20 +18,6 @@ using text::tr;
 
 namespace {
 
-/// The rotation of Blender's Euler angles in the order XYZ: about x, then y, then z.
-glm::dmat3 rotationOf(const std::array<double, 3> &radians)
-{
-    const auto about = [&](int axis) {
-        const int a = (axis + 1) % 3, b = (axis + 2) % 3;
-        glm::dmat3 m(1.0);
-        m[a][a] = m[b][b] = std::cos(radians[std::size_t(axis)]);
-        m[a][b] = std::sin(radians[std::size_t(axis)]);
-        m[b][a] = -m[a][b];
-        return m;
-    };
-    return about(2) * about(1) * about(0);
-}
-
 class Reader {
 public:
     Reader(const NamedText &text, const NamedValues &values, const CameraChoices &choices)
@@ -88,7 +74,8 @@ private:
                 return fault("rotationeuler",
                              tr("Euler angles in the order %1 are not read; give matrix_world", order));
         }
-        m_camera.pose = rigid(rotationOf({angles[0], angles[1], angles[2]}), {at[0], at[1], at[2]});
+        // About x, then y, then z.
+        m_camera.pose = rigid(about(2, angles[2]) * about(1, angles[1]) * about(0, angles[0]), {at[0], at[1], at[2]});
         m_camera.assumed.push_back(tr("location and rotation_euler count as the camera's pose in the world, as for a "
                                       "camera without parent. Give matrix_world if it has one."));
         return std::nullopt;
@@ -99,7 +86,7 @@ private:
     {
         const std::optional<ImageSize> size = sizeOf(m_camera, m_choices);
         if (!size)
-            return CameraError{m_text.name, 0, tr("the size of the image is not given; give it with --size 800x600")};
+            return noSize(m_text.name);
         const auto number = [this](const char *name, double otherwise) {
             return m_values.number({name}).value_or(otherwise);
         };

@@ -32,6 +32,12 @@ enum class PoseDirection { WorldToCamera, CameraToWorld };
 /// The coordinates of the centre of the first pixel, from the top-left corner: 0 or ½.
 enum class PixelCentres { AtIntegers, AtHalves };
 
+/// The position of the first pixel's centre from the image's corner, less its coordinate; pixels.
+constexpr double cornerToCentre(PixelCentres centres)
+{
+    return centres == PixelCentres::AtIntegers ? 0.5 : 0.0;
+}
+
 /// A pinhole's numbers, in pixels from the top-left corner: x = fx X/Z + skew Y/Z + cx,
 /// y = fy Y/Z + cy, with X right, Y down, Z ahead.
 struct Intrinsics {

@@ -6,7 +6,6 @@
 #include "core/text/translation.h"
 
 #include <array>
-#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -19,15 +18,9 @@ using text::tr;
 namespace {
 
 /// A rotation about an axis, counter-clockwise as seen against a right-handed axis.
-glm::dmat3 about(int axis, double degrees)
+glm::dmat3 aboutByDegrees(int axis, double degrees)
 {
-    const double radians = radiansFromDegrees(degrees);
-    const int a = (axis + 1) % 3, b = (axis + 2) % 3;
-    glm::dmat3 m(1.0);
-    m[a][a] = m[b][b] = std::cos(radians);
-    m[a][b] = std::sin(radians);
-    m[b][a] = -m[a][b];
-    return m;
+    return about(axis, radiansFromDegrees(degrees));
 }
 
 class UnityReader {
@@ -85,7 +78,7 @@ private:
         if (q.size() == 4)
             rotation = rotationOf(q[3], q[0], q[1], q[2]);
         else if (angles.size() == 3)
-            rotation = about(1, angles[1]) * about(0, angles[0]) * about(2, angles[2]);
+            rotation = aboutByDegrees(1, angles[1]) * aboutByDegrees(0, angles[0]) * aboutByDegrees(2, angles[2]);
         if (!rotation)
             return fault("rotation", tr("the camera's rotation is missing; give the quaternion (x, y, z, w) or "
                                         "eulerAngles"));
@@ -106,11 +99,7 @@ private:
             m_camera.projection = MatrixProjection{*clip, NdcDepth::MinusOneToOne};
             return std::nullopt;
         }
-        const NamedValue *flag = m_values.find({"orthographic"});
-        const bool isParallel = flag
-                                && (flag->word == "True" || flag->word == "true"
-                                    || (!flag->numbers.empty() && flag->numbers.front() != 0.0));
-        if (isParallel)
+        if (m_values.isTrue("orthographic"))
             return readParallel();
         const auto degrees = m_values.number({"fieldofview"});
         if (!degrees)
@@ -127,7 +116,7 @@ private:
             return fault("orthographic", tr("an orthographic camera needs orthographicSize, nearClipPlane and "
                                             "farClipPlane"));
         if (!size)
-            return CameraError{m_text.name, 0, tr("the size of the image is not given; give it with --size 800x600")};
+            return noSize(m_text.name);
         const double halfWidth = *half * size->width / size->height;
         const Result<glm::dmat4> clip = clipFromEye(
             Projection(Ortho{-halfWidth, halfWidth, -*half, *half, *m_camera.nearDistance, *m_camera.farDistance}));
@@ -216,7 +205,8 @@ CameraRead readUnreal(std::span<const NamedText> texts, const CameraChoices &cho
         camera.rightHandedFromWorld[1][1] = -1.0;
         // FRotator turns about x by roll, about y by pitch, then about z by yaw. Pitch and roll
         // count against the right-hand rule.
-        camera.pose = rigid(about(2, pose->rotation.y) * about(1, -pose->rotation.x) * about(0, -pose->rotation.z),
+        camera.pose = rigid(aboutByDegrees(2, pose->rotation.y) * aboutByDegrees(1, -pose->rotation.x)
+                                * aboutByDegrees(0, -pose->rotation.z),
                             pose->location);
         camera.size = sizeIn(values);
         camera.assumed.push_back(tr("Unreal's world is left-handed and in centimetres. The scene has its y negated: "

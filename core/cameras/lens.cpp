@@ -27,21 +27,16 @@ glm::dmat2 derivative(const Distortion &d, const glm::dvec2 &at)
             {mixed, c + 2.0 * y * y * slope + 6.0 * d.p1 * y + 2.0 * d.p2 * x}};
 }
 
-double cornerToCentre(const Intrinsics &k)
-{
-    return k.centres == PixelCentres::AtIntegers ? 0.5 : 0.0;
-}
-
 glm::dvec2 positionOf(const Intrinsics &k, const glm::dvec2 &pixel)
 {
-    const double y = (pixel.y - cornerToCentre(k) - k.cy) / k.fy;
-    return {(pixel.x - cornerToCentre(k) - k.cx - k.skew * y) / k.fx, y};
+    const double y = (pixel.y - cornerToCentre(k.centres) - k.cy) / k.fy;
+    return {(pixel.x - cornerToCentre(k.centres) - k.cx - k.skew * y) / k.fx, y};
 }
 
 glm::dvec2 pixelOf(const Intrinsics &k, const glm::dvec2 &position)
 {
-    return {k.fx * position.x + k.skew * position.y + k.cx + cornerToCentre(k),
-            k.fy * position.y + k.cy + cornerToCentre(k)};
+    return {k.fx * position.x + k.skew * position.y + k.cx + cornerToCentre(k.centres),
+            k.fy * position.y + k.cy + cornerToCentre(k.centres)};
 }
 
 constexpr std::array kNames{"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6", "s1", "s2", "s3", "s4", "tx", "ty"};

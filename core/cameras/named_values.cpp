@@ -30,17 +30,6 @@ bool isBlank(char c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/// The letters and digits of a name in lower case.
-std::string plain(std::string_view name)
-{
-    std::string result;
-    for (const char c : name) {
-        if (std::isalnum(static_cast<unsigned char>(c)) != 0)
-            result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-    return result;
-}
-
 /// The part of "camera.data.lens" or "cam->lens" behind the last dot or arrow.
 std::string_view lastPart(std::string_view path)
 {
@@ -267,6 +256,16 @@ private:
 
 } // namespace
 
+std::string plain(std::string_view name)
+{
+    std::string result;
+    for (const char c : name) {
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+            result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return result;
+}
+
 bool NamedValue::isNamed(std::string_view name) const
 {
     std::string joined;
@@ -300,6 +299,14 @@ std::optional<double> NamedValues::number(std::initializer_list<std::string_view
         }
     }
     return std::nullopt;
+}
+
+bool NamedValues::isTrue(std::string_view name) const
+{
+    const NamedValue *value = find({name});
+    return value
+           && (value->word == "True" || value->word == "true"
+               || (!value->numbers.empty() && value->numbers.front() != 0.0));
 }
 
 std::vector<double> NamedValues::numbers(std::initializer_list<std::string_view> names, std::size_t count,

@@ -9,6 +9,9 @@
 
 namespace unprojector::cameras {
 
+/// The letters and digits of a name in lower case: "nearclip" of "near_Clip".
+std::string plain(std::string_view name);
+
 /// A name in a printed text with the values behind it.
 struct NamedValue {
     std::vector<std::string> words; ///< of the name, letters and digits in lower case: {"near", "clipplane"}
@@ -36,6 +39,9 @@ public:
     /// name: "position: {x: 1, y: 2, z: 3}". Empty if there is neither.
     std::vector<double> numbers(std::initializer_list<std::string_view> names, std::size_t count,
                                 std::initializer_list<std::string_view> components = {}) const;
+
+    /// Returns whether the first value under a name is True, true or a number other than 0.
+    bool isTrue(std::string_view name) const;
 
     /// All values in their order. The first one has no name: the numbers before any name.
     const std::vector<NamedValue> &all() const { return m_values; }

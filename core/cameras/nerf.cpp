@@ -146,7 +146,7 @@ private:
         const auto cx = value("cx"), cy = value("cy");
         const std::optional<ImageSize> size = sizeOf(m_camera, m_choices);
         if ((!cx || !cy) && !size)
-            return CameraError{m_text.name, 0, tr("the size of the image is not given; give it with --size 800x600")};
+            return noSize(m_text.name);
         m_camera.intrinsics->cx = cx ? *cx : size->width / 2.0;
         m_camera.intrinsics->cy = cy ? *cy : size->height / 2.0;
         if (cx && cy)

@@ -129,7 +129,7 @@ private:
             return setVerticalAngle(m_camera, m_choices, radiansFromDegrees(*degrees), {}, m_text.name);
         const std::optional<ImageSize> size = m_choices.size;
         if (!size)
-            return CameraError{m_text.name, 0, tr("the size of the image is not given; give it with --size 800x600")};
+            return noSize(m_text.name);
         const double aspect = double(size->width) / size->height;
         const Result<glm::dmat4> box =
             clipFromEye(Projection(Ortho{-aspect * half, aspect * half, -half, half, nearDistance, farDistance}));

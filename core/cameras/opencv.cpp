@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -33,17 +32,6 @@ struct Failure {
 [[noreturn]] void fail(const OpenCvValue &value, std::string reason)
 {
     throw Failure{{value.file, value.line, value.name + ": " + std::move(reason)}};
-}
-
-/// The letters and digits of a text in lower case.
-std::string plain(std::string_view text)
-{
-    std::string result;
-    for (const char c : text) {
-        if (std::isalnum(static_cast<unsigned char>(c)) != 0)
-            result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-    return result;
 }
 
 bool isNear(double value, double wanted, double scale)

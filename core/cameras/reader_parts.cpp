@@ -36,11 +36,6 @@ std::string firstNames(const std::vector<std::string> &images)
     return images.size() > kMost ? list + ", …" : list;
 }
 
-std::string sizeText(const ImageSize &size)
-{
-    return std::to_string(size.width) + 'x' + std::to_string(size.height);
-}
-
 std::optional<CameraError> angleError(double radians, const std::string &file)
 {
     if (radians > 0.0 && radians < kPi)
@@ -123,6 +118,16 @@ std::optional<ImageSize> sizeIn(const NamedValues &values)
     return std::nullopt;
 }
 
+std::string sizeText(const ImageSize &size)
+{
+    return std::to_string(size.width) + 'x' + std::to_string(size.height);
+}
+
+CameraError noSize(const std::string &file)
+{
+    return {file, 0, tr("the size of the image is not given; give it with --size 800x600")};
+}
+
 std::optional<CameraError> setVerticalAngle(ForeignCamera &camera, const CameraChoices &choices, double radians,
                                             const std::optional<double> &aspect, const std::string &file)
 {
@@ -130,7 +135,7 @@ std::optional<CameraError> setVerticalAngle(ForeignCamera &camera, const CameraC
         return error;
     const std::optional<ImageSize> size = sizeOf(camera, choices);
     if (!size)
-        return CameraError{file, 0, tr("the size of the image is not given; give it with --size 800x600")};
+        return noSize(file);
     const double width = size->width, height = size->height, focal = height / (2.0 * std::tan(radians / 2.0));
     camera.intrinsics = Intrinsics{focal, focal, width / 2.0, height / 2.0, 0.0, PixelCentres::AtHalves};
     constexpr double kSame = 1e-3; // a printed aspect has few digits
@@ -152,7 +157,7 @@ std::optional<CameraError> setHorizontalAngle(ForeignCamera &camera, const Camer
         return error;
     const std::optional<ImageSize> size = sizeOf(camera, choices);
     if (!size)
-        return CameraError{file, 0, tr("the size of the image is not given; give it with --size 800x600")};
+        return noSize(file);
     const double focal = size->width / (2.0 * std::tan(radians / 2.0));
     camera.intrinsics = Intrinsics{focal, focal, size->width / 2.0, size->height / 2.0, 0.0, PixelCentres::AtHalves};
     return std::nullopt;
@@ -188,6 +193,16 @@ std::optional<glm::dmat3> rotationOf(double w, double x, double y, double z)
     return glm::dmat3(1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y), 2.0 * (x * y - w * z),
                       1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x), 2.0 * (x * z + w * y), 2.0 * (y * z - w * x),
                       1.0 - 2.0 * (x * x + y * y));
+}
+
+glm::dmat3 about(int axis, double radians)
+{
+    const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+    glm::dmat3 m(1.0);
+    m[a][a] = m[b][b] = std::cos(radians);
+    m[a][b] = std::sin(radians);
+    m[b][a] = -m[a][b];
+    return m;
 }
 
 glm::dmat4 rigid(const glm::dmat3 &rotation, const glm::dvec3 &translation)

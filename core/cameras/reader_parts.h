@@ -46,6 +46,11 @@ std::optional<ImageSize> sizeOf(std::optional<double> width, std::optional<doubl
 /// The size among named values: width and height, resolution, viewport.
 std::optional<ImageSize> sizeIn(const NamedValues &values);
 
+/// "800x600", as --size takes it.
+std::string sizeText(const ImageSize &size);
+/// The error of a size that neither the file nor the choices give.
+CameraError noSize(const std::string &file);
+
 /// Sets the intrinsics of a vertical angle of view, with the principal point in the image's
 /// centre.
 /// @param aspect  width / height of the image that the angle belongs to; empty: square pixels
@@ -63,6 +68,9 @@ std::optional<glm::dmat4> matrixByColumns(std::span<const double> numbers);
 
 /// The rotation of a quaternion of any length; nothing for 0.
 std::optional<glm::dmat3> rotationOf(double w, double x, double y, double z);
+
+/// A rotation about an axis, 0 to 2, counter-clockwise as seen against it.
+glm::dmat3 about(int axis, double radians);
 
 /// The transform of a rotation, then a translation.
 glm::dmat4 rigid(const glm::dmat3 &rotation, const glm::dvec3 &translation);

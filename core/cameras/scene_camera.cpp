@@ -1,4 +1,5 @@
 #include "core/cameras/foreign_camera.h"
+#include "core/cameras/reader_parts.h"
 #include "core/cameras/seen_objects.h"
 #include "core/geometry/finite.h"
 #include "core/matrices/printed_digits.h"
@@ -115,12 +116,6 @@ Result<glm::dmat4, CameraError> rigidPose(const glm::dmat4 &pose, PoseDirection 
     return rigid;
 }
 
-/// The position of the first pixel's centre from the image's corner, pixels.
-double cornerToCentre(PixelCentres centres)
-{
-    return centres == PixelCentres::AtIntegers ? kHalfPixel : 0.0;
-}
-
 /// The projection matrix of a pinhole, for pixels counted from the image's corner:
 ///
 ///   w x_n = 2 (fx X + s Y + cx Z) / width - Z,  w y_n = Z - 2 (fy Y + cy Z) / height,  w = Z
@@ -144,11 +139,6 @@ double withTwoDigits(double value)
     return text::doubleFromWord(significantText(value, 2)).value_or(value);
 }
 
-std::string sizeText(const ImageSize &size)
-{
-    return std::to_string(size.width) + 'x' + std::to_string(size.height);
-}
-
 /// The image's size: the choice, the file's, or twice the principal point.
 Result<ImageSize, CameraError> imageSize(const ForeignCamera &camera, const CameraChoices &choices,
                                          std::vector<std::string> &assumed)
@@ -159,7 +149,7 @@ Result<ImageSize, CameraError> imageSize(const ForeignCamera &camera, const Came
             tr("The image is %1, as --size says; the file says %2.", sizeText(*choices.size), sizeText(*camera.size)));
     if (!size) {
         if (!camera.intrinsics)
-            return errorOf(tr("the size of the image is not given; give it with --size 800x600"));
+            return noSize({});
         const Intrinsics &k = *camera.intrinsics;
         const double toCorner = cornerToCentre(choices.centres.value_or(k.centres));
         const double width = std::round(2.0 * (k.cx + toCorner)), height = std::round(2.0 * (k.cy + toCorner));
@@ -171,7 +161,7 @@ Result<ImageSize, CameraError> imageSize(const ForeignCamera &camera, const Came
             tr("The image is assumed to be %1, twice the principal point; --size says otherwise.", sizeText(*size)));
     }
     if (size->width < 1 || size->height < 1 || size->width > kMostPixels || size->height > kMostPixels)
-        return errorOf(tr("a image of %1 pixels cannot be; each side must be 1 to %2", sizeText(*size), kMostPixels));
+        return errorOf(tr("an image of %1 pixels cannot be; each side must be 1 to %2", sizeText(*size), kMostPixels));
     return *size;
 }
 

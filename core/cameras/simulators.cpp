@@ -95,16 +95,12 @@ Result<ForeignCamera, CameraError> readGlCamera(const NamedText &text, const Nam
     if (half == 0.0) { // the width follows the viewport
         const std::optional<ImageSize> size = sizeOf(camera, choices);
         if (!size)
-            return CameraError{text.name, 0, tr("the size of the image is not given; give it with --size 800x600")};
+            return noSize(text.name);
         half = 0.5 * size->width / size->height * (*top - *bottom);
     }
-    const NamedValue *flag = values.find({"orthographic"});
-    const bool isOrthographic =
-        flag
-        && (flag->word == "True" || flag->word == "true" || (!flag->numbers.empty() && flag->numbers.front() != 0.0));
     const Frustum frustum{center - half, center + half, *bottom, *top, *nearDistance, *farDistance};
     const Ortho box{frustum.left, frustum.right, *bottom, *top, *nearDistance, *farDistance};
-    const Result<glm::dmat4> clip = clipFromEye(isOrthographic ? Projection(box) : Projection(frustum));
+    const Result<glm::dmat4> clip = clipFromEye(values.isTrue("orthographic") ? Projection(box) : Projection(frustum));
     if (!clip)
         return CameraError{text.name, 0, text::errorText(clip.error())};
     camera.projection = MatrixProjection{*clip, NdcDepth::MinusOneToOne};
