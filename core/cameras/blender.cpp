@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 // Blender's camera, as its Python console prints it.
@@ -35,9 +36,10 @@ public:
         m_camera.farDistance = m_values.number({"clipend"});
         if (auto error = readPose())
             return *error;
-        const double share = m_values.number({"resolutionpercentage"}).value_or(100.0) / 100.0;
-        const auto scaled = [share](std::optional<double> pixels) {
-            return pixels ? std::optional(std::floor(*pixels * share)) : std::nullopt;
+        // The product of whole numbers is exact: 720 * 70 / 100 is 504, but 720 * 0.7 is less.
+        const double percent = m_values.number({"resolutionpercentage"}).value_or(100.0);
+        const auto scaled = [percent](std::optional<double> pixels) {
+            return pixels ? std::optional(std::floor(*pixels * percent / 100.0)) : std::nullopt;
         };
         m_camera.size = sizeOf(scaled(m_values.number({"resolutionx"})), scaled(m_values.number({"resolutiony"})));
         if (!m_camera.size)
@@ -52,6 +54,15 @@ private:
     {
         const NamedValue *value = m_values.find({name});
         return {m_text.name, value ? value->line : 0, std::move(reason)};
+    }
+
+    /// Returns whether any type is this one: the object's own type, CAMERA, may stand before its
+    /// camera's.
+    bool hasType(std::string_view type) const
+    {
+        const std::vector<NamedValue> &all = m_values.all();
+        return std::any_of(all.begin(), all.end(),
+                           [type](const NamedValue &value) { return value.isNamed("type") && value.word == type; });
     }
 
     std::optional<CameraError> readPose()
@@ -76,8 +87,9 @@ private:
         }
         // About x, then y, then z.
         m_camera.pose = rigid(about(2, angles[2]) * about(1, angles[1]) * about(0, angles[0]), {at[0], at[1], at[2]});
-        m_camera.assumed.push_back(tr("location and rotation_euler count as the camera's pose in the world, as for a "
-                                      "camera without parent. Give matrix_world if it has one."));
+        m_camera.assumed.push_back(tr("%1 and %2 count as the camera's pose in the world, as for a camera without "
+                                      "parent. Give %3 if it has one.",
+                                      "location", "rotation_euler", "matrix_world"));
         return std::nullopt;
     }
 
@@ -98,15 +110,16 @@ private:
         const double width = size->width, height = size->height, tall = aspectY / aspectX,
                      side = isVertical ? tall * height : width; // Blender's "view factor", in pixels
         const double shiftX = number("shiftx", 0.0) * side, shiftY = number("shifty", 0.0) * side / tall;
-        const NamedValue *type = m_values.find({"type"});
+        if (hasType("PANO"))
+            return fault("type", tr("a panoramic camera has no projection matrix; only PERSP and ORTHO are read"));
         const auto scale = m_values.number({"orthoscale"});
-        if (type && type->word == "ORTHO")
+        if (hasType("ORTHO"))
             return readParallel(*size, scale, scale.value_or(0.0) / side, tall, {shiftX, shiftY});
         const std::optional<double> focal = focalLength(fit, isVertical, side);
         if (!focal)
             return fault("lens", tr("the focal length is missing; give lens in millimetres or angle in radians"));
-        m_camera.intrinsics =
-            Intrinsics{*focal, *focal / tall, width / 2.0 - shiftX, height / 2.0 + shiftY, 0.0, PixelCentres::AtHalves};
+        m_camera.intrinsics = Intrinsics{
+            *focal, *focal / tall, width / 2.0 - shiftX, height / 2.0 + shiftY, 0.0, PixelCentres::AtHalves, true};
         return std::nullopt;
     }
 

@@ -113,7 +113,8 @@ Reconstruction reconstructionOf(std::span<const NamedText> texts)
                 found.cameras.emplace(*text::integerFromWord(line.words[0]), Found{&file, line});
             } else if (isImageLine(line)) {
                 found.images.push_back({&file, line});
-                const bool hasPoints = i + 1 < lines.size() && !isImageLine(lines[i + 1]);
+                const bool hasPoints =
+                    i + 1 < lines.size() && !isImageLine(lines[i + 1]) && !isCameraLine(lines[i + 1]);
                 i += hasPoints ? 1 : 0; // the line of its points
             }
         }

@@ -85,6 +85,10 @@ private:
         m_camera.pose = rigid(*rotation, {at[0], at[1], at[2]});
         m_camera.direction = PoseDirection::CameraToWorld;
         m_camera.axes = EyeAxes::RightUpAhead;
+        if (!m_values.has({"position"}) || !m_values.has({"rotation", "eulerangles"}))
+            m_camera.assumed.push_back(tr("%1 and %2 count as the camera's pose in the world, as for a camera without "
+                                          "parent. Give %3 if it has one.",
+                                          "m_LocalPosition", "m_LocalRotation", "position and rotation"));
         return std::nullopt;
     }
 
@@ -209,6 +213,10 @@ CameraRead readUnreal(std::span<const NamedText> texts, const CameraChoices &cho
                                 * aboutByDegrees(0, -pose->rotation.z),
                             pose->location);
         camera.size = sizeIn(values);
+        if (values.has({"relativelocation", "relativerotation"}))
+            camera.assumed.push_back(tr("%1 and %2 count as the camera's pose in the world, as for a camera without "
+                                        "parent. Give %3 if it has one.",
+                                        "RelativeLocation", "RelativeRotation", "Location and Rotation"));
         camera.assumed.push_back(tr("Unreal's world is left-handed and in centimetres. The scene has its y negated: "
                                     "the point (x, y, z) of Unreal is (x, -y, z) here, in centimetres."));
         constexpr double kUsualAngle = 90.0;
