@@ -43,6 +43,9 @@ constexpr double cornerToCentre(PixelCentres centres)
 struct Intrinsics {
     double fx = 1.0, fy = 1.0, cx = 0.0, cy = 0.0, skew = 0.0;
     PixelCentres centres = PixelCentres::AtIntegers;
+    /// cx and cy follow from the image's size. They count from its corner, and a choice of centres
+    /// does not move them.
+    bool isCentreComputed = false;
 };
 
 /// The coefficients of Brown and Conrady, as OpenCV numbers them.
@@ -96,6 +99,9 @@ struct CameraChoices {
     }
 };
 
+/// The largest file that is read for a camera, bytes. A .glb has its meshes beside the camera.
+inline constexpr std::size_t kMostCameraBytes = std::size_t{256} << 20;
+
 /// A text with its name, for messages.
 struct NamedText {
     std::string name, text;
@@ -133,6 +139,9 @@ std::optional<geometry::Result<ForeignCamera, CameraError>> readCamera(std::span
 ///         program's usual direction and axes count
 geometry::Result<SceneCamera, CameraError> sceneCamera(const ForeignCamera &camera, const CameraChoices &choices,
                                                        const std::optional<geometry::Box> &objects);
+
+/// Returns whether CameraChoices::centres counts: whether the camera's file has a principal point.
+bool hasCentres(const ForeignCamera &camera);
 
 /// The words for axes and directions on the command line: "opencv", "camera-to-world".
 inline constexpr std::array kEyeAxes{EyeAxes::RightUpBack, EyeAxes::RightDownAhead, EyeAxes::RightUpAhead,

@@ -145,11 +145,14 @@ private:
     {
         const auto cx = value("cx"), cy = value("cy");
         const std::optional<ImageSize> size = sizeOf(m_camera, m_choices);
-        if ((!cx || !cy) && !size)
+        if (cx.has_value() != cy.has_value())
+            return fault(cx ? "cx" : "cy", tr("%1 is given without %2; give both", cx ? "cx" : "cy", cx ? "cy" : "cx"));
+        if (!cx && !size)
             return noSize(m_text.name);
         m_camera.intrinsics->cx = cx ? *cx : size->width / 2.0;
         m_camera.intrinsics->cy = cy ? *cy : size->height / 2.0;
-        if (cx && cy)
+        m_camera.intrinsics->isCentreComputed = !cx;
+        if (cx)
             m_camera.assumed.push_back(tr("Pixel centres are read at halves, as COLMAP writes cx and cy; "
                                           "--pixel-centers integer says otherwise."));
         else

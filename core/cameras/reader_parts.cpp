@@ -137,7 +137,7 @@ std::optional<CameraError> setVerticalAngle(ForeignCamera &camera, const CameraC
     if (!size)
         return noSize(file);
     const double width = size->width, height = size->height, focal = height / (2.0 * std::tan(radians / 2.0));
-    camera.intrinsics = Intrinsics{focal, focal, width / 2.0, height / 2.0, 0.0, PixelCentres::AtHalves};
+    camera.intrinsics = Intrinsics{focal, focal, width / 2.0, height / 2.0, 0.0, PixelCentres::AtHalves, true};
     constexpr double kSame = 1e-3; // a printed aspect has few digits
     if (aspect && !(*aspect > 0.0))
         return CameraError{file, 0, tr("the aspect ratio is %1; it must be greater than 0", shortestText(*aspect))};
@@ -159,7 +159,8 @@ std::optional<CameraError> setHorizontalAngle(ForeignCamera &camera, const Camer
     if (!size)
         return noSize(file);
     const double focal = size->width / (2.0 * std::tan(radians / 2.0));
-    camera.intrinsics = Intrinsics{focal, focal, size->width / 2.0, size->height / 2.0, 0.0, PixelCentres::AtHalves};
+    camera.intrinsics =
+        Intrinsics{focal, focal, size->width / 2.0, size->height / 2.0, 0.0, PixelCentres::AtHalves, true};
     return std::nullopt;
 }
 

@@ -139,6 +139,13 @@ double withTwoDigits(double value)
     return text::doubleFromWord(significantText(value, 2)).value_or(value);
 }
 
+/// The image's side whose centre is a coordinate of the principal point. Most sides are even, so a
+/// whole coordinate is half of one, for pixel centres at whole numbers too.
+double twice(double centre, double toCorner)
+{
+    return std::round(centre == std::floor(centre) ? 2.0 * centre : 2.0 * (centre + toCorner));
+}
+
 /// The image's size: the choice, the file's, or twice the principal point.
 Result<ImageSize, CameraError> imageSize(const ForeignCamera &camera, const CameraChoices &choices,
                                          std::vector<std::string> &assumed)
@@ -152,7 +159,7 @@ Result<ImageSize, CameraError> imageSize(const ForeignCamera &camera, const Came
             return noSize({});
         const Intrinsics &k = *camera.intrinsics;
         const double toCorner = cornerToCentre(choices.centres.value_or(k.centres));
-        const double width = std::round(2.0 * (k.cx + toCorner)), height = std::round(2.0 * (k.cy + toCorner));
+        const double width = twice(k.cx, toCorner), height = twice(k.cy, toCorner);
         if (!(width >= 1.0 && height >= 1.0 && width <= kMostPixels && height <= kMostPixels))
             return errorOf(tr("the principal point (%1, %2) gives no size of the image; give it with --size 800x600",
                               shortestText(k.cx), shortestText(k.cy)));
@@ -320,6 +327,11 @@ const char *keyOf(PoseDirection direction)
     return direction == PoseDirection::WorldToCamera ? "world-to-camera" : "camera-to-world";
 }
 
+bool hasCentres(const ForeignCamera &camera)
+{
+    return camera.intrinsics && !camera.intrinsics->isCentreComputed;
+}
+
 Result<SceneCamera, CameraError> sceneCamera(const ForeignCamera &camera, const CameraChoices &choices,
                                              const std::optional<Box> &objects)
 {
@@ -332,8 +344,10 @@ Result<SceneCamera, CameraError> sceneCamera(const ForeignCamera &camera, const 
         return size.error();
     scene.size = *size;
     scene.intrinsics = camera.intrinsics;
-    if (scene.intrinsics && choices.centres)
+    if (choices.centres && hasCentres(camera))
         scene.intrinsics->centres = *choices.centres;
+    else if (choices.centres)
+        scene.assumed.push_back(tr("The file has no pixel coordinates, so --pixel-centers is ignored."));
 
     if (!camera.pose)
         scene.assumed.push_back(tr("The file has no pose: the camera stands in the world's origin and looks along its "
@@ -403,8 +417,8 @@ Result<SceneCamera, CameraError> sceneCamera(const ForeignCamera &camera, const 
         if (!(k.cx >= 0.0 && k.cx <= scene.size.width && k.cy >= 0.0 && k.cy <= scene.size.height))
             scene.assumed.push_back(tr("The principal point (%1, %2) lies outside the image of %3: check the size.",
                                        shortestText(k.cx), shortestText(k.cy), sizeText(scene.size)));
-        if (k.centres == PixelCentres::AtIntegers && !choices.centres && (choices.size || camera.size)
-            && k.cx == scene.size.width / 2.0 && k.cy == scene.size.height / 2.0)
+        if (k.centres == PixelCentres::AtIntegers && !choices.centres && k.cx == scene.size.width / 2.0
+            && k.cy == scene.size.height / 2.0)
             scene.assumed.push_back(tr("Pixel centres are at whole numbers, as in %1. The principal point is half the "
                                        "size, so they may be at halves; --pixel-centers half says so.",
                                        camera.program));

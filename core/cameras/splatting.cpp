@@ -54,7 +54,7 @@ Result<ForeignCamera, CameraError> readList(const NamedText &text, const Json &l
     camera.pose = matrixByRows(*rotation);
     (*camera.pose)[3] = glm::dvec4((*position)[0], (*position)[1], (*position)[2], 1.0);
     camera.intrinsics =
-        Intrinsics{*fx, *fy, camera.size->width / 2.0, camera.size->height / 2.0, 0.0, PixelCentres::AtHalves};
+        Intrinsics{*fx, *fy, camera.size->width / 2.0, camera.size->height / 2.0, 0.0, PixelCentres::AtHalves, true};
     return camera;
 }
 

@@ -73,9 +73,10 @@ bool isRefused(const QLineEdit &field, bool isRead)
 /// A sentence about a camera with the names of fields instead of the command's options.
 QString withFieldNames(QString sentence)
 {
-    const std::array<std::pair<const char *, QString>, 11> names{{
+    const std::array<std::pair<const char *, QString>, 12> names{{
         {"--pixel-centers half", ForeignCameraBox::tr("“Pixel centres”")},
         {"--pixel-centers integer", ForeignCameraBox::tr("“Pixel centres”")},
+        {"--pixel-centers", ForeignCameraBox::tr("“Pixel centres”")},
         {"--image NAME", ForeignCameraBox::tr("“Image”")},
         {"--image", ForeignCameraBox::tr("“Image”")},
         {"--size", ForeignCameraBox::tr("“Image size”")},
@@ -265,7 +266,7 @@ void ForeignCameraBox::showRead(const ForeignCamera &camera)
     m_form->setRowVisible(m_image, images.size() > 1);
     m_form->setRowVisible(m_direction, camera.pose.has_value());
     m_form->setRowVisible(m_axes, camera.pose.has_value());
-    m_form->setRowVisible(m_centres, camera.intrinsics.has_value());
+    m_form->setRowVisible(m_centres, hasCentres(camera));
     m_form->setRowVisible(m_isUndistorted, camera.distortion && !camera.distortion->isNone());
     for (QLineEdit *field : {m_near, m_far})
         field->setEnabled(camera.intrinsics.has_value());

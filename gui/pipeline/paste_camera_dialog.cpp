@@ -165,11 +165,10 @@ void PasteCameraDialog::askForFiles()
 
 void PasteCameraDialog::readFiles(const std::vector<std::filesystem::path> &files)
 {
-    constexpr qint64 kMostBytes = 256 << 20;
     std::vector<NamedText> texts;
     for (const std::filesystem::path &path : files) {
         QFile file(path);
-        if (!file.open(QIODevice::ReadOnly) || file.size() > kMostBytes) {
+        if (!file.open(QIODevice::ReadOnly) || file.size() > qint64(kMostCameraBytes)) {
             m_meaning->setText(file.isOpen()
                                    ? tr("%1 is larger than 256 MiB: it is no camera's file.").arg(pathText(path))
                                    : tr("%1 cannot be read: %2.").arg(pathText(path), file.errorString()));

@@ -1,8 +1,10 @@
 // `unproject scene` with cameras of other programs, and --distortion, as a script runs them.
 
+#include "core/cameras/foreign_camera.h"
 #include "tests/cli/command.h"
 #include "tests/core/opencv_camera.h"
 
+#include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -58,6 +60,7 @@ private slots:
     void aLensIsRefusedWithTheWayOut();
     void pixelsOfALensAreUndone();
     void aLensAnswersOnlyWhereItCan();
+    void largeFilesAreRefused();
     void badArgumentsAreNamed_data();
     void badArgumentsAreNamed();
 
@@ -267,6 +270,16 @@ void TestCameraScenes::aLensAnswersOnlyWhereItCan()
     QVERIFY2(projected.errors.contains("the distortion folds the image over"), projected.errors);
     QVERIFY(projected.lines().at(1).endsWith("320,240,0.5625"));
     QVERIFY(projected.lines().at(2).endsWith(",,,"));
+}
+
+/// The window has the same limit.
+void TestCameraScenes::largeFilesAreRefused()
+{
+    const QString file = m_folder.write("large.yml", {});
+    QVERIFY(QFile::resize(file, qint64(unprojector::cameras::kMostCameraBytes) + 1));
+    const Run scene = runCommand({"scene", file});
+    QVERIFY2(scene.errors.contains("longer than 256 MiB; give the file of one camera"), scene.errors);
+    QVERIFY(scene.exitCode != 0);
 }
 
 void TestCameraScenes::badArgumentsAreNamed_data()

@@ -303,6 +303,13 @@ void TestPasteCamera::pixelCentresCanBeSaid()
     pasting.choose("Pixel centres", 2); // at halves
     pasting.ok()->click();
     QVERIFY(areClose(pasting.pixelOf(kPoint), projectedByKrt(kPoint)));
+
+    // A camera without principal point has its image's centre: there is no choice.
+    Pasting computed;
+    computed.paste("position: (1, 2, 8)\nrotation: (0, 0, 0, 1)\nfieldOfView: 60\n");
+    computed.type("Image size", "640 x 480");
+    QVERIFY2(computed.ok()->isEnabled(), qPrintable(computed.said()));
+    QVERIFY(!computed.named<QComboBox>("Pixel centres"));
 }
 
 void TestPasteCamera::theObjectsDecideThePose()
@@ -427,6 +434,11 @@ void TestPasteCamera::strangeFilesAreRefused()
     pasting.dialog.readFiles({std::filesystem::path(folder.filePath(QStringLiteral("none")).toStdU16String())});
     QVERIFY2(pasting.said().contains("cannot be read"), qPrintable(pasting.said()));
     // A file with matrices is read as matrices.
+    const auto large = written(folder, QStringLiteral("large.yml"), {});
+    QVERIFY(QFile::resize(QString::fromStdU16String(large.u16string()),
+                          qint64(unprojector::cameras::kMostCameraBytes) + 1));
+    pasting.dialog.readFiles({large});
+    QVERIFY2(pasting.said().contains("larger than 256 MiB"), qPrintable(pasting.said()));
     pasting.dialog.readFiles({written(folder, QStringLiteral("m.txt"), "2 0 0 0  0 2 0 0  0 0 -1.1 -1  0 0 -2.1 0")});
     QVERIFY2(!pasting.foreign()->isVisible() && pasting.ok()->isEnabled(), qPrintable(pasting.said()));
 }

@@ -13,8 +13,6 @@ using namespace files;
 using text::tr;
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{64} << 20;
-
 bool isFile(const std::string &word)
 {
     std::error_code ignored;
@@ -29,15 +27,15 @@ std::optional<cameras::NamedText> textOf(const std::string &file)
         return std::nullopt;
     cameras::NamedText text{source.name(), {}};
     constexpr std::size_t kPiece = std::size_t{1} << 20;
-    for (std::size_t read = kPiece; read == kPiece && text.text.size() <= kMostBytes;) {
+    for (std::size_t read = kPiece; read == kPiece && text.text.size() <= cameras::kMostCameraBytes;) {
         const std::size_t begin = text.text.size();
         text.text.resize(begin + kPiece);
         read = source.read(text.text.data() + begin, kPiece);
         text.text.resize(begin + read);
     }
-    if (text.text.size() > kMostBytes || source.hasFailed()) {
+    if (text.text.size() > cameras::kMostCameraBytes || source.hasFailed()) {
         complain(source.hasFailed() ? tr("%1: cannot be read", source.name())
-                                    : tr("%1: longer than 64 MiB; give the file of one camera", source.name()));
+                                    : tr("%1: longer than 256 MiB; give the file of one camera", source.name()));
         return std::nullopt;
     }
     return text;

@@ -54,8 +54,7 @@ std::string pinholeText(const Intrinsics &k)
 bool isSame(const Intrinsics &a, const Intrinsics &b)
 {
     constexpr double kPixels = 1e-3;
-    const double shift =
-        a.centres == b.centres ? 0.0 : (b.centres == PixelCentres::AtIntegers ? kHalfPixel : -kHalfPixel);
+    const double shift = cornerToCentre(b.centres) - cornerToCentre(a.centres);
     return std::abs(a.fx - b.fx) <= kPixels && std::abs(a.fy - b.fy) <= kPixels
            && std::abs(a.cx - b.cx - shift) <= kPixels && std::abs(a.cy - b.cy - shift) <= kPixels;
 }
