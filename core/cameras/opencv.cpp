@@ -126,9 +126,13 @@ private:
     void countImages()
     {
         std::size_t count = 1;
-        for (const OpenCvPart part :
-             {OpenCvPart::Rotation, OpenCvPart::Translation, OpenCvPart::Pose, OpenCvPart::CameraMatrix})
+        for (const OpenCvPart part : {OpenCvPart::Rotation, OpenCvPart::Quaternion, OpenCvPart::Translation,
+                                      OpenCvPart::Pose, OpenCvPart::CameraMatrix})
             count = std::max(count, m_values.all(part).size());
+        if (hasSeveralLenses()) {
+            refuseMixed();
+            count = std::max(count, m_values.all(OpenCvPart::Intrinsics).size());
+        }
         if (m_values.isCameraInfo())
             count = m_values.all(OpenCvPart::Intrinsics).size();
         for (std::size_t i = 0; count > 1 && i < count; ++i)
@@ -139,6 +143,28 @@ private:
             throw Failure{{m_file, 0, tr("there is one camera without a name; leave --image out")}};
         if (auto error = chooseImage(m_camera, m_choices, m_file))
             throw Failure{std::move(*error)};
+    }
+
+    /// Returns whether the text has several K that differ.
+    bool hasSeveralLenses() const
+    {
+        const std::vector<OpenCvValue> &all = m_values.all(OpenCvPart::Intrinsics);
+        return std::any_of(all.begin(), all.end(),
+                           [&all](const OpenCvValue &k) { return k.numbers != all.front().numbers; });
+    }
+
+    /// Fails if several K stand beside fewer or more parts of another kind: nothing tells which
+    /// belong together.
+    void refuseMixed() const
+    {
+        const std::size_t count = m_values.all(OpenCvPart::Intrinsics).size();
+        for (const OpenCvPart part : {OpenCvPart::Rotation, OpenCvPart::Quaternion, OpenCvPart::Translation,
+                                      OpenCvPart::Pose, OpenCvPart::Distortion}) {
+            const std::vector<OpenCvValue> &values = m_values.all(part);
+            if (!values.empty() && values.size() != count)
+                fail(values.front(), tr("the text has %1 camera matrices, but %2 of this. Give the text of one camera",
+                                        count, values.size()));
+        }
     }
 
     void readSize()
@@ -156,6 +182,11 @@ private:
         if (const OpenCvValue *k = valueOf(OpenCvPart::Intrinsics)) {
             m_camera.intrinsics = intrinsicsOf(*k, m_camera.assumed, m_isTransposed);
         } else if (const auto fx = m_values.number({"fx"}), fy = m_values.number({"fy"}); fx && fy) {
+            for (const char *name : {"fx", "fy", "cx", "cy", "ppx", "ppy"}) {
+                if (m_values.differ(name))
+                    throw Failure{{m_file, m_values.find(name)->line,
+                                   tr("%1 has several values. Give the text of one camera", name)}};
+            }
             const auto cx = m_values.number({"cx", "ppx"}), cy = m_values.number({"cy", "ppy"});
             if (!cx || !cy)
                 throw Failure{{m_file, 0, tr("fx and fy are given without cx and cy; give all four")}};
@@ -227,11 +258,26 @@ private:
         refuseUnfit(OpenCvPart::Rotation, tr("a rotation has nine, by rows, or three of a rotation vector"));
         refuseUnfit(OpenCvPart::Translation, tr("a translation has three"));
         refuseUnfit(OpenCvPart::Pose, tr("a pose has twelve or sixteen, by rows"));
-        const OpenCvValue *rotation = valueOf(OpenCvPart::Rotation), *translation = valueOf(OpenCvPart::Translation);
-        if (!rotation && !translation)
+        const OpenCvValue *rotation = valueOf(OpenCvPart::Rotation), *translation = valueOf(OpenCvPart::Translation),
+                          *quaternion = rotation ? nullptr : valueOf(OpenCvPart::Quaternion);
+        if (const auto &list = m_values.unfit(OpenCvPart::Quaternion); list && !rotation && !quaternion)
+            fail(*list, tr("the order of a quaternion's four numbers is not known; name them, {x: 0, y: 0, z: 0, w: "
+                           "1}, or give R"));
+        if (!rotation && !quaternion && !translation)
             return;
         glm::dmat3 turn(1.0);
-        if (!rotation) {
+        if (quaternion) {
+            const std::vector<double> &q = quaternion->numbers;
+            const auto turned = rotationOf(q[3], q[0], q[1], q[2]);
+            if (!turned)
+                fail(*quaternion, tr("x, y, z and w are 0; give a quaternion"));
+            turn = *turned;
+            // A pose is the camera's in its parent; a transform may be either.
+            m_camera.program = "ROS";
+            m_camera.direction = PoseDirection::CameraToWorld;
+            m_camera.isDirectionCertain = false;
+            rotation = quaternion;
+        } else if (!rotation) {
             m_camera.assumed.push_back(tr("There is no rotation beside %1: none is assumed.", translation->name));
         } else if (rotation->numbers.size() == 3) {
             turn = rotationOf(glm::dvec3(rotation->numbers[0], rotation->numbers[1], rotation->numbers[2]));
@@ -286,11 +332,8 @@ private:
 
     void readDistortion()
     {
-        const OpenCvValue *model = valueOf(OpenCvPart::Model);
-        const std::string name = model ? plain(model->word) : std::string();
-        const bool isFisheye = std::any_of(kFisheyes.begin(), kFisheyes.end(),
-                                           [&name](std::string_view other) { return name.starts_with(other); });
-        if (isFisheye) {
+        const std::optional<OpenCvValue> list = coefficients();
+        if (const auto model = unknownModel(list)) {
             if (!m_choices.isUndistorted)
                 fail(*model, tr("the distortion is %1; only k1, k2, p1, p2 and k3 of Brown and Conrady are known. "
                                 "Undistort the image with its own program, then give --undistorted",
@@ -299,22 +342,61 @@ private:
                 tr("The distortion %1 is dropped: pixels are those of the undistorted image.", model->word));
             return;
         }
-        const auto k1 = m_values.number({"k1"}), k2 = m_values.number({"k2"}), p1 = m_values.number({"p1"}),
-                   p2 = m_values.number({"p2"}), k3 = m_values.number({"k3"});
-        const OpenCvValue *list = valueOf(OpenCvPart::Distortion);
-        if (list) {
-            const Result<Distortion, std::string> lens = distortionOf(list->numbers);
-            if (lens)
-                m_camera.distortion = *lens;
-            else if (!m_choices.isUndistorted)
-                fail(*list, lens.error());
-            else
-                m_camera.assumed.push_back(tr("The distortion coefficients are dropped: pixels are those of the "
-                                              "undistorted image."));
-        } else if (k1 || k2 || p1 || p2 || k3) {
-            m_camera.distortion =
-                Distortion{k1.value_or(0.0), k2.value_or(0.0), p1.value_or(0.0), p2.value_or(0.0), k3.value_or(0.0)};
+        if (!list)
+            return;
+        const Result<Distortion, std::string> lens = distortionOf(list->numbers);
+        if (lens)
+            m_camera.distortion = *lens;
+        else if (!m_choices.isUndistorted)
+            fail(*list, lens.error());
+        else
+            m_camera.assumed.push_back(tr("The distortion coefficients are dropped: pixels are those of the "
+                                          "undistorted image."));
+    }
+
+    /// The coefficients in OpenCV's order: a list, or numbers with their names.
+    std::optional<OpenCvValue> coefficients() const
+    {
+        if (const OpenCvValue *list = valueOf(OpenCvPart::Distortion))
+            return *list;
+        OpenCvValue named{{}, {}, {}, 0, m_file};
+        for (const char *name : {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"}) {
+            const NamedValue *value = m_values.find(name);
+            named.numbers.push_back(value ? value->numbers[0] : 0.0);
+            if (value && (named.line == 0 || value->numbers[0] != 0.0)) {
+                named.name = name;
+                named.line = value->line;
+            }
         }
+        return named.line > 0 ? std::optional(named) : std::nullopt;
+    }
+
+    /// The first model whose coefficients are not read; nothing if there is none.
+    std::optional<OpenCvValue> unknownModel(const std::optional<OpenCvValue> &list) const
+    {
+        for (const OpenCvValue &model : m_values.all(OpenCvPart::Model)) {
+            if (!isKnown(model, list))
+                return model;
+        }
+        for (const char *name : {"fisheyemodel", "isfisheye"}) { // OpenCV's calibration sample, NeRF
+            const NamedValue *flag = m_values.find(name);
+            if (flag && flag->numbers[0] != 0.0)
+                return OpenCvValue{name, "fisheye", {}, flag->line, m_file};
+        }
+        return std::nullopt;
+    }
+
+    /// Returns whether the coefficients of a model are Brown and Conrady's, as OpenCV has them.
+    static bool isKnown(const OpenCvValue &model, const std::optional<OpenCvValue> &coefficients)
+    {
+        const std::string name = plain(std::string_view(model.word).substr(model.word.rfind('.') + 1));
+        if (std::find(kKnown.begin(), kKnown.end(), name) != kKnown.end())
+            return true;
+        // RealSense's other models are pinholes where all coefficients are 0.
+        const bool isVariant = name == "inversebrownconrady" || name == "modifiedbrownconrady";
+        return isVariant && coefficients
+               && std::all_of(coefficients->numbers.begin(), coefficients->numbers.end(),
+                              [](double number) { return number == 0.0; });
     }
 
     void readClipDistances()
@@ -323,8 +405,10 @@ private:
         m_camera.farDistance = m_values.number({"zfar", "farplane", "farclip", "farclipplane"});
     }
 
-    static constexpr std::array<std::string_view, 6> kFisheyes{"equidistant", "equi", "fisheye",
-                                                               "kannala",     "fov",  "omni"};
+    /// Models of a pinhole, and names of its distortion.
+    static constexpr std::array<std::string_view, 13> kKnown{
+        "pinhole",  "perspective", "pinholeradtan",    "simplepinhole", "opencv", "fullopencv",        "none",
+        "plumbbob", "radtan",      "radialtangential", "brownconrady",  "brown",  "rationalpolynomial"};
 
     OpenCvValues m_values;
     const CameraChoices &m_choices;

@@ -36,6 +36,11 @@ constexpr std::array kNames{
     PartName{OpenCvPart::Rotation, "rotation"},
     PartName{OpenCvPart::Rotation, "rotationmatrix"},
     PartName{OpenCvPart::Rotation, "rotationvector"},
+    PartName{OpenCvPart::Quaternion, "q"},
+    PartName{OpenCvPart::Quaternion, "quat"},
+    PartName{OpenCvPart::Quaternion, "qvec"},
+    PartName{OpenCvPart::Quaternion, "quaternion"},
+    PartName{OpenCvPart::Quaternion, "orientation"},
     PartName{OpenCvPart::Translation, "t"},
     PartName{OpenCvPart::Translation, "tvec"},
     PartName{OpenCvPart::Translation, "tvecs"},
@@ -101,6 +106,7 @@ bool fits(OpenCvPart part, std::size_t count)
     switch (part) {
     case OpenCvPart::Intrinsics: return count == 9 || count == 4;
     case OpenCvPart::Rotation: return count == 9 || count == 3;
+    case OpenCvPart::Quaternion: return false; // of a list, either end may be w
     case OpenCvPart::Translation: return count == 3;
     case OpenCvPart::Pose: return count == 12 || count == 16;
     case OpenCvPart::CameraMatrix: return count == 12;
@@ -160,6 +166,7 @@ OpenCvValues::OpenCvValues(std::span<const NamedText> texts)
             values.push_back(
                 {{joined(value.words, " "), value.word, value.numbers, value.line, text.name}, partOf(value), 0});
         }
+        addComponents(named, text.name);
         for (Owned &owned : values) {
             OpenCvValue &value = owned.value;
             if (owned.part == OpenCvPart::Pose && owned.columns == 6 && value.numbers.size() % 6 == 0) {
@@ -180,6 +187,10 @@ void OpenCvValues::add(OpenCvPart part, OpenCvValue value)
 {
     const bool isWord = part == OpenCvPart::Model;
     if (isWord ? value.word.empty() : value.numbers.empty())
+        return;
+    if (part == OpenCvPart::Rotation && value.numbers.size() == 4)
+        part = OpenCvPart::Quaternion;
+    if (part == OpenCvPart::Quaternion && value.numbers.size() != 4)
         return;
     std::vector<OpenCvValue> &values = m_parts[std::size_t(part)];
     applyFactor(part, value.numbers);
@@ -216,15 +227,61 @@ void OpenCvValues::addPoses(OpenCvValue value)
     }
 }
 
+/// Adds ROS's transforms and poses: "translation: {x: 1, y: 2, z: 3}",
+/// "orientation: {x: 0, y: 0, z: 0, w: 1}".
+void OpenCvValues::addComponents(const NamedValues &named, const std::string &file)
+{
+    const std::vector<NamedValue> &values = named.all();
+    const auto addOf = [&](OpenCvPart part, std::span<const std::string_view> names,
+                           std::span<const std::string_view> components) {
+        for (std::size_t i = 0; i + components.size() <= values.size(); ++i) {
+            const std::string &parent = values[i].parent;
+            if (std::find(names.begin(), names.end(), parent) == names.end())
+                continue;
+            std::vector<double> numbers;
+            for (const std::string_view component : components) {
+                for (std::size_t k = i; k < i + components.size(); ++k) {
+                    if (values[k].parent == parent && values[k].isNamed(component) && values[k].numbers.size() == 1)
+                        numbers.push_back(values[k].numbers[0]);
+                }
+            }
+            if (numbers.size() != components.size())
+                continue;
+            m_parts[std::size_t(part)].push_back({parent, {}, std::move(numbers), values[i].line, file});
+            i += components.size() - 1;
+        }
+    };
+    static constexpr std::array<std::string_view, 3> kTurns{"rotation", "orientation", "quaternion"};
+    static constexpr std::array<std::string_view, 3> kShifts{"translation", "t", "position"};
+    static constexpr std::array<std::string_view, 4> kXyzw{"x", "y", "z", "w"};
+    const std::size_t before = all(OpenCvPart::Quaternion).size();
+    addOf(OpenCvPart::Quaternion, kTurns, kXyzw);
+    // A position alone may be another thing's.
+    const bool isPose = all(OpenCvPart::Quaternion).size() > before;
+    addOf(OpenCvPart::Translation, std::span(kShifts).first(isPose ? 3 : 2), std::span(kXyzw).first(3));
+}
+
 std::optional<double> OpenCvValues::number(std::initializer_list<std::string_view> names) const
 {
     for (const std::string_view name : names) {
-        for (const NamedValue &value : m_numbers) {
-            if (value.isNamed(name))
-                return value.numbers[0];
-        }
+        if (const NamedValue *value = find(name))
+            return value->numbers[0];
     }
     return std::nullopt;
+}
+
+const NamedValue *OpenCvValues::find(std::string_view name) const
+{
+    const auto found = std::find_if(m_numbers.begin(), m_numbers.end(),
+                                    [name](const NamedValue &value) { return value.isNamed(name); });
+    return found == m_numbers.end() ? nullptr : &*found;
+}
+
+bool OpenCvValues::differ(std::string_view name) const
+{
+    const NamedValue *first = find(name);
+    return std::any_of(m_numbers.begin(), m_numbers.end(),
+                       [&](const NamedValue &value) { return value.isNamed(name) && value.numbers != first->numbers; });
 }
 
 } // namespace unprojector::cameras

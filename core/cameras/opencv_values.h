@@ -17,6 +17,7 @@ namespace unprojector::cameras {
 enum class OpenCvPart {
     Intrinsics,   ///< K, nine numbers by rows, or fx, fy, cx, cy
     Rotation,     ///< R, nine numbers by rows, or a rotation vector
+    Quaternion,   ///< x, y, z, w, each with its name
     Translation,  ///< t
     Pose,         ///< [R t], twelve or sixteen numbers by rows
     CameraMatrix, ///< P, twelve numbers by rows
@@ -24,7 +25,7 @@ enum class OpenCvPart {
     Size,         ///< width, height
     Model         ///< the name of a distortion model
 };
-inline constexpr std::size_t kOpenCvParts = 8;
+inline constexpr std::size_t kOpenCvParts = 9;
 
 /// A part as a text gives it.
 struct OpenCvValue {
@@ -47,12 +48,17 @@ public:
     const std::optional<OpenCvValue> &unfit(OpenCvPart part) const { return m_unfit[std::size_t(part)]; }
     /// A number by its name: "fx", "k1", "width". The first one counts.
     std::optional<double> number(std::initializer_list<std::string_view> names) const;
+    /// The first value of one number under a name; null if there is none.
+    const NamedValue *find(std::string_view name) const;
+    /// Returns whether several numbers under a name differ: they are of several cameras.
+    bool differ(std::string_view name) const;
     /// Returns whether a text is ROS's camera_info: its R is the rectification.
     bool isCameraInfo() const { return m_isCameraInfo; }
 
 private:
     void add(OpenCvPart part, OpenCvValue value);
     void addPoses(OpenCvValue value);
+    void addComponents(const NamedValues &named, const std::string &file);
 
     std::array<std::vector<OpenCvValue>, kOpenCvParts> m_parts;
     std::array<std::optional<OpenCvValue>, kOpenCvParts> m_unfit;

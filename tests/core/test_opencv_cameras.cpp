@@ -122,6 +122,12 @@ private slots:
     void assumptionsNameTheirOption();
     void nearAndFarHoldTheObjects();
     void pixelCentresShiftThePicture();
+    void wholePrincipalPointsGiveEvenSides_data();
+    void wholePrincipalPointsGiveEvenSides();
+    void severalCamerasAreChosen();
+    void quaternionsOfRosAreRead_data();
+    void quaternionsOfRosAreRead();
+    void variantsWithoutCoefficientsAreRead();
     void skewIsExactAndReported();
     void rawAndRectifiedPicturesOfRos();
     void coefficientsAreReadFromEachForm_data();
@@ -301,6 +307,71 @@ void TestOpenCvCameras::pixelCentresShiftThePicture()
     QVERIFY(glm::length(pixelOf(sceneOf(text, choices), {0, 0, 2}) - glm::dvec2(319.5, 239.5)) <= 1e-10);
 }
 
+void TestOpenCvCameras::wholePrincipalPointsGiveEvenSides_data()
+{
+    QTest::addColumn<double>("cx");
+    QTest::addColumn<int>("width");
+    QTest::newRow("half of the size") << 320.0 << 640;
+    QTest::newRow("between the middle pixels") << 319.5 << 640;
+    QTest::newRow("calibrated") << 321.3 << 644;
+}
+
+void TestOpenCvCameras::wholePrincipalPointsGiveEvenSides()
+{
+    QFETCH(double, cx);
+    QFETCH(int, width);
+    const std::string k = "K = 500 0 " + std::to_string(cx) + "  0 500 240  0 0 1\n";
+    const SceneCamera scene = sceneOf(k);
+    QCOMPARE(scene.size, (ImageSize{width, 480}));
+    QVERIFY(join(scene.assumed).find("twice the principal point") != std::string::npos);
+    QCOMPARE(join(scene.assumed).find("--pixel-centers half") != std::string::npos, cx == 320.0);
+}
+
+/// Each K goes with its own pose; equal ones are one camera's.
+void TestOpenCvCameras::severalCamerasAreChosen()
+{
+    const std::string left = "K: 500 0 320 0 500 240 0 0 1\n", right = "K: 600 0 320 0 600 240 0 0 1\n",
+                      pose = "rvec: 0 0 0\ntvec: 0 0 0\n";
+    const auto focalOf = [](const std::string &text, const char *image) {
+        return sceneOf(text, choicesOf(image)).intrinsics->fx;
+    };
+    QCOMPARE(focalOf(left + pose + right + pose, "0"), 500.0);
+    QCOMPARE(focalOf(left + pose + right + pose, "1"), 600.0);
+    QCOMPARE(focalOf(left + right, "1"), 600.0);
+    QVERIFY(join(sceneOf(left + right).assumed).find("--image NAME reads another") != std::string::npos);
+    QCOMPARE(focalOf(left + left + pose, ""), 500.0);
+}
+
+void TestOpenCvCameras::quaternionsOfRosAreRead_data()
+{
+    QTest::addColumn<QString>("pose");
+    QTest::newRow("a transform")
+        << "transform:\n  translation:\n    x: 1.0\n    y: 2.0\n    z: -5.0\n  rotation:\n    x: 0.0\n"
+           "    y: 0.0\n    z: 0.6\n    w: 0.8\n";
+    QTest::newRow("a pose, w first") << "{\"position\": {\"x\": 1, \"y\": 2, \"z\": -5}, \"orientation\": {\"w\": 0.8, "
+                                        "\"x\": 0, \"y\": 0, \"z\": 0.6}}\n";
+    QTest::newRow("t as a list") << "rotation: {x: 0, y: 0, z: 0.6, w: 0.8}\ntranslation: [1, 2, -5]\n";
+}
+
+/// z = 0.6 and w = 0.8 turn x to (0.28, 0.96, 0).
+void TestOpenCvCameras::quaternionsOfRosAreRead()
+{
+    QFETCH(QString, pose);
+    const SceneCamera scene = sceneOf(kPlainK + kSize + pose.toStdString(), {}, boxAround({1, 2, 5}, 1.0));
+    QCOMPARE(scene.direction, PoseDirection::CameraToWorld);
+    const glm::dvec3 position(1, 2, -5), right(0.28, 0.96, 0.0), ahead(0, 0, 1);
+    QVERIFY(glm::length(pixelOf(scene, position + 2.0 * ahead) - glm::dvec2(320, 240)) <= 1e-10);
+    QVERIFY(glm::length(pixelOf(scene, position + 2.0 * ahead + 0.5 * right) - glm::dvec2(520, 240)) <= 1e-10);
+}
+
+/// RealSense names this model for images without distortion.
+void TestOpenCvCameras::variantsWithoutCoefficientsAreRead()
+{
+    const SceneCamera scene =
+        sceneOf(kPlainK + kSize + "model: distortion.inverse_brown_conrady\ncoeffs: [0, 0, 0, 0, 0]\n");
+    QVERIFY(!scene.distortion);
+}
+
 void TestOpenCvCameras::skewIsExactAndReported()
 {
     const SceneCamera scene = sceneOf("K = 800 12 319.5  0 700 239.5  0 0 1\nrvec = 0 0 0\ntvec = 0 0 0\n" + kSize);
@@ -405,6 +476,17 @@ void TestOpenCvCameras::unknownLensesAreNamed_data()
                                 << "s1 = 0.01";
     QTest::newRow("fisheye") << "distortion_model: equidistant\nD: [0.1, 0, 0, 0]"
                              << "equidistant";
+    QTest::newRow("Kalibr's, a pinhole before it") << "camera_model: pinhole\ndistortion_model: equidistant\n"
+                                                      "distortion_coeffs: [0.1, 0, 0, 0]"
+                                                   << "equidistant";
+    QTest::newRow("a name that is not known") << "distortion_model: double_sphere\nD: [0.1, 0, 0, 0]"
+                                              << "double_sphere";
+    QTest::newRow("RealSense's inverse") << "model: distortion.inverse_brown_conrady\ncoeffs: [0.1, 0, 0, 0, 0]"
+                                         << "distortion.inverse_brown_conrady";
+    QTest::newRow("a flag") << "fisheye_model: 1\nD: [0.1, 0, 0, 0]"
+                            << "fisheye";
+    QTest::newRow("named k4 and k6") << "k1 = 0.1, k2 = 0.2, k3 = 0.3, k4 = 0.4, k6 = 0.6"
+                                     << "k4 = 0.4, k6 = 0.6";
     QTest::newRow("too few") << "D: [0.1, 0.2]"
                              << "there are 2 distortion coefficients";
 }
@@ -446,6 +528,22 @@ void TestOpenCvCameras::faultsNameValueAndLine_data()
                                << "p: its first three columns have no inverse; a camera's P has one @1";
     QTest::newRow("fx alone") << "fx = 800\nfy = 800\n"
                               << "fx and fy are given without cx and cy; give all four @0";
+    QTest::newRow("two K, one R")
+        << "{\"left\": {\"K\": [500, 0, 320, 0, 500, 240, 0, 0, 1]},\n\"right\": {\"K\": [600, "
+           "0, 320, 0, 600, 240, 0, 0, 1], \"R\": [1, 0, 0, 0, 1, 0, 0, 0, 1], \"T\": [0.1, 0, "
+           "0]}}\n"
+        << "r: the text has 2 camera matrices, but 1 of this. Give the text of one camera @2";
+    QTest::newRow("two fx")
+        << "\"left\": {\"fx\": 500, \"fy\": 500, \"cx\": 320, \"cy\": 240},\n\"right\": {\"fx\": 600, "
+           "\"fy\": 500, \"cx\": 320, \"cy\": 240}\n"
+        << "fx has several values. Give the text of one camera @1";
+    QTest::newRow("a quaternion without names")
+        << "K = 800 0 320 0 800 240 0 0 1\nq = [0, 0, 0, 1]\nt = 0 0 5\n"
+        << "q: the order of a quaternion's four numbers is not known; name them, {x: 0, y: 0, z: 0, w: 1}, or give R "
+           "@2";
+    QTest::newRow("a quaternion of 0")
+        << "K = 800 0 320 0 800 240 0 0 1\nrotation: {x: 0, y: 0, z: 0, w: 0}\ntranslation: {x: 0, y: 0, z: 5}\n"
+        << "rotation: x, y, z and w are 0; give a quaternion @2";
     QTest::newRow("focal length 0") << "fx = 0, fy = 800, cx = 320, cy = 240\n"
                                     << "the focal lengths are 0 and 800; they must be finite and not 0";
 }
