@@ -128,7 +128,7 @@ std::string alikeSentence(const Candidate &candidate)
     switch (candidate.alike) {
     case Alike::No: break;
     case Alike::InDigits:
-        return !candidate.values.empty()
+        return candidate.hasNumbers()
                    ? tr("Both have a value that explains these points: another click separates them.")
                    : tr("These digits cannot separate them: give more digits, or another click.");
     case Alike::Here:
