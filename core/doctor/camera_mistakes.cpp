@@ -33,7 +33,8 @@ bool isRotation(const glm::dmat3 &m)
     return glm::determinant(m) > 0.0;
 }
 
-/// The pose's rotation, in OpenCV's or OpenGL's eye axes. A pose that is no rotation loses the program.
+/// The pose's rotation, in OpenCV's or OpenGL's eye axes. A pose that is no rotation loses the
+/// program.
 glm::dmat3 rotationOf(Run &run, Pose pose, bool isOpenCv)
 {
     glm::dmat3 rotation(run.eyeFromWorld);
@@ -83,8 +84,8 @@ void addQuaternions(VariantList &list)
 
 // Euler angles of the camera's placement
 
-/// The axes of a product of three rotations, from the left: 0 is x. The usual orders come first, because
-/// several orders give the same camera where it does not roll.
+/// The axes of a product of three rotations, from the left: 0 is x. The usual orders come first,
+/// because several orders give the same camera where it does not roll.
 using EulerOrder = std::array<int, 3>;
 constexpr std::array<EulerOrder, 6> kOrders{{{2, 1, 0}, {0, 1, 2}, {1, 0, 2}, {2, 0, 1}, {1, 2, 0}, {0, 2, 1}}};
 
@@ -219,8 +220,8 @@ void addDistortion(VariantList &list, const Given &given)
 
 // Poses
 
-/// The axes of other cameras' points: of ROS, Unreal, Unity. Those that have a name of their own are
-/// other mistakes.
+/// The axes of other cameras' points: of ROS, Unreal, Unity. Those that have a name of their own
+/// are other mistakes.
 void addCameraAxes(VariantList &list)
 {
     for (const AxisPermutation &permutation : axisPermutations().subspan(1)) {

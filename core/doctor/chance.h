@@ -23,9 +23,9 @@ double chanceOf(std::span<const Hypothesis> all, const Hypothesis &best, double 
 
 /// The chance that a mistake with solved values explains a point that does not come from it.
 ///
-/// Each value uses up one of the numbers that had to agree. For the others, an answer of the mistake
-/// comes as close as t to a point at a distance D from the right one with a chance of (2 t / D)^k.
-/// The roundness of the values is further evidence.
+/// Each value uses up one of the numbers that had to agree. For the others, an answer of the
+/// mistake comes as close as t to a point at a distance D from the right one with a chance of
+/// (2 t / D)^k. The roundness of the values is further evidence.
 ///
 /// @param families   number of mistakes whose values are solved for
 /// @param apart      D, units of the last digit

@@ -2,16 +2,28 @@
 
 #include "core/doctor/remedies.h"
 
-/// The code changes for mistakes of vision cameras and of axes, for the table of remedies.cpp. In the
-/// code K, R, t, dist are OpenCV's, and C is the camera's position.
+/// The code changes for mistakes of vision cameras and of axes, for the table of remedies.cpp. In
+/// the code K, R, t, dist are OpenCV's, and C is the camera's position.
 namespace unprojector::doctor {
 
 inline constexpr CodeChange kAxesDiffer[] = {
-    {"GLU", "p = (p.x, -p.z, p.y); // for the axes x,-z,y", "p = (p.x, p.y, p.z);"},
-    {"GLM", "p = glm::dvec3(p.x, -p.z, p.y); // for the axes x,-z,y", "p = glm::dvec3(p.x, p.y, p.z);"},
-    {"Qt", "p = QVector3D(p.x(), -p.z(), p.y()); // for the axes x,-z,y", "p = QVector3D(p.x(), p.y(), p.z());"},
-    {"three.js", "p.set(p.x, -p.z, p.y); // for the axes x,-z,y", "p.set(p.x, p.y, p.z);"},
-    {"NumPy", "p = np.array([p[0], -p[2], p[1]])  # for the axes x,-z,y", "p = np.array([p[0], p[1], p[2]])"},
+    {"GLU", "p = (otherAxes); // of the right x, y, z", "p = (x, y, z);"},
+    {"GLM", "p = glm::dvec3(otherAxes); // of the right x, y, z", "p = glm::dvec3(x, y, z);"},
+    {"Qt", "p = QVector3D(otherAxes); // of the right x, y, z", "p = QVector3D(x, y, z);"},
+    {"three.js", "p.set(otherAxes); // of the right x, y, z", "p.set(x, y, z);"},
+    {"NumPy", "p = np.array([otherAxes])  # of the right x, y, z", "p = np.array([x, y, z])"},
+};
+inline constexpr CodeChange kAxesDifferAndMoved[] = {
+    {"GLU", "p = otherScale * (otherAxes) + (otherTranslation); // of the right x, y, z", "p = (x, y, z);"},
+    {"GLM", "p = otherScale * glm::dvec3(otherAxes) + glm::dvec3(otherTranslation); // of the right x, y, z",
+     "p = glm::dvec3(x, y, z);"},
+    {"Qt", "p = otherScale * QVector3D(otherAxes) + QVector3D(otherTranslation); // of the right x, y, z",
+     "p = QVector3D(x, y, z);"},
+    {"three.js",
+     "p.set(otherAxes).multiplyScalar(otherScale).add(new THREE.Vector3(otherTranslation)); // of the right x, y, z",
+     "p.set(x, y, z);"},
+    {"NumPy", "p = otherScale * np.array([otherAxes]) + [otherTranslation]  # of the right x, y, z",
+     "p = np.array([x, y, z])"},
 };
 inline constexpr CodeChange kOpenCvAxes[] = {
     {"GLU", "gluLookAt(…); // and a point with y down, z ahead", "glScaled(1, -1, -1); gluLookAt(…);"},
@@ -24,12 +36,11 @@ inline constexpr CodeChange kOpenCvAxes[] = {
     {"NumPy", "pose = inv(view)  # OpenGL's view, for OpenCV", "pose = inv(np.diag([1, -1, -1, 1]) @ view)"},
 };
 inline constexpr CodeChange kCameraAxesDiffer[] = {
-    {"GLM", "p = glm::inverse(view) * glm::dvec4(x, y, z, 1); // x ahead, y left, z up",
-     "p = glm::inverse(view) * glm::dvec4(-y, z, -x, 1);"},
-    {"Qt", "p = view.inverted().map(QVector3D(x, y, z)); // x ahead, y left, z up",
-     "p = view.inverted().map(QVector3D(-y, z, -x));"},
-    {"NumPy", "p = body2world @ [x, y, z, 1]  # x, y, z by K: right, down, ahead",
-     "p = body2world @ [z, -x, -y, 1]  # ahead, left, up"},
+    {"GLM", "p = glm::inverse(view) * glm::dvec4(otherAxes, 1); // of x right, y up, z back",
+     "p = glm::inverse(view) * glm::dvec4(x, y, z, 1);"},
+    {"Qt", "p = view.inverted().map(QVector3D(otherAxes)); // of x right, y up, z back",
+     "p = view.inverted().map(QVector3D(x, y, z));"},
+    {"NumPy", "p = cam2world @ [otherAxes, 1]  # of x right, y up, z back", "p = cam2world @ [x, y, z, 1]"},
 };
 inline constexpr CodeChange kTranslationNotInverted[] = {
     {"GLM", "p = glm::transpose(R) * p_eye + t;", "p = glm::transpose(R) * (p_eye - t);"},
@@ -80,9 +91,9 @@ inline constexpr CodeChange kCentreSwapped[] = {
 };
 inline constexpr CodeChange kIntrinsicsOfAnotherSize[] = {
     {"GLM", "d = glm::inverse(K) * glm::dvec3(u, v, 1);",
-     "d = glm::inverse(K) * glm::dvec3(s * u, s * v, 1); // s = size of K / size of the picture"},
+     "d = glm::inverse(K) * glm::dvec3(s * u, s * v, 1); // s = size of K / size of the image"},
     {"Qt", "p = z * QVector3D((u - cx) / fx, (v - cy) / fy, 1);",
-     "p = z * QVector3D((s * u - cx) / fx, (s * v - cy) / fy, 1); // s = size of K / size of the picture"},
+     "p = z * QVector3D((s * u - cx) / fx, (s * v - cy) / fy, 1); // s = size of K / size of the image"},
     {"NumPy", "image = cv2.resize(image, None, fx=s, fy=s)  # and K as before",
      "image = cv2.resize(image, None, fx=s, fy=s); K = np.diag([s, s, 1]) @ K"},
 };
@@ -110,35 +121,37 @@ inline constexpr CodeChange kWOfAnotherPoint[] = {
 };
 inline constexpr CodeChange kNearFarDiffer[] = {
     {"GLU", "gluPerspective(fovy, aspect, otherNear, otherFar);",
-     "gluPerspective(fovy, aspect, n, f); // as the picture was drawn"},
+     "gluPerspective(fovy, aspect, n, f); // as the image was drawn"},
     {"GLM", "glm::perspective(fovy, aspect, otherNear, otherFar)",
-     "glm::perspective(fovy, aspect, n, f) // as the picture was drawn"},
+     "glm::perspective(fovy, aspect, n, f) // as the image was drawn"},
     {"Qt", "projection.perspective(fovy, aspect, otherNear, otherFar);",
-     "projection.perspective(fovy, aspect, n, f); // as the picture was drawn"},
+     "projection.perspective(fovy, aspect, n, f); // as the image was drawn"},
     {"three.js", "z = n * f / (f - d * (f - n)); // otherNear, otherFar",
      "z = n * f / (f - d * (f - n)); // with camera.near, camera.far"},
     {"NumPy", "z = n * f / (f - d * (f - n))  # otherNear, otherFar",
-     "z = n * f / (f - d * (f - n))  # near, far as the picture was drawn"},
+     "z = n * f / (f - d * (f - n))  # near, far as the image was drawn"},
 };
 inline constexpr CodeChange kPrincipalPointDiffers[] = {
     {"GLM", "d.x = (u - otherCx) / fx; d.y = (v - otherCy) / fy;", "d.x = (u - cx) / fx; d.y = (v - cy) / fy;"},
     {"Qt", "QVector3D((u - otherCx) / fx, (v - otherCy) / fy, 1)", "QVector3D((u - cx) / fx, (v - cy) / fy, 1)"},
-    {"NumPy", "K[:2, 2] = w / 2, h / 2", "K[:2, 2] = cx, cy  # of the calibration"},
+    {"NumPy", "K[:2, 2] = otherCx, otherCy", "K[:2, 2] = cx, cy  # of the calibration"},
 };
 inline constexpr CodeChange kFocalLengthsDiffer[] = {
     {"GLM", "d.x = (u - cx) / otherFx; d.y = (v - cy) / otherFy;", "d.x = (u - cx) / fx; d.y = (v - cy) / fy;"},
     {"Qt", "QVector3D((u - cx) / otherFx, (v - cy) / otherFy, 1)", "QVector3D((u - cx) / fx, (v - cy) / fy, 1)"},
-    {"NumPy", "K[0, 0], K[1, 1] = other_fx, other_fy", "K[0, 0], K[1, 1] = fx, fy  # of the calibration"},
+    {"NumPy", "K[0, 0], K[1, 1] = otherFx, otherFy", "K[0, 0], K[1, 1] = fx, fy  # of the calibration"},
 };
 inline constexpr CodeChange kFrameDiffers[] = {
     {"GLM", "p = glm::dvec3(v) / v.w; // in the frame of another view",
-     "p = glm::dvec3(worldFromFrame * glm::dvec4(glm::dvec3(v) / v.w, 1));"},
+     "p = glm::dmat3(otherRotation) * (glm::dvec3(v) / v.w - glm::dvec3(otherTranslation)) / otherScale;"},
     {"Qt", "p = v.toVector3DAffine(); // in the frame of another view",
-     "p = worldFromFrame.map(v.toVector3DAffine());"},
+     "const float r[] = {otherRotation}; p = QMatrix4x4(QMatrix3x3(r)).transposed().map(v.toVector3DAffine() - "
+     "QVector3D(otherTranslation)) / otherScale;"},
     {"three.js", "p.unproject(camera); // a camera inside a moved group",
-     "camera.updateMatrixWorld(); p.unproject(camera);"},
+     "p.unproject(camera).sub(new THREE.Vector3(otherTranslation)).divideScalar(otherScale); "
+     "p.applyMatrix3(new THREE.Matrix3().set(otherRotation).transpose());"},
     {"NumPy", "p = v[:3] / v[3]  # in the frame of another pose",
-     "p = R.T @ (v[:3] / v[3] - t) / s  # R, t, s: the frame's values"},
+     "p = np.reshape([otherRotation], (3, 3)).T @ (v[:3] / v[3] - [otherTranslation]) / otherScale"},
 };
 
 } // namespace unprojector::doctor

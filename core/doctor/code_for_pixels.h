@@ -50,33 +50,37 @@ inline constexpr CodeChange kPixelCorner[] = {
     {"NumPy", "cx, cy = w / 2, h / 2  # for pixels i, j counted from 0", "cx, cy = (w - 1) / 2, (h - 1) / 2"},
 };
 inline constexpr CodeChange kRatioLogicalInDevice[] = {
-    {"GLU", "glfwGetCursorPos(window, &x, &y);", "glfwGetCursorPos(window, &x, &y); x *= ratio; y *= ratio;"},
+    {"GLU", "glfwGetCursorPos(window, &x, &y);", "glfwGetCursorPos(window, &x, &y); x *= otherRatio; y *= otherRatio;"},
     {"GLM", "p = glm::unProject(glm::dvec3(x, H - y, d), view, projection, viewport);",
-     "p = glm::unProject(glm::dvec3(x * ratio, H - y * ratio, d), view, projection, viewport);"},
-    {"Qt", "const QPointF at = event->position();", "const QPointF at = event->position() * devicePixelRatioF();"},
+     "p = glm::unProject(glm::dvec3(x * otherRatio, H - y * otherRatio, d), view, projection, viewport);"},
+    {"Qt", "const QPointF at = event->position();",
+     "const QPointF at = event->position() * devicePixelRatioF(); // by otherRatio"},
     {"three.js", "ndc.x = 2 * event.offsetX / canvas.width - 1;",
-     "ndc.x = 2 * event.offsetX / canvas.clientWidth - 1;"},
-    {"NumPy", "x_w, y_w = x, H - y", "x_w, y_w = x * ratio, H - y * ratio"},
+     "ndc.x = 2 * event.offsetX / canvas.clientWidth - 1; // canvas.width / otherRatio"},
+    {"NumPy", "x_w, y_w = x, H - y", "x_w, y_w = x * otherRatio, H - y * otherRatio"},
 };
 inline constexpr CodeChange kRatioLogicalBoth[] = {
     {"GLU", "gluUnProject(x, logicalHeight - y, d, modelview, projection, viewport, &X, &Y, &Z);",
-     "gluUnProject(x * ratio, H - y * ratio, d, modelview, projection, viewport, &X, &Y, &Z);"},
+     "gluUnProject(x * otherRatio, H - y * otherRatio, d, modelview, projection, viewport, &X, &Y, &Z);"},
     {"GLM", "p = glm::unProject(glm::dvec3(x, logicalHeight - y, d), view, projection, viewport);",
-     "p = glm::unProject(glm::dvec3(x * ratio, H - y * ratio, d), view, projection, viewport);"},
+     "p = glm::unProject(glm::dvec3(x * otherRatio, H - y * otherRatio, d), view, projection, viewport);"},
     {"Qt", "p = QVector3D(at.x(), height() - at.y(), d).unproject(view, projection, viewport);",
-     "at *= devicePixelRatioF(); p = QVector3D(at.x(), H - at.y(), d).unproject(view, projection, viewport);"},
+     "at *= devicePixelRatioF(); p = QVector3D(at.x(), H - at.y(), d).unproject(view, projection, viewport); // by "
+     "otherRatio"},
     {"three.js", "ndc.y = 1 - 2 * event.offsetY / canvas.height;",
-     "ndc.y = 1 - 2 * event.offsetY / canvas.clientHeight;"},
-    {"NumPy", "x_w, y_w = x, H / ratio - y", "x_w, y_w = x * ratio, H - y * ratio"},
+     "ndc.y = 1 - 2 * event.offsetY / canvas.clientHeight; // canvas.height / otherRatio"},
+    {"NumPy", "x_w, y_w = x, H / otherRatio - y", "x_w, y_w = x * otherRatio, H - y * otherRatio"},
 };
 inline constexpr CodeChange kRatioDeviceInLogical[] = {
-    {"GLU", "glfwGetWindowSize(window, &w, &h); // for the viewport", "glfwGetFramebufferSize(window, &w, &h);"},
-    {"GLM", "const glm::dvec4 viewport(0, 0, logicalWidth, logicalHeight);", "const glm::dvec4 viewport(0, 0, W, H);"},
-    {"Qt", "const QRect viewport(0, 0, width(), height());",
+    {"GLU", "glfwGetWindowSize(window, &w, &h); // for the viewport",
+     "glfwGetFramebufferSize(window, &w, &h); // otherRatio times as large"},
+    {"GLM", "const glm::dvec4 viewport(0, 0, W / otherRatio, H / otherRatio);",
+     "const glm::dvec4 viewport(0, 0, W, H);"},
+    {"Qt", "const QRect viewport(0, 0, width(), height()); // W / otherRatio, H / otherRatio",
      "const QRect viewport(0, 0, qRound(width() * devicePixelRatioF()), qRound(height() * devicePixelRatioF()));"},
-    {"three.js", "ndc.x = 2 * event.offsetX * devicePixelRatio / canvas.clientWidth - 1;",
+    {"three.js", "ndc.x = 2 * event.offsetX * otherRatio / canvas.clientWidth - 1;",
      "ndc.x = 2 * event.offsetX / canvas.clientWidth - 1;"},
-    {"NumPy", "x_n = 2 * x / (w / ratio) - 1", "x_n = 2 * (x - vx) / w - 1"},
+    {"NumPy", "x_n = 2 * x / (w / otherRatio) - 1", "x_n = 2 * (x - vx) / w - 1"},
 };
 inline constexpr CodeChange kViewportOriginIgnored[] = {
     {"GLU", "GLint viewport[4] = {0, 0, w, h};", "glGetIntegerv(GL_VIEWPORT, viewport); // vx, vy, w, h"},
@@ -247,31 +251,43 @@ inline constexpr CodeChange kFovyDiffers[] = {
      "projection.perspective(fovy, aspect, n, f); // as the view was drawn"},
     {"three.js", "camera.fov = otherFovy;",
      "camera.fov = fovy; camera.updateProjectionMatrix(); // zoom changes it too"},
-    {"NumPy", "focal = h / 2  # 90 degrees", "focal = h / 2 / np.tan(np.radians(fovy) / 2)"},
+    {"NumPy", "focal = h / 2 / np.tan(np.radians(otherFovy) / 2)", "focal = h / 2 / np.tan(np.radians(fovy) / 2)"},
 };
 inline constexpr CodeChange kPixelShifted[] = {
-    {"GLU", "GetCursorPos(&at); // in the screen", "GetCursorPos(&at); ScreenToClient(window, &at);"},
-    {"GLM", "SDL_GetGlobalMouseState(&x, &y); // in the screen", "SDL_GetMouseState(&x, &y);"},
-    {"Qt", "const QPointF at = event->globalPosition();", "const QPointF at = event->position();"},
-    {"three.js", "x = event.clientX;", "x = event.clientX - canvas.getBoundingClientRect().left;"},
-    {"NumPy", "x, y = pyautogui.position()", "x, y = x - window_left, y - window_top  # without frame and title bar"},
+    {"GLU", "GetCursorPos(&at); // in the screen, off by otherDx, otherDy",
+     "GetCursorPos(&at); ScreenToClient(window, &at);"},
+    {"GLM", "SDL_GetGlobalMouseState(&x, &y); // in the screen, off by otherDx, otherDy", "SDL_GetMouseState(&x, &y);"},
+    {"Qt", "const QPointF at = event->globalPosition(); // off by otherDx, otherDy",
+     "const QPointF at = event->position();"},
+    {"three.js", "x = event.clientX; y = event.clientY; // off by otherDx, otherDy",
+     "x = event.clientX - rect.left; y = event.clientY - rect.top;"},
+    {"NumPy", "x, y = pyautogui.position()", "x, y = x - otherDx, y - otherDy  # without frame and title bar"},
+};
+inline constexpr CodeChange kPixelScaledAndShifted[] = {
+    {"GLU", "x = otherScale * x + otherDx; y = otherScale * y + otherDy;", "// x, y are device pixels already"},
+    {"GLM", "pixel = otherScale * pixel + glm::dvec2(otherDx, otherDy);", "// pixel is in device pixels already"},
+    {"Qt", "at = otherScale * at + QPointF(otherDx, otherDy);", "// at is in device pixels already"},
+    {"three.js", "x = otherScale * x + otherDx; y = otherScale * y + otherDy;", "// x, y are device pixels already"},
+    {"NumPy", "x, y = otherScale * x + otherDx, otherScale * y + otherDy", "# x, y are device pixels already"},
 };
 inline constexpr CodeChange kViewportSizeDiffers[] = {
-    {"GLU", "GLint viewport[4] = {0, 0, 800, 600};", "GLint viewport[4]; glGetIntegerv(GL_VIEWPORT, viewport);"},
-    {"GLM", "const glm::dvec4 viewport(0, 0, 800, 600);", "const glm::dvec4 viewport(vx, vy, w, h);"},
-    {"Qt", "const QRect viewport(0, 0, 800, 600);", "const QRect viewport(vx, vy, w, h);"},
-    {"three.js", "ndc.x = 2 * x / 800 - 1;", "ndc.x = 2 * x / canvas.clientWidth - 1;"},
-    {"NumPy", "w, h = 800, 600", "w, h = image.shape[1], image.shape[0]"},
+    {"GLU", "GLint viewport[4] = {vx, vy, otherWidth, otherHeight};",
+     "GLint viewport[4]; glGetIntegerv(GL_VIEWPORT, viewport);"},
+    {"GLM", "const glm::dvec4 viewport(vx, vy, otherWidth, otherHeight);", "const glm::dvec4 viewport(vx, vy, w, h);"},
+    {"Qt", "const QRect viewport(vx, vy, otherWidth, otherHeight);", "const QRect viewport(vx, vy, w, h);"},
+    {"three.js", "ndc.set(2 * x / otherWidth - 1, 1 - 2 * y / otherHeight);",
+     "ndc.set(2 * x / canvas.clientWidth - 1, 1 - 2 * y / canvas.clientHeight);"},
+    {"NumPy", "w, h = otherWidth, otherHeight", "w, h = image.shape[1], image.shape[0]"},
 };
-inline constexpr CodeChange kRatioDiffers[] = {
-    {"GLU", "glfwGetCursorPos(window, &x, &y);",
-     "glfwGetCursorPos(window, &x, &y); x *= ratio; y *= ratio; // W / logical width"},
-    {"GLM", "p = glm::unProject(glm::dvec3(x, H - y, d), view, projection, viewport);",
-     "p = glm::unProject(glm::dvec3(x * ratio, H - y * ratio, d), view, projection, viewport);"},
-    {"Qt", "const QPointF at = event->position();", "const QPointF at = event->position() * devicePixelRatioF();"},
-    {"three.js", "ndc.x = 2 * event.offsetX / canvas.width - 1;",
-     "ndc.x = 2 * event.offsetX / canvas.clientWidth - 1;"},
-    {"NumPy", "x_w, y_w = x, H - y", "x_w, y_w = x * ratio, H - y * ratio"},
+inline constexpr CodeChange kViewportRectangleDiffers[] = {
+    {"GLU", "GLint viewport[4] = {otherX, otherY, otherWidth, otherHeight};",
+     "GLint viewport[4]; glGetIntegerv(GL_VIEWPORT, viewport);"},
+    {"GLM", "const glm::dvec4 viewport(otherX, otherY, otherWidth, otherHeight);",
+     "const glm::dvec4 viewport(vx, vy, w, h);"},
+    {"Qt", "const QRect viewport(otherX, otherY, otherWidth, otherHeight);", "const QRect viewport(vx, vy, w, h);"},
+    {"three.js", "v.set(otherX, otherY, otherWidth, otherHeight); ndc.x = 2 * (x - v.x) / v.z - 1;",
+     "renderer.getViewport(v); ndc.x = 2 * (x - v.x) / v.z - 1;"},
+    {"NumPy", "vx, vy, w, h = otherX, otherY, otherWidth, otherHeight", "vx, vy, w, h = glGetIntegerv(GL_VIEWPORT)"},
 };
 
 } // namespace unprojector::doctor

@@ -110,25 +110,25 @@ inline constexpr CodeChange kDepthOfAnotherRow[] = {
 };
 inline constexpr CodeChange kNearDiffers[] = {
     {"GLU", "gluPerspective(fovy, aspect, otherNear, f);",
-     "gluPerspective(fovy, aspect, n, f); // as the picture was drawn"},
+     "gluPerspective(fovy, aspect, n, f); // as the image was drawn"},
     {"GLM", "glm::perspective(fovy, aspect, otherNear, f)",
-     "glm::perspective(fovy, aspect, n, f) // as the picture was drawn"},
+     "glm::perspective(fovy, aspect, n, f) // as the image was drawn"},
     {"Qt", "projection.perspective(fovy, aspect, otherNear, f);",
-     "projection.perspective(fovy, aspect, n, f); // as the picture was drawn"},
+     "projection.perspective(fovy, aspect, n, f); // as the image was drawn"},
     {"three.js", "z = n * f / (f - d * (f - n)); // otherNear, f",
      "z = n * f / (f - d * (f - n)); // with camera.near, camera.far"},
-    {"NumPy", "n, f = otherNear, f", "n, f = near, far  # as the picture was drawn"},
+    {"NumPy", "n, f = otherNear, f", "n, f = near, far  # as the image was drawn"},
 };
 inline constexpr CodeChange kFarDiffers[] = {
     {"GLU", "gluPerspective(fovy, aspect, n, otherFar);",
-     "gluPerspective(fovy, aspect, n, f); // as the picture was drawn"},
+     "gluPerspective(fovy, aspect, n, f); // as the image was drawn"},
     {"GLM", "glm::perspective(fovy, aspect, n, otherFar)",
-     "glm::perspective(fovy, aspect, n, f) // as the picture was drawn"},
+     "glm::perspective(fovy, aspect, n, f) // as the image was drawn"},
     {"Qt", "projection.perspective(fovy, aspect, n, otherFar);",
-     "projection.perspective(fovy, aspect, n, f); // as the picture was drawn"},
+     "projection.perspective(fovy, aspect, n, f); // as the image was drawn"},
     {"three.js", "z = n * f / (f - d * (f - n)); // n, otherFar",
      "z = n * f / (f - d * (f - n)); // with camera.near, camera.far"},
-    {"NumPy", "n, f = n, otherFar", "n, f = near, far  # as the picture was drawn"},
+    {"NumPy", "n, f = n, otherFar", "n, f = near, far  # as the image was drawn"},
 };
 inline constexpr CodeChange kRayLengthAsZ[] = {
     {"GLU", "p = eye + direction / dot(direction, forward) * length;", "p = eye + direction * length;"},
@@ -317,22 +317,27 @@ inline constexpr CodeChange kEyeXyMirrored[] = {
 };
 
 inline constexpr CodeChange kScaled[] = {
-    {"GLU", "X *= factor; Y *= factor; Z *= factor;", "// X, Y, Z are in the scene's unit already"},
-    {"GLM", "p = factor * glm::unProject(w, view, projection, viewport);",
+    {"GLU", "X *= otherFactor; Y *= otherFactor; Z *= otherFactor;", "// X, Y, Z are in the scene's unit already"},
+    {"GLM", "p = otherFactor * glm::unProject(w, view, projection, viewport);",
      "p = glm::unProject(w, view, projection, viewport); // in the scene's unit"},
-    {"Qt", "p = factor * w.unproject(view, projection, viewport);",
+    {"Qt", "p = otherFactor * w.unproject(view, projection, viewport);",
      "p = w.unproject(view, projection, viewport); // in the scene's unit"},
-    {"three.js", "p.unproject(camera).multiplyScalar(factor);", "p.unproject(camera); // in the scene's unit"},
-    {"NumPy", "z = depth_image[j, i]  # in millimetres", "z = depth_image[j, i] * scene_units_per_millimetre"},
+    {"three.js", "p.unproject(camera).multiplyScalar(otherFactor);", "p.unproject(camera); // in the scene's unit"},
+    {"NumPy", "p = otherFactor * v[:3] / v[3]", "p = v[:3] / v[3]  # in the scene's unit"},
+};
+inline constexpr CodeChange kScaledFromEye[] = {
+    {"GLU", "p = eye + direction * distance;", "p = eye + direction * distance / otherFactor;"},
+    {"GLM", "p = eye + direction * distance;", "p = eye + direction * distance / otherFactor;"},
+    {"Qt", "p = eye + direction * distance;", "p = eye + direction * distance / otherFactor;"},
+    {"three.js", "raycaster.ray.at(distance, p);", "raycaster.ray.at(distance / otherFactor, p);"},
+    {"NumPy", "z = depth_image[j, i]  # in another unit", "z = depth_image[j, i] / otherFactor"},
 };
 inline constexpr CodeChange kDepthScaled[] = {
-    {"GLU",
-     "GLushort d16; glReadPixels(i, H - 1 - j, 1, 1, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, &d16); d = d16 / "
-     "65536.0;",
-     "GLfloat d; glReadPixels(i, H - 1 - j, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &d);"},
-    {"GLM", "d = d16 / 65536.0;", "d = d16 / 65535.0;"},
-    {"Qt", "d = d16 / 65536.0f;", "d = d16 / 65535.0f;"},
-    {"NumPy", "d = depth[j, i] / 256", "d = depth[j, i] / 255"},
+    {"GLU", "d = otherFactor * d; // as d16 / 65536.0 does",
+     "// d as glReadPixels() gives it: GL_DEPTH_COMPONENT, GL_FLOAT"},
+    {"GLM", "d = otherFactor * (d16 / 65535.0); // as d16 / 65536.0 does", "d = d16 / 65535.0;"},
+    {"Qt", "d = otherFactor * (d16 / 65535.0f); // as d16 / 65536.0f does", "d = d16 / 65535.0f;"},
+    {"NumPy", "d = otherFactor * depth[j, i] / 255  # as depth[j, i] / 256 does", "d = depth[j, i] / 255"},
 };
 
 } // namespace unprojector::doctor

@@ -510,6 +510,11 @@ std::vector<Candidate> Diagnosis::alike() const
     return found;
 }
 
+bool Candidate::hasNumbers() const
+{
+    return std::any_of(values.begin(), values.end(), [](const SolvedValue &value) { return !value.numbers.empty(); });
+}
+
 const Candidate *Diagnosis::runnerUp() const
 {
     for (std::size_t i = 1; i < candidates.size(); ++i) {

@@ -61,7 +61,8 @@ struct Case {
     /// The meshes' vertices in a box of world space, or a few of them where there are many. Null if
     /// the scene has no mesh.
     std::function<std::vector<KnownPoint>(const geometry::Box &)> verticesIn;
-    /// The distortion of the pixels, of a perspective. K's centre and focal lengths are the setup's.
+    /// The distortion of the pixels, of a perspective. K's centre and focal lengths are the
+    /// setup's.
     std::optional<cameras::Distortion> distortion{};
 };
 
@@ -129,6 +130,9 @@ struct Candidate {
     bool isCutOff = false; ///< explains, and some of the last digits are truncated
     Alike alike = Alike::No;
     std::optional<Shared> shared; ///< set if alike is Here or Always
+
+    /// True if a value is a number. The axes of another world are a value without one.
+    bool hasNumbers() const;
 };
 
 /// The error of the wrong point after projection with the right matrices; it classifies the

@@ -65,7 +65,8 @@ struct Hypothesis {
 bool isSameAnswer(const glm::dvec3 &a, const glm::dvec3 &b);
 
 /// The variants of one mistake, and of two different ones. Mistakes without effect on all of the
-/// points are omitted, and solved values that do not explain all points. Pairs have no solved values.
+/// points are omitted, and solved values that do not explain all points. Pairs have no solved
+/// values.
 /// @param list  must outlive the result
 std::vector<Hypothesis> hypotheses(const Given &given, std::span<const Target> points, std::span<const Variant> list);
 

@@ -93,7 +93,7 @@ std::string candidateSentence(const Candidate &candidate)
     const std::string sentence = mistakeSentence(candidate.id);
     return candidate.values.empty() || candidate.ways.empty()
                ? sentence
-               : tr("Your program: %1. %2|values, sentence", waysText(candidate.ways), sentence);
+               : tr("Your program: %1. %2|values and sentence", waysText(candidate.ways), sentence);
 }
 
 std::string waysText(const std::vector<VariantName> &ways)
@@ -128,7 +128,7 @@ std::string alikeSentence(const Candidate &candidate)
     switch (candidate.alike) {
     case Alike::No: break;
     case Alike::InDigits:
-        return !candidate.values.empty()
+        return candidate.hasNumbers()
                    ? tr("Both have a value that explains these points: another click separates them.")
                    : tr("These digits cannot separate them: give more digits, or another click.");
     case Alike::Here:

@@ -26,8 +26,8 @@ std::vector<SolvedValue> valuesOf(const Hypothesis &hypothesis);
 ///
 /// Equal hypotheses are sorted by the number of reports of such mistakes, solved ones by roundness
 /// first. A pair is omitted if one of its mistakes, or none at all, explains the points as well.
-/// Solved values are omitted if fewer values explain the points, or if one mistake of fixed form, or
-/// none, does so. Expected values stay if the fixed form explains the points as truncated only.
+/// Solved values are omitted if fewer values explain the points, or if one mistake of fixed form,
+/// or none, does so. Expected values stay if the fixed form explains the points as truncated only.
 std::vector<Hypothesis> ranked(std::span<const Hypothesis> hypotheses);
 
 /// The number of digits of a given coordinate, without leading zeros; at least 1.

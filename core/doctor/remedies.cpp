@@ -195,7 +195,7 @@ constexpr Remedy kRemedies[] = {
      kViewportSizeDiffers},
     {"ratio-differs", marked("another pixel ratio"),
      marked("The pixel and the viewport are in different pixels: one of them is scaled by a pixel ratio."),
-     kRatioDiffers},
+     kRatioLogicalInDevice},
     {"scaled", marked("result scaled"),
      marked("The result is scaled: another unit of length, or depths in another unit than the scene."), kScaled},
     {"depth-scaled", marked("depth scaled"),
@@ -211,6 +211,40 @@ constexpr Remedy kRemedies[] = {
      kFrameDiffers},
 };
 
+/// The start of the names in lines that stand for values: otherFar for `far`.
+constexpr std::string_view kOther = "other";
+
+/// @return null if there is no value of this name
+const SolvedValue *named(std::span<const SolvedValue> values, std::string_view name)
+{
+    const auto found =
+        std::find_if(values.begin(), values.end(), [name](const SolvedValue &value) { return value.name == name; });
+    return found == values.end() ? nullptr : &*found;
+}
+
+/// The length of the identifier that starts a line; 0 if none does.
+std::size_t nameLength(std::string_view line)
+{
+    std::size_t length = 0;
+    while (length < line.size() && (std::isalnum(static_cast<unsigned char>(line[length])) || line[length] == '_'))
+        ++length;
+    return length;
+}
+
+/// The value in a line. A scale that is not solved is 1, and a translation 0; other names stay.
+/// @param name  without "other": Far
+std::string textOf(std::string name, std::span<const SolvedValue> values)
+{
+    name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
+    const SolvedValue *value = named(values, name);
+    if (!value)
+        return name == "scale" ? "1" : name == "translation" ? "0, 0, 0" : name;
+    std::string text = value->word;
+    for (const double number : value->numbers)
+        text += (text.empty() ? "" : ", ") + valueText(number);
+    return text;
+}
+
 } // namespace
 
 const Remedy &remedyOf(std::string_view id)
@@ -221,16 +255,39 @@ const Remedy &remedyOf(std::string_view id)
     return *found;
 }
 
+std::span<const CodeChange> codeOf(std::string_view id, std::span<const SolvedValue> values)
+{
+    if (id == "ratio-differs") {
+        if (const SolvedValue *fixedForm = named(values, "as"))
+            return remedyOf(fixedForm->word).code;
+    }
+    if (id == "scaled") {
+        if (const SolvedValue *about = named(values, "about"); about && about->word == "eye")
+            return kScaledFromEye;
+    }
+    if (id == "pixel-shifted" && named(values, "scale"))
+        return kPixelScaledAndShifted;
+    if (id == "viewport-size-differs" && named(values, "x"))
+        return kViewportRectangleDiffers;
+    if (id == "axes-differ" && (named(values, "scale") || named(values, "translation")))
+        return kAxesDifferAndMoved;
+    return remedyOf(id).code;
+}
+
 std::string lineWithValues(std::string_view line, std::span<const SolvedValue> values)
 {
-    std::string filled(line);
-    for (const SolvedValue &value : values) {
-        if (value.name.empty() || value.numbers.size() != 1)
-            continue;
-        std::string name = "other" + value.name;
-        name[5] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[5])));
-        for (std::size_t at = filled.find(name); at != filled.npos; at = filled.find(name, at + 1))
-            filled.replace(at, name.size(), valueText(value.numbers.front()));
+    std::string filled;
+    while (!line.empty()) {
+        const std::size_t length = nameLength(line);
+        const std::string_view name = line.substr(0, length);
+        const bool isOther = name.starts_with(kOther) && name.size() > kOther.size()
+                             && std::isupper(static_cast<unsigned char>(name[kOther.size()]));
+        filled += isOther ? textOf(std::string(name.substr(kOther.size())), values) : std::string(name);
+        line.remove_prefix(length);
+        if (length == 0) {
+            filled += line.front();
+            line.remove_prefix(1);
+        }
     }
     return filled;
 }

@@ -27,8 +27,13 @@ struct Remedy {
 /// @param id  one of mistakeIds()
 const Remedy &remedyOf(std::string_view id);
 
-/// A line of code with solved values: 50 for otherFar, 60 for otherFovy. Other values are not in
-/// lines.
+/// The code changes of a mistake with these values. They can differ from its Remedy's: a scale
+/// about the eye has other lines than one about the origin.
+/// @param id  one of mistakeIds()
+std::span<const CodeChange> codeOf(std::string_view id, std::span<const SolvedValue> values);
+
+/// A line of code with values. The name of a value in a line is "other" and its own name: 50 for
+/// otherFar, 60 for otherFovy. Without its value, otherRatio becomes ratio.
 std::string lineWithValues(std::string_view line, std::span<const SolvedValue> values);
 
 } // namespace unprojector::doctor

@@ -112,7 +112,8 @@ std::string textOf(const glm::dvec3 &v)
     return valueText(v.x) + ", " + valueText(v.y) + ", " + valueText(v.z);
 }
 
-/// The angle of a rotation, or of the rotation that follows a reflection through the origin, degrees.
+/// The angle of a rotation, or of the rotation that follows a reflection through the origin,
+/// degrees.
 double angleOf(const FrameFit &frame)
 {
     const glm::dmat3 turn = frame.isMirrored() ? -frame.rotation : frame.rotation;

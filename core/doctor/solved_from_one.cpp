@@ -93,18 +93,12 @@ void addFovy(VariantList &list, const Given &given, std::span<const Target> poin
 /// A position in the window that is off by the same number of pixels at every click.
 void addShift(VariantList &list, const Given &given, std::span<const Target> points)
 {
-    std::array<Solution, 2> shift;
-    for (int axis = 0; axis < 2; ++axis) {
-        const std::optional<Solution> solved =
-            solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
-                const std::optional<glm::dvec3> there = projected(given, click, got);
-                return there ? std::optional((*there)[axis] - click.pixel.coordinates()[axis]) : std::nullopt;
-            });
-        if (!solved)
-            return;
-        shift[std::size_t(axis)] = {solved->value, solved->unsure, 0.0};
-    }
-    addSolved(list, "pixel-shifted", shift, {}, [](std::span<const double> values) {
+    std::optional<std::array<Solution, 2>> shift = solvedShift(given, points);
+    if (!shift)
+        return;
+    for (Solution &along : *shift)
+        along.ofScene = 0.0;
+    addSolved(list, "pixel-shifted", *shift, {}, [](std::span<const double> values) {
         Variant variant;
         variant.stage = Stage::Pixel;
         variant.apply = [](Run &run, const Variant &v) { run.position += glm::dvec2(v.parameter, v.second); };
@@ -271,7 +265,10 @@ void addRatio(VariantList &list, const Given &given, const Case &scene, std::spa
                               : isLogical ? marked("ratio %1, pixel and flip in logical pixels")
                                         : marked("ratio %1, device pixels in a logical viewport");
         variant.name = {words, valueText(value)};
-        variant.values = {{"ratio", {value}, {}}};
+        const char *fixedForm = !isLogical  ? "ratio-device-in-logical"
+                                : isFromTop ? "ratio-logical-in-device"
+                                            : "ratio-logical-both";
+        variant.values = {{"ratio", {value}, {}}, {"as", {}, fixedForm}};
         return variant;
     });
 }

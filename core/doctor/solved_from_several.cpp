@@ -202,30 +202,22 @@ void addShiftAndScale(VariantList &list, const Given &given, std::span<const Tar
 /// Another centre of K. It moves all pixels alike, so the values are those of a shift.
 void addCentre(VariantList &list, const Given &given, std::span<const Target> points)
 {
-    std::array<Solution, 2> shift;
-    for (int axis = 0; axis < 2; ++axis) {
-        const std::optional<Solution> solved =
-            solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
-                const std::optional<glm::dvec3> there = projected(given, click, got);
-                return there ? std::optional((*there)[axis] - click.pixel.coordinates()[axis]) : std::nullopt;
-            });
-        if (!solved)
-            return;
-        shift[std::size_t(axis)] = *solved;
-    }
+    const std::optional<std::array<Solution, 2>> shift = solvedShift(given, points);
+    if (!shift)
+        return;
     const cameras::Intrinsics k = intrinsicsOf(given);
     const Viewport &own = given.viewport;
     const double middleX = own.x + own.width / 2.0, middleY = flippedY(given.surface, own.y + own.height / 2.0);
     const std::array known{0.0, k.cx - middleX, k.cy - middleY};
-    addSolved(list, "principal-point-differs", shift, known, [&k](std::span<const double> values) {
+    addSolved(list, "principal-point-differs", *shift, known, [&k](std::span<const double> values) {
         Variant variant;
         variant.stage = Stage::Pixel;
         variant.apply = [](Run &run, const Variant &v) { run.position += glm::dvec2(v.parameter, v.second); };
         variant.parameter = values[0];
         variant.second = values[1];
-        const double x = k.cx - values[0], y = k.cy - values[1];
-        variant.name = {marked("the centre is %1"), valueText(x) + ", " + valueText(y)};
-        variant.values = {{"x", {x}, {}}, {"y", {y}, {}}};
+        const double cx = k.cx - values[0], cy = k.cy - values[1];
+        variant.name = {marked("the centre is %1"), valueText(cx) + ", " + valueText(cy)};
+        variant.values = {{"cx", {cx}, {}}, {"cy", {cy}, {}}};
         return variant;
     });
 }

@@ -12,8 +12,8 @@ namespace unprojector::doctor {
 using namespace geometry;
 namespace {
 
-/// The value from one point. The bound is the sum of the changes by the last digits of the point and
-/// of the depth.
+/// The value from one point. The bound is the sum of the changes by the last digits of the point
+/// and of the depth.
 std::optional<Solution> solvedFromOne(const Given &given, const Target &target, const Solve &solve)
 {
     const Click click = middleOf(given, target);
@@ -101,6 +101,22 @@ std::optional<Solution> solvedFrom(const Given &given, std::span<const Target> p
         return std::nullopt;
     const double mean = std::clamp(sum / weights, low, high);
     return Solution{mean, std::max(mean - low, high - mean)};
+}
+
+std::optional<std::array<Solution, 2>> solvedShift(const Given &given, std::span<const Target> points)
+{
+    std::array<Solution, 2> shift;
+    for (int axis = 0; axis < 2; ++axis) {
+        const std::optional<Solution> solved =
+            solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
+                const std::optional<glm::dvec3> there = projected(given, click, got);
+                return there ? std::optional((*there)[axis] - click.pixel.coordinates()[axis]) : std::nullopt;
+            });
+        if (!solved)
+            return std::nullopt;
+        shift[std::size_t(axis)] = *solved;
+    }
+    return shift;
 }
 
 /// True if values are round enough that chance hardly made them so. The scene's own values among

@@ -4,14 +4,15 @@
 #include "core/doctor/variant_list.h"
 #include "core/doctor/written_value.h"
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
 /// Mistakes with free values, such as another far plane. The values are solved from the given
-/// points, on the assumption that the mistake is the only one. Each solved mistake is a Variant with
-/// `values` and `unknowns`. It competes with the mistakes of fixed form, but not in pairs.
+/// points, on the assumption that the mistake is the only one. Each solved mistake is a Variant
+/// with `values` and `unknowns`. It competes with the mistakes of fixed form, but not in pairs.
 namespace unprojector::doctor {
 
 /// Adds the solved mistakes of all families whose values the points determine. A variant that does
@@ -36,9 +37,13 @@ using Solve = std::function<std::optional<double>(const Click &click, const glm:
 /// @return empty if the points contradict each other, or if none determines the value
 std::optional<Solution> solvedFrom(const Given &given, std::span<const Target> points, const Solve &solve);
 
+/// The shift of all positions along x and y, device pixels to the right and down.
+/// @return empty if the points do not have one
+std::optional<std::array<Solution, 2>> solvedShift(const Given &given, std::span<const Target> points);
+
 /// Adds a solved mistake: with the round values if they are round, and with the values as they are
-/// determined. ranked() takes the first that explains the points. `made` builds the variant from the values;
-/// `unknowns`, `isExpected` and `coincidence` are set here.
+/// determined. ranked() takes the first that explains the points. `made` builds the variant from
+/// the values; `unknowns`, `isExpected` and `coincidence` are set here.
 void addSolved(VariantList &list, std::string_view id, std::span<const Solution> solutions,
                std::span<const double> known, const std::function<Variant(std::span<const double>)> &made,
                int ways = 1);

@@ -15,8 +15,8 @@ bool isSameHere(const Given &given, std::span<const Target> points, const Hypoth
 Alike alikeOf(const Given &given, std::span<const Target> points, const Hypothesis &best, const Hypothesis &other);
 
 /// True if a pair is equivalent to the best mistake: two mistakes of one stage, one of which undoes
-/// part of the other; or the two that a mistake consists of by name. Examples: depth 0, reversed, is
-/// depth 1; OpenCV's axes are y not flipped and z positive.
+/// part of the other; or the two that a mistake consists of by name. Examples: depth 0, reversed,
+/// is depth 1; OpenCV's axes are y not flipped and z positive.
 bool isRestated(const Given &given, std::span<const Target> points, const Hypothesis &best, const Hypothesis &pair);
 
 /// The common intermediate result of two hypotheses that give the same answer.

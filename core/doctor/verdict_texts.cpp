@@ -43,10 +43,6 @@ std::string withLacks(std::string sentences, const std::vector<Lack> &lacks)
     return sentences;
 }
 
-} // namespace
-
-namespace {
-
 /// The sentence that one point allows each of several values.
 std::string valuesSentence(const Diagnosis &diagnosis)
 {
@@ -96,7 +92,7 @@ std::string verdictSentence(const Diagnosis &diagnosis)
     if (isByRay && diagnosis.wrong == ErrorKind::Depth)
         return tr("The pixel is right, and the depth is not. The ray alone cannot separate mistakes of the depth: give "
                   "the depth.");
-    if (!first.values.empty())
+    if (first.hasNumbers())
         return valuesSentence(diagnosis);
     return tr("\"%1\" would explain the point, but that may be chance: give more digits, or another click.",
               candidateName(first));

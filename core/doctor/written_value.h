@@ -18,8 +18,9 @@ struct Solution {
 struct WrittenValue {
     double value = 0.0; ///< the roundest number within the bound, or a value of the scene there
     /// The chance that an arbitrary value has so round a number, or a value of the scene, within
-    /// its bound; 1 if the value is not round. Then it is rounded to the digits that are determined.
-    /// It is 1 also for the right value: that a program has it is no evidence for the mistake.
+    /// its bound; 1 if the value is not round. Then it is rounded to the digits that are
+    /// determined. It is 1 also for the right value: that a program has it is no evidence for the
+    /// mistake.
     double coincidence = 1.0;
 };
 

@@ -129,7 +129,8 @@ public:
         }
         return ShapeVariation(others, m_smooth, shares);
     }
-    /// What a specimen's landmarks leave unexplained, if it and another one have no part in the rest.
+    /// What a specimen's landmarks leave unexplained, if it and another one have no part in the
+    /// rest.
     Offsets restsOf(std::size_t specimen, std::size_t other, const VarianceShares &shares) const
     {
         return variationWithout(specimen, other, shares)
@@ -142,7 +143,8 @@ public:
             all.push_back(restsOf(k, k, shares));
         return all;
     }
-    /// The shares with which landmarks predict each other best: cross-validation over all specimens.
+    /// The shares with which landmarks predict each other best: cross-validation over all
+    /// specimens.
     VarianceShares bestShares() const
     {
         constexpr std::size_t kMostForSmooth = 20; // more specimens show themselves what varies together
@@ -304,8 +306,8 @@ Fit fitWithout(Fit fit, const Configuration &specimen, const Configuration &plac
 }
 
 /// Two ways of finding what is out of place: from all landmarks, and from those that a robust fit
-/// keeps. The one that needs fewer landmarks out of place explains the specimen better. Each landmark
-/// counts alone here, so that one far off spoils no prediction.
+/// keeps. The one that needs fewer landmarks out of place explains the specimen better. Each
+/// landmark counts alone here, so that one far off spoils no prediction.
 Fit fitAlone(const Configuration &specimen, const Usual &usual)
 {
     const Configuration &places = usual.places;

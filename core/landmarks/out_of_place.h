@@ -34,34 +34,36 @@ inline constexpr std::size_t kFewestToAlign = 5;   ///< landmarks that a judged 
 /// A landmark is out of place if it is farther off than so many spreads.
 inline constexpr double kSpreadsOutOfPlace = 2.8;
 
-/// Compares each landmark with where the other specimens, and the specimen's other landmarks, put it.
+/// Compares each landmark with where the other specimens, and the specimen's other landmarks, put
+/// it.
 ///
 ///   distance  from the place that the specimen's other landmarks predict, in the specimen's
 ///             superimposition; see ShapeVariation
 ///   spread    the root of the mean square of the same distances of the other specimens
 ///
 /// Offsets count from the median position on the other specimens. The shares of the variance are
-/// those with which all specimens predict their landmarks best. If landmarks vary independently, the
-/// prediction is the median position itself.
+/// those with which all specimens predict their landmarks best. If landmarks vary independently,
+/// the prediction is the median position itself.
 ///
 /// A specimen has no part in its own spreads, and landmarks out of place have none in any mean,
-/// alignment, prediction or spread: so a mistake hides neither itself nor another one. The first round
-/// knows no mistakes yet. It judges each landmark alone, by 1.126 times the median instead of the root
-/// of the mean square, in a robust superimposition. Rounds follow until the same landmarks are out of
-/// place; a landmark stays out of the means for one more round than it is out of place.
+/// alignment, prediction or spread: so a mistake hides neither itself nor another one. The first
+/// round knows no mistakes yet. It judges each landmark alone, by 1.126 times the median instead of
+/// the root of the mean square, in a robust superimposition. Rounds follow until the same landmarks
+/// are out of place; a landmark stays out of the means for one more round than it is out of place.
 ///
-/// The square of a spread is averaged with that of the specimen's median spread, which counts like 8
-/// specimens: few specimens know a spread badly. All spreads of a specimen are multiplied by 1.126 times
-/// the median of its distances in spreads, if that is above 1: a specimen may differ as a whole.
+/// The square of a spread is averaged with that of the specimen's median spread, which counts like
+/// 8 specimens: few specimens know a spread badly. All spreads of a specimen are multiplied by
+/// 1.126 times the median of its distances in spreads, if that is above 1: a specimen may differ as
+/// a whole.
 ///
-/// In a specimen, the landmark farthest off is left out first, then the specimen is aligned again, and
-/// so on; a landmark that fits afterwards counts again. This starts with each landmark alone, from all
-/// landmarks and from a robust alignment; the start that needs fewer landmarks out of place is taken.
-/// It goes on with the predictions.
+/// In a specimen, the landmark farthest off is left out first, then the specimen is aligned again,
+/// and so on; a landmark that fits afterwards counts again. This starts with each landmark alone,
+/// from all landmarks and from a robust alignment; the start that needs fewer landmarks out of
+/// place is taken. It goes on with the predictions.
 ///
-/// Two landmarks are swapped if both are 2 spreads off, and each is within 2.8 spreads of the other's
-/// position. All left and right landmarks of a specimen are swapped if swapping them back more than
-/// halves the median of its distances in spreads.
+/// Two landmarks are swapped if both are 2 spreads off, and each is within 2.8 spreads of the
+/// other's position. All left and right landmarks of a specimen are swapped if swapping them back
+/// more than halves the median of its distances in spreads.
 ///
 /// @param pairs  left and right landmarks
 Deviations deviationsOf(std::span<const Configuration> specimens, std::span<const Pair> pairs = {});

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace unprojector::gui {
 namespace {
@@ -37,11 +38,11 @@ QString lineOf(const QString &sign, const QString &code, const QColor &color, co
 }
 
 /// The number of a candidate's mistakes that a library has lines for.
-int mistakesWithLines(const std::string &id, std::string_view library)
+int mistakesWithLines(const std::string &id, std::span<const doctor::SolvedValue> values, std::string_view library)
 {
     int count = 0;
     for (const std::string &part : doctor::partsOf(id)) {
-        const auto code = doctor::remedyOf(part).code;
+        const auto code = doctor::codeOf(part, values);
         count += std::any_of(code.begin(), code.end(), [library](const auto &line) { return line.library == library; });
     }
     return count;
@@ -115,7 +116,7 @@ void CodeChangesView::showLibrary()
 {
     std::array<int, kLibraries.size()> counts{};
     for (std::size_t i = 0; i < kLibraries.size(); ++i)
-        counts[i] = mistakesWithLines(m_id, kLibraries[i]);
+        counts[i] = mistakesWithLines(m_id, m_values, kLibraries[i]);
     const auto most = std::max_element(counts.begin(), counts.end());
     const auto chosen = static_cast<std::size_t>(m_chosen);
     const QSignalBlocker blocker(m_library); // this is not the user's choice
@@ -140,7 +141,7 @@ void CodeChangesView::showLines()
     const QStringList parts = QString::fromStdString(m_id).split(u'+', Qt::SkipEmptyParts);
     for (const QString &part : parts) {
         bool hasLine = false;
-        for (const doctor::CodeChange &change : doctor::remedyOf(part.toStdString()).code) {
+        for (const doctor::CodeChange &change : doctor::codeOf(part.toStdString(), m_values)) {
             if (library() != QLatin1String(change.library.data(), static_cast<qsizetype>(change.library.size())))
                 continue;
             hasLine = true;

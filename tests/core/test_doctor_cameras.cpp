@@ -3,6 +3,7 @@
 #include "core/doctor/diagnosis.h"
 #include "core/doctor/frame_fit.h"
 #include "core/doctor/verdict_texts.h"
+#include "tests/core/doctor_lines.h"
 
 #include <QTest>
 #include <glm/geometric.hpp>
@@ -25,7 +26,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-/// A image of 640 x 480 pixels, taken from (3, 2, 5) towards the origin.
+/// An image of 640 x 480 pixels, taken from (3, 2, 5) towards the origin.
 struct Camera {
     double fx = 600, fy = 500, cx = 300, cy = 260;
     double nearDistance = 0.1, farDistance = 50.0;
@@ -141,7 +142,7 @@ private slots:
     void kOfAnotherSizeIsOneOfTheRatios();
     void kOfTheSizeGiven();
     void distortion();
-    void theNextClickIsInTheDistortedPicture();
+    void theNextClickIsInTheDistortedImage();
     void nearAndFarTakeTwoPoints();
     void valuesOfSeveralPoints_data();
     void valuesOfSeveralPoints();
@@ -281,7 +282,7 @@ void TestDoctorCameras::distortion()
     QVERIFY(verdict(c.fromAxes(x * z, y * z, z)) != QStringLiteral("right"));
 }
 
-void TestDoctorCameras::theNextClickIsInTheDistortedPicture()
+void TestDoctorCameras::theNextClickIsInTheDistortedImage()
 {
     const Camera c;
     Case of = caseOf(c);
@@ -361,6 +362,7 @@ void TestDoctorCameras::valuesOfSeveralPoints()
     for (const std::size_t count : {3, 4}) {
         const Diagnosis diagnosis = diagnosed(caseOf(camera), camera, program, count);
         QCOMPARE(QString::fromStdString(diagnosis.verdict), id);
+        QCOMPARE(doctor_lines::faultsOf(diagnosis), QString());
         const Candidate &first = diagnosis.candidates.front();
         for (const auto &[name, expected] : values) {
             const std::vector<double> found = valueOf(first, name.toStdString());
@@ -387,7 +389,8 @@ void TestDoctorCameras::aCentreInTheMiddleComesFirst()
     QCOMPARE(QString::fromStdString(other.verdict), QStringLiteral("pixel-shifted"));
     const Candidate *centre = named(other, "principal-point-differs");
     QVERIFY(centre && centre->alike == Alike::Always);
-    QVERIFY(isNear(valueOf(*centre, "x").at(0), 311.7) && isNear(valueOf(*centre, "y").at(0), 244.4));
+    QVERIFY(isNear(valueOf(*centre, "cx").at(0), 311.7) && isNear(valueOf(*centre, "cy").at(0), 244.4));
+    QCOMPARE(doctor_lines::faultsOf(other), QString());
 }
 
 void TestDoctorCameras::everyPermutationIsNamedFromOnePoint()
@@ -433,6 +436,8 @@ void TestDoctorCameras::permutationsWithScaleAndTranslation()
     QCOMPARE(wordOf(both.candidates.front(), "axes"), std::string("z,-x,-y"));
     QVERIFY(isNear(valueOf(both.candidates.front(), "scale").at(0), 0.3048, 1e-3));
     QVERIFY(isNear(valueOf(both.candidates.front(), "translation").at(2), 1.25, 1e-3));
+    for (const Diagnosis &diagnosis : {scaled, moved, both})
+        QCOMPARE(doctor_lines::faultsOf(diagnosis), QString());
 }
 
 void TestDoctorCameras::framesWithTheirHandedness()

@@ -5,6 +5,7 @@
 #include "core/doctor/verdict_texts.h"
 #include "core/doctor/written_value.h"
 #include "core/text/translation.h"
+#include "tests/core/doctor_lines.h"
 #include "tests/support/doctor_bar.h"
 #include "tests/support/wrong_values.h"
 
@@ -86,6 +87,11 @@ class TestDoctorSolved : public QObject {
 private slots:
     void aRoundValueIsTheVerdict_data();
     void aRoundValueIsTheVerdict();
+    void everyValueStandsInItsLines_data();
+    void everyValueStandsInItsLines();
+    void theLinesOfARatioFollowItsDirection_data();
+    void theLinesOfARatioFollowItsDirection();
+    void axesAreNoValueThatWouldExplain();
     void aFixedFactorHasItsValue();
     void onePointLeavesSeveralValues();
     void aSecondDepthDecides();
@@ -145,6 +151,97 @@ void TestDoctorSolved::aRoundValueIsTheVerdict()
         QVERIFY(value != first.values.end());
         QVERIFY(std::abs(value->numbers.front() - numbers[i]) <= 1e-3 * std::abs(numbers[i]));
     }
+}
+
+void TestDoctorSolved::everyValueStandsInItsLines_data()
+{
+    QTest::addColumn<WrongValue>("wrong");
+    QTest::addColumn<int>("points");
+    QTest::addColumn<int>("values");
+    const auto row = [](const char *title, const WrongValue &wrong, int points, int values) {
+        QTest::newRow(title) << wrong << points << values;
+    };
+    row("far", {"far-differs", {{"far", {50}}}, "", 0}, 1, 1);
+    row("near", {"near-differs", {{"near", {0.25}}}, "", 0}, 1, 1);
+    row("near and far", {"near-far-differ", {{"near", {0.25}}, {"far", {60}}}, "", 0}, 2, 2);
+    row("field of view", {"fovy-differs", {{"fovy", {53.13}}}, "", 0}, 1, 1);
+    row("shift", {"pixel-shifted", {{"dx", {8}}, {"dy", {31}}}, "", 0}, 1, 2);
+    row("viewport", {"viewport-size-differs", {{"width", {1000}}, {"height", {768}}}, "", 0}, 1, 2);
+    row("ratio", {"ratio-differs", {{"ratio", {1.1}}}, "", 0}, 1, 2);
+    row("ratio below 1", {"ratio-differs", {{"ratio", {0.625}}}, "", 0}, 1, 2);
+    row("from the origin", {"scaled", {{"factor", {0.7}}}, "origin", 0}, 1, 2);
+    row("from the eye", {"scaled", {{"factor", {25.4}}}, "eye", 0}, 1, 2);
+    row("frame",
+        {"frame-differs",
+         {{"rotation", {0.8, -0.6, 0, 0.6, 0.8, 0, 0, 0, 1}}, {"scale", {2.5}}, {"translation", {4, -1, 2}}},
+         "",
+         0},
+        4, 3);
+    row("axes", {"axes-differ", {}, "z,-x,-y", 0}, 1, 1);
+}
+
+void TestDoctorSolved::everyValueStandsInItsLines()
+{
+    QFETCH(WrongValue, wrong);
+    QFETCH(int, points);
+    QFETCH(int, values);
+    const std::array shots{testShot(), testShot({-1.0, -0.5, -3.0}), testShot({0.25, -0.75, 1.0}),
+                           testShot({-0.5, 0.5, 0.75})};
+    std::vector<WrongPoint> given;
+    for (std::size_t i = 0; i < std::size_t(points); ++i)
+        given.push_back(pointOf(shots[i], wrong));
+    const Diagnosis diagnosis = diagnose(doctor_bar::caseOf(shots[0]), given).value();
+    const Candidate *candidate = named(diagnosis, wrong.id);
+    QVERIFY(candidate && int(candidate->values.size()) == values);
+    QCOMPARE(doctor_lines::faultsOf(diagnosis), QString());
+}
+
+/// A program whose pixels are too large must not multiply them once more.
+void TestDoctorSolved::theLinesOfARatioFollowItsDirection_data()
+{
+    QTest::addColumn<double>("ratio");
+    QTest::addColumn<int>("variant");
+    QTest::addColumn<QString>("as");
+    QTest::newRow("logical pixels") << 1.6 << 0 << "ratio-logical-in-device";
+    QTest::newRow("logical pixels and flip") << 1.6 << 1 << "ratio-logical-both";
+    QTest::newRow("logical viewport, logical flip") << 1.0 / 1.6 << 0 << "ratio-device-in-logical";
+    QTest::newRow("logical viewport") << 1.0 / 1.6 << 1 << "ratio-device-in-logical";
+}
+
+void TestDoctorSolved::theLinesOfARatioFollowItsDirection()
+{
+    QFETCH(double, ratio);
+    QFETCH(int, variant);
+    QFETCH(QString, as);
+    const doctor_bar::Shot shot = testShot();
+    const Diagnosis diagnosis = diagnosed(shot, pointOf(shot, {"ratio-differs", {{"ratio", {ratio}}}, "", variant}));
+    const Candidate &first = diagnosis.candidates.front();
+    QCOMPARE(first.id, std::string("ratio-differs"));
+    QVERIFY2(candidateName(first).find("ratio 1.6,") != std::string::npos, candidateName(first).c_str());
+    QCOMPARE(codeOf(first.id, first.values).data(), remedyOf(as.toStdString()).code.data());
+    const QString lines = doctor_lines::linesOf(first, "GLU");
+    QCOMPARE(lines.contains(QStringLiteral("* 1.6")) || lines.contains(QStringLiteral("*= 1.6")),
+             as != QStringLiteral("ratio-device-in-logical"));
+    QVERIFY(lines.contains(QStringLiteral("1.6")));
+    QCOMPARE(lineWithValues("x *= otherRatio;", {}), std::string("x *= ratio;"));
+}
+
+void TestDoctorSolved::axesAreNoValueThatWouldExplain()
+{
+    Candidate candidate;
+    candidate.id = "axes-differ";
+    candidate.explains = true;
+    candidate.alike = Alike::InDigits;
+    candidate.values = {{"axes", {}, "x,-z,y"}};
+    Diagnosis diagnosis;
+    diagnosis.verdict = "unknown";
+    diagnosis.candidates = {candidate};
+    QVERIFY(!verdictSentence(diagnosis).starts_with("A value would"));
+    QVERIFY(!alikeSentence(candidate).starts_with("Both have a value"));
+    candidate.values.push_back({"scale", {2.0}, {}});
+    diagnosis.candidates = {candidate};
+    QVERIFY(verdictSentence(diagnosis).starts_with("A value would"));
+    QVERIFY(alikeSentence(candidate).starts_with("Both have a value"));
 }
 
 /// The tenth of near is a mistake of fixed form, which has its value too.

@@ -178,7 +178,7 @@ std::string codeText(const Candidate &candidate)
         text = '\n' + twoChangesSentence(parts[0], parts[1]) + '\n';
     for (const std::string &part : parts) {
         text += '\n' + tr("To change for %1:", part) + '\n';
-        for (const CodeChange &change : remedyOf(part).code) {
+        for (const CodeChange &change : codeOf(part, candidate.values)) {
             std::string name(change.library);
             name.resize(10, ' ');
             text += "  " + name + "- " + lineWithValues(change.wrong, candidate.values) + "\n            + "
@@ -233,7 +233,7 @@ std::string doctorJson(const Diagnosis &diagnosis)
                                                           : candidateSentence(diagnosis.candidates.front());
     json["code"] = Json::array();
     for (const std::string &part : partsOf(diagnosis.verdict)) {
-        for (const CodeChange &change : remedyOf(part).code)
+        for (const CodeChange &change : codeOf(part, diagnosis.candidates.front().values))
             json["code"].push_back({{"id", part},
                                     {"library", change.library},
                                     {"wrong", lineWithValues(change.wrong, diagnosis.candidates.front().values)},

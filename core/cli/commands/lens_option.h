@@ -8,7 +8,7 @@
 
 namespace unprojector::cli {
 
-/// A lens that distorts the picture of a scene's pinhole.
+/// A lens that distorts the image of a scene's pinhole.
 struct SceneLens {
     cameras::Distortion distortion;
     cameras::Intrinsics pinhole; ///< K of the scene

@@ -73,7 +73,7 @@ public:
 private:
     using Columns = std::array<std::vector<double>, 3>;
 
-    /// Moves indices to their pixels' centres, and pixels of a distorted picture to the pinhole's.
+    /// Moves indices to their pixels' centres, and pixels of a distorted image to the pinhole's.
     /// A pixel without a position there becomes NaN.
     void movePixels()
     {
@@ -197,7 +197,7 @@ private:
     const Task &m_task;
     NumberRows m_rows;
     std::vector<std::size_t> m_bad;                  ///< row indices
-    std::array<std::vector<double>, 2> m_pixels;     ///< positions in the pinhole's picture
+    std::array<std::vector<double>, 2> m_pixels;     ///< positions in the pinhole's image
     std::vector<Columns> m_results;                  ///< one per method
     std::vector<std::optional<glm::dvec3>> m_points; ///< of one row
 };

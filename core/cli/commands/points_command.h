@@ -17,7 +17,7 @@ struct PointsOptions {
     RowOptions rows;
     std::vector<unproject::Method> methods{unproject::Method::Formula, unproject::Method::Matrix};
     bool isPixel = false;   ///< px and py are pixel indices and mean the pixels' centres
-    std::string distortion; ///< coefficients or a file: px and py are of a distorted picture; empty: of a pinhole's
+    std::string distortion; ///< coefficients or a file: px and py are of a distorted image; empty: of a pinhole's
 };
 
 /// The input columns of a click.

@@ -101,8 +101,8 @@ glm::dvec4 rounded(const DoubleDouble4 &v)
     return {v[0].value, v[1].value, v[2].value, v[3].value};
 }
 
-/// Moves a pixel to the distorted picture.
-/// @return false where the distortion folds the picture over: another point has that pixel
+/// Moves a pixel to the distorted image.
+/// @return false where the distortion folds the image over: another point has that pixel
 bool distort(const SceneLens &lens, DoubleDouble &x, DoubleDouble &y)
 {
     const glm::dvec2 pixel(x.value, y.value), moved = cameras::distortedPixel(lens.distortion, lens.pinhole, pixel);
@@ -155,7 +155,7 @@ public:
                     ++result.badRows;
                     m_task.reader.complainOf(
                         block, m_rows.places[i], NumberReader::kNoColumn,
-                        stages.count == kPinholeCount
+                        m_task.lens && stages.count == kPinholeCount
                             ? tr("the point lies outside the lens's view: there the distortion folds the image over")
                             : tr("the point has no window position: it lies in the plane of the eye, or too far away"),
                         result.messages);

@@ -13,7 +13,7 @@ namespace unprojector::cli {
 /// outside the depth range.
 /// @param options  space: world or object:NAME
 /// @param distortion  coefficients or a file, see sceneLens: px and py are then of the distorted
-///         picture; empty: of the pinhole's, as all other columns
+///         image; empty: of the pinhole's, as all other columns
 ExitCode runProject(const RowOptions &options, const std::string &distortion);
 
 } // namespace unprojector::cli

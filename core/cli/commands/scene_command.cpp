@@ -229,7 +229,6 @@ std::string joined(const GivenTexts &given)
     return text;
 }
 
-/// Makes the scene from matrices.
 /// The parts of a text with calls such as gluLookAt, and of the matrices beside them; else its
 /// matrices.
 Result<PastedScene, PasteError> partsOf(const SceneOptions &options, const std::string &text)
