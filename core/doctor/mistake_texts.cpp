@@ -93,7 +93,7 @@ std::string candidateSentence(const Candidate &candidate)
     const std::string sentence = mistakeSentence(candidate.id);
     return candidate.values.empty() || candidate.ways.empty()
                ? sentence
-               : tr("Your program: %1. %2|values, sentence", waysText(candidate.ways), sentence);
+               : tr("Your program: %1. %2|values and sentence", waysText(candidate.ways), sentence);
 }
 
 std::string waysText(const std::vector<VariantName> &ways)
