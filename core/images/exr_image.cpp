@@ -13,6 +13,7 @@
 
 #include <cctype>
 #include <exception>
+#include <limits>
 #include <stdexcept>
 
 namespace unprojector::images {
@@ -60,7 +61,8 @@ struct Channels {
     std::string names;
 };
 
-Channels channelsOf(Imf::MultiPartInputFile &file)
+/// @param asked  the name of the channel to use; empty: by the rule above
+Channels channelsOf(Imf::MultiPartInputFile &file, const std::string &asked)
 {
     Channels result;
     for (int part = 0; part < file.parts(); ++part) {
@@ -71,6 +73,12 @@ Channels channelsOf(Imf::MultiPartInputFile &file)
             result.all.push_back({part, it.name()});
             result.names += (result.names.empty() ? "" : ", ") + std::string(it.name());
         }
+    }
+    if (!asked.empty()) {
+        const auto found = std::ranges::find(result.all, asked, &Choice::channel);
+        if (found != result.all.end())
+            result.depth = *found;
+        return result;
     }
     for (const std::string name : {"z", "depth", "v", "r", "y"}) {
         for (const Choice &choice : result.all) {
@@ -119,11 +127,14 @@ Numbers read(ImageBytes &bytes, const ImageRequest &request)
     Imf::Header::setMaxImageSize(kMost, kMost);
     Stream stream(bytes);
     Imf::MultiPartInputFile file(stream);
-    const Channels channels = channelsOf(file);
+    const Channels channels = channelsOf(file, request.channel);
     if (channels.all.empty())
         return ImageError{tr("the OpenEXR image has only deep data, several depths a pixel; write one depth a pixel")};
+    if (!channels.depth && !request.channel.empty())
+        return ImageError{tr("the OpenEXR image has the channels %1, not %2", channels.names, request.channel)};
     if (!channels.depth)
-        return ImageError{tr("the OpenEXR image has the channels %1; name the one of depth Z", channels.names)};
+        return ImageError{
+            tr("the OpenEXR image has the channels %1; give the one of depth by --channel NAME", channels.names)};
     const Imf::Header &header = file.header(channels.depth->part);
     const Imath::Box2i frame = header.displayWindow(), data = header.dataWindow();
     NumberImage image;
@@ -135,7 +146,7 @@ Numbers read(ImageBytes &bytes, const ImageRequest &request)
     if (channel.xSampling != 1 || channel.ySampling != 1)
         return ImageError{tr("the channel %1 of the OpenEXR image has fewer numbers than pixels; write one a pixel",
                              channels.depth->channel)};
-    if (channels.all.size() > 1)
+    if (channels.all.size() > 1 && request.channel.empty())
         image.notes.push_back(tr("of the channels %1, %2 is used", channels.names, channels.depth->channel));
     if (data.min.x > frame.min.x || data.min.y > frame.min.y || data.max.x < frame.max.x || data.max.y < frame.max.y)
         image.notes.push_back(tr("the OpenEXR image has pixels only in a part of its frame; the others are NaN"));

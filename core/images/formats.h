@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/images/byte_order.h"
 #include "core/images/number_image.h"
 
 #include <algorithm>
@@ -27,37 +28,28 @@ Numbers readExr(ImageBytes &bytes, const ImageRequest &request);
 Numbers readTiff(ImageBytes &bytes, const ImageRequest &request);
 Numbers readNetpbm(ImageBytes &bytes, const ImageRequest &request);
 /// @param size  of the image
-Numbers readRaw(ImageBytes &bytes, const ImageSize &size, const ImageRequest &request);
+Numbers readRaw(ImageBytes &bytes, const PixelSize &size, const ImageRequest &request);
 
 Colors readPngColors(ImageBytes &bytes, const ImageRequest &request);
 Colors readJpegColors(ImageBytes &bytes, const ImageRequest &request);
 
 /// The messages that several formats share.
 ImageError damaged(std::string_view detail);
-ImageError tooShort(const ImageSize &size);
+ImageError tooShort(const PixelSize &size);
 /// @param library  "libpng"
 /// @param others  formats to convert to
 ImageError noLibrary(std::string_view format, std::string_view library, std::string_view others);
 /// @return the reason to refuse a size: too large, none, or request.refusal's
-std::optional<ImageError> sizeRefusal(const ImageSize &size, const ImageRequest &request);
+std::optional<ImageError> sizeRefusal(const PixelSize &size, const ImageRequest &request);
 
 /// Returns whether any byte follows the image.
 bool hasMore(ImageBytes &bytes);
-ImageError tooLong(const ImageSize &size);
+ImageError tooLong(const PixelSize &size);
 
 /// The number of values read at a time.
 constexpr std::size_t kBlock = std::size_t{1} << 16;
 
 /// The value of 16 bits: 1 of sign, 5 of exponent, 10 of fraction (IEEE 754).
 float floatFromHalf(std::uint16_t half);
-
-/// Converts a value from one byte order to the other.
-template <class Number>
-Number withSwappedBytes(Number value)
-{
-    auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(value);
-    std::ranges::reverse(bytes);
-    return std::bit_cast<Number>(bytes);
-}
 
 } // namespace unprojector::images

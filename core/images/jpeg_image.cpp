@@ -1,5 +1,6 @@
 // Colors from JPEG, by libjpeg.
 
+#include "core/images/exif_orientation.h"
 #include "core/images/formats.h"
 #include "core/text/translation.h"
 
@@ -8,6 +9,8 @@
 
 #include <jpeglib.h>
 
+#include <jerror.h>
+
 namespace unprojector::images {
 using text::tr;
 namespace {
@@ -15,11 +18,15 @@ namespace {
 /// libjpeg's reader. Its errors jump (longjmp) to the latest setjmp: each function that calls
 /// libjpeg has one, and no object there needs a destructor.
 class JpegReader {
+    static constexpr int kExifMarker = JPEG_APP0 + 1;
+    static constexpr unsigned kLongestSegment = 0xffff;
+
 public:
     explicit JpegReader(ImageBytes &bytes) : m_bytes(bytes)
     {
         m_decoder.err = jpeg_std_error(&m_errors);
         m_errors.error_exit = onError;
+        m_errors.emit_message = onMessage;
         m_errors.output_message = [](j_common_ptr) {};
         m_decoder.client_data = this;
         m_source.init_source = [](j_decompress_ptr) {};
@@ -39,10 +46,11 @@ public:
         jpeg_create_decompress(&m_decoder);
         m_decoder.client_data = this;
         m_decoder.src = &m_source;
+        jpeg_save_markers(&m_decoder, kExifMarker, kLongestSegment);
         jpeg_read_header(&m_decoder, TRUE);
         return true;
     }
-    ImageSize size() const { return {m_decoder.image_width, m_decoder.image_height}; }
+    PixelSize size() const { return {m_decoder.image_width, m_decoder.image_height}; }
     bool isOfInks() const { return m_decoder.num_components == 4; }
 
     bool start()
@@ -59,14 +67,27 @@ public:
             return false;
         JSAMPROW rows = row;
         jpeg_read_scanlines(&m_decoder, &rows, 1);
-        return m_errors.num_warnings == 0 && !m_isEnded;
+        return !m_isEnded && !m_lacksData;
     }
 
-    /// The error, or what libjpeg has filled with gray: it takes missing data for a warning.
+    /// The first warning; empty if there is none.
+    const std::string &warning() const { return m_warning; }
+    std::optional<int> orientation() const
+    {
+        for (auto marker = m_decoder.marker_list; marker != nullptr; marker = marker->next) {
+            if (const auto orientation = exifOrientation({marker->data, marker->data_length}))
+                return orientation;
+        }
+        return std::nullopt;
+    }
+
+    /// The error; missing pixels are one too, although libjpeg fills them with gray.
     ImageError error()
     {
         if (m_isEnded)
             return tooShort(size());
+        if (m_lacksData)
+            return damaged(m_warning);
         char message[JMSG_LENGTH_MAX] = "libjpeg";
         m_errors.format_message(reinterpret_cast<j_common_ptr>(&m_decoder), message);
         return damaged(message);
@@ -76,6 +97,19 @@ private:
     [[noreturn]] static void onError(j_common_ptr decoder)
     {
         std::longjmp(static_cast<JpegReader *>(decoder->client_data)->m_jump, 1);
+    }
+    static void onMessage(j_common_ptr decoder, int level)
+    {
+        constexpr int kWarning = -1;
+        if (level != kWarning)
+            return;
+        auto &self = *static_cast<JpegReader *>(decoder->client_data);
+        std::array<char, JMSG_LENGTH_MAX> message{};
+        self.m_errors.format_message(decoder, message.data());
+        const bool isMissing = self.m_errors.msg_code == JWRN_HIT_MARKER;
+        if (self.m_warning.empty() || (isMissing && !self.m_lacksData))
+            self.m_warning = message.data();
+        self.m_lacksData = self.m_lacksData || isMissing;
     }
     static boolean onFill(j_decompress_ptr decoder)
     {
@@ -111,6 +145,8 @@ private:
     std::jmp_buf m_jump;
     std::array<JOCTET, 16384> m_buffer{};
     bool m_isEnded = false;
+    bool m_lacksData = false; ///< the pixels end before the image does
+    std::string m_warning;
 };
 
 } // namespace
@@ -135,6 +171,12 @@ Colors readJpegColors(ImageBytes &bytes, const ImageRequest &request)
             return reader.error();
         request.onRead(image.size.width);
     }
+    if (!reader.warning().empty())
+        image.notes.push_back(tr("the JPEG has a fault (%1); some of its colors may be wrong", reader.warning()));
+    if (const std::optional<int> orientation = reader.orientation(); orientation && *orientation != 1)
+        image.notes.push_back(tr("the JPEG is to be shown turned or mirrored (Exif orientation %1); its pixels are "
+                                 "used as stored",
+                                 *orientation));
     return image;
 }
 

@@ -136,7 +136,7 @@ Numbers readNetpbm(ImageBytes &bytes, const ImageRequest &request)
     return image;
 }
 
-Numbers readRaw(ImageBytes &bytes, const ImageSize &size, const ImageRequest &request)
+Numbers readRaw(ImageBytes &bytes, const PixelSize &size, const ImageRequest &request)
 {
     if (auto refused = sizeRefusal(size, request))
         return *refused;

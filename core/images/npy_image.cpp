@@ -124,14 +124,14 @@ std::string shapeText(const std::vector<std::size_t> &shape)
 }
 
 /// (H, W), (H, W, 1) or (1, H, W).
-std::optional<ImageSize> sizeOf(const std::vector<std::size_t> &shape)
+std::optional<PixelSize> sizeOf(const std::vector<std::size_t> &shape)
 {
     if (shape.size() == 2)
-        return ImageSize{shape[1], shape[0]};
+        return PixelSize{shape[1], shape[0]};
     if (shape.size() == 3 && shape[2] == 1)
-        return ImageSize{shape[1], shape[0]};
+        return PixelSize{shape[1], shape[0]};
     if (shape.size() == 3 && shape[0] == 1)
-        return ImageSize{shape[2], shape[1]};
+        return PixelSize{shape[2], shape[1]};
     return std::nullopt;
 }
 
@@ -226,7 +226,7 @@ Numbers readNpy(ImageBytes &bytes, const ImageRequest &request)
     const std::optional<Header> header = text ? HeaderParser(*text).header() : std::nullopt;
     if (!header)
         return ImageError{tr("the header is damaged")};
-    const std::optional<ImageSize> size = sizeOf(header->shape);
+    const std::optional<PixelSize> size = sizeOf(header->shape);
     if (!size)
         return ImageError{
             tr("the array has the shape %1; give one number a pixel: (height, width)", shapeText(header->shape))};

@@ -9,7 +9,7 @@
 namespace unprojector::images {
 using text::tr;
 
-std::string sizeText(const ImageSize &size)
+std::string sizeText(const PixelSize &size)
 {
     return std::to_string(size.width) + 'x' + std::to_string(size.height);
 }
@@ -49,12 +49,12 @@ ImageError damaged(std::string_view detail)
     return {tr("the file is damaged (%1); write it again", detail)};
 }
 
-ImageError tooShort(const ImageSize &size)
+ImageError tooShort(const PixelSize &size)
 {
     return {tr("the file is too short for %1 pixels", sizeText(size))};
 }
 
-ImageError tooLong(const ImageSize &size)
+ImageError tooLong(const PixelSize &size)
 {
     return {tr("the file is too long for %1 pixels", sizeText(size))};
 }
@@ -65,7 +65,7 @@ ImageError noLibrary(std::string_view format, std::string_view library, std::str
                format, library, others)};
 }
 
-std::optional<ImageError> sizeRefusal(const ImageSize &size, const ImageRequest &request)
+std::optional<ImageError> sizeRefusal(const PixelSize &size, const ImageRequest &request)
 {
     if (size.width == 0 || size.height == 0)
         return ImageError{tr("the image has no pixels")};
@@ -96,6 +96,8 @@ float floatFromHalf(std::uint16_t half)
 geometry::Result<NumberImage, ImageError> readNumberImage(ImageBytes &bytes, const ImageRequest &request)
 {
     const std::string_view first = bytes.first();
+    if (!request.channel.empty() && !isExr(first))
+        return ImageError{tr("--channel is for OpenEXR, and this is another format; leave the option out")};
     if (isPng(first))
         return readPng(bytes, request);
     if (isNpy(first))

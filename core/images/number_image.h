@@ -15,14 +15,14 @@
 /// Readers of images of numbers (depths, distances) and of colors.
 namespace unprojector::images {
 
-struct ImageSize {
+struct PixelSize {
     std::size_t width = 0, height = 0;
     std::size_t pixels() const { return width * height; }
-    friend bool operator==(const ImageSize &, const ImageSize &) = default;
+    friend bool operator==(const PixelSize &, const PixelSize &) = default;
 };
 
 /// "640x480".
-std::string sizeText(const ImageSize &size);
+std::string sizeText(const PixelSize &size);
 
 /// The longest side of an image that is read.
 constexpr std::size_t kMostSide = 65536;
@@ -38,7 +38,7 @@ struct NumberImage {
     using Numbers = std::variant<std::unique_ptr<std::uint8_t[]>, std::unique_ptr<std::uint16_t[]>,
                                  std::unique_ptr<float[]>, std::unique_ptr<double[]>>;
 
-    ImageSize size;
+    PixelSize size;
     Numbers numbers;
     double greatest = 0.0;          ///< of whole numbers: the greatest possible one; 0: fractions
     bool isBottomFirst = false;     ///< rows are stored from the bottom
@@ -50,7 +50,7 @@ struct NumberImage {
 
 /// Red, green, blue of each pixel, row after row from the top, 8 bits each.
 struct ColorImage {
-    ImageSize size;
+    PixelSize size;
     std::unique_ptr<std::uint8_t[]> colors;
     std::vector<std::string> notes;
 };
@@ -58,9 +58,11 @@ struct ColorImage {
 /// The caller's functions, which a reader calls while it reads.
 struct ImageRequest {
     /// The size of raw floats; empty: a file that is of no known format is refused.
-    std::optional<ImageSize> rawSize;
+    std::optional<PixelSize> rawSize;
+    /// The channel of an OpenEXR image; empty: the one with a name of depths.
+    std::string channel;
     /// The reason to refuse an image of a size, before memory is allocated for it.
-    std::function<std::optional<ImageError>(const ImageSize &)> refusal;
+    std::function<std::optional<ImageError>(const PixelSize &)> refusal;
     /// Receives the number of pixels read since the last call.
     std::function<void(std::size_t)> onRead;
 };
@@ -71,13 +73,14 @@ struct ImageRequest {
 ///   PGM ("P5")     8 or 16 bits
 ///   PNG            8 or 16 bits of gray, by libpng
 ///   NumPy (.npy)   whole numbers and floats of 8 to 64 bits, both byte orders and layouts
-///   OpenEXR        the channel of depth; see exr_image.h
-///   TIFF           one channel of 8 to 64 bits; see tiff_image.h
+///   OpenEXR        one channel: the given one, else the one named Z or depth, else V, R or Y
+///   TIFF           one channel: whole numbers of 8, 16 or 32 bits, floats of 16, 32 or 64 bits
 ///   anything else  raw 32-bit floats, little-endian, rows from the top, of the given size
 ///
 geometry::Result<NumberImage, ImageError> readNumberImage(ImageBytes &bytes, const ImageRequest &request);
 
-/// Reads colors: PNG of any kind, or JPEG.
+/// Reads colors: PNG of any kind, or JPEG. Pixels are in stored order; a note reports an Exif
+/// orientation that is not upright.
 geometry::Result<ColorImage, ImageError> readColorImage(ImageBytes &bytes, const ImageRequest &request);
 
 } // namespace unprojector::images

@@ -6,6 +6,7 @@
 #include <png.h>
 
 #include <csetjmp>
+#include <limits>
 
 namespace unprojector::images {
 using text::tr;
@@ -37,7 +38,7 @@ public:
         return true;
     }
 
-    ImageSize size() const { return {png_get_image_width(m_png, m_info), png_get_image_height(m_png, m_info)}; }
+    PixelSize size() const { return {png_get_image_width(m_png, m_info), png_get_image_height(m_png, m_info)}; }
     int bits() const { return png_get_bit_depth(m_png, m_info); }
     int colorType() const { return png_get_color_type(m_png, m_info); }
 
@@ -64,7 +65,7 @@ public:
     /// Reads all rows, and the end of the file.
     bool readRows(std::uint8_t *pixels, const ImageRequest &request)
     {
-        const ImageSize image = size();
+        const PixelSize image = size();
         for (int pass = 0; pass < m_passes; ++pass) {
             for (std::size_t j = 0; j < image.height; ++j) {
                 if (!readRow(pixels + j * rowBytes()))

@@ -7,6 +7,7 @@
 
 #include <cstdarg>
 #include <cstdio>
+#include <limits>
 #include <utility>
 
 namespace unprojector::images {
@@ -91,7 +92,7 @@ private:
 /// Reads all rows of tiles or strips.
 /// @param put  receives row, first column, count and bytes of some pixels of a row
 template <class Put>
-bool readPixels(const TiffReader &reader, const ImageSize &size, std::size_t pixelBytes, const Put &put)
+bool readPixels(const TiffReader &reader, const PixelSize &size, std::size_t pixelBytes, const Put &put)
 {
     TIFF *const tiff = reader.get();
     if (TIFFIsTiled(tiff) == 0) {
@@ -186,7 +187,8 @@ Numbers readTiff(ImageBytes &bytes, const ImageRequest &request)
     const auto channels = reader.field<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL);
     const auto bits = reader.field<std::uint16_t>(TIFFTAG_BITSPERSAMPLE);
     const auto format = reader.field<std::uint16_t>(TIFFTAG_SAMPLEFORMAT);
-    const auto meaning = reader.field<std::uint16_t>(TIFFTAG_PHOTOMETRIC);
+    std::uint16_t meaning = PHOTOMETRIC_MINISBLACK;
+    const bool hasMeaning = TIFFGetField(reader.get(), TIFFTAG_PHOTOMETRIC, &meaning) == 1;
     const auto orientation = reader.field<std::uint16_t>(TIFFTAG_ORIENTATION);
     if (channels != 1)
         return ImageError{tr("the TIFF has %1 channels; a depth image has one", channels)};
@@ -199,6 +201,9 @@ Numbers readTiff(ImageBytes &bytes, const ImageRequest &request)
     image.isBottomFirst = orientation == ORIENTATION_BOTLEFT;
     if (auto refused = sizeRefusal(image.size, request))
         return *refused;
+    if (!hasMeaning)
+        image.notes.push_back(tr("the TIFF does not tell the meaning of 0 (no photometric interpretation); its numbers "
+                                 "are used as they are"));
     if (TIFFLastDirectory(reader.get()) == 0)
         image.notes.push_back(tr("the TIFF has several pages; the first one is used"));
     if (TIFFIsCODECConfigured(reader.field<std::uint16_t>(TIFFTAG_COMPRESSION)) == 0)

@@ -1,5 +1,7 @@
 #include "core/matrices/paste_marks.h"
 
+#include "core/matrices/call_syntax.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
@@ -7,18 +9,10 @@
 #include <vector>
 
 namespace unprojector::matrices {
+using syntax::isDigit;
+using syntax::isLetter;
 
 namespace {
-
-bool isDigit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
-bool isLetter(char c)
-{
-    return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 class Text {
 public:

@@ -3,9 +3,9 @@
 #include "core/geometry/angle.h"
 #include "core/geometry/projection.h"
 #include "core/matrices/argument_reader.h"
+#include "core/matrices/call_keywords.h"
 #include "core/matrices/call_matrices.h"
 #include "core/matrices/call_signature.h"
-#include "core/matrices/call_syntax.h"
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
 
@@ -140,16 +140,20 @@ private:
         if (call.arguments.size() >= signature.firstArgument)
             call.arguments.erase(call.arguments.begin(),
                                  call.arguments.begin() + std::ptrdiff_t(signature.firstArgument));
-        std::transform(call.arguments.begin(), call.arguments.end(), call.arguments.begin(), withoutKeyword);
+        if (const std::optional<KeywordFault> wrong = sortByKeyword(call.arguments, signature.shape)) {
+            fail(call, wrong->fault, wrong->keyword);
+            return;
+        }
         const bool isCamera = call.name.ends_with("Camera");
         if (isCamera) {
             addDefaults(call, signature);
             m_camera = call.variable;
         }
         const std::size_t wanted = argumentCount(signature.shape);
-        if (call.arguments.size() != wanted) {
+        const auto missing = std::size_t(std::count(call.arguments.begin(), call.arguments.end(), std::string()));
+        if (call.arguments.size() != wanted || missing > 0) {
             fail(call, CallFault::Count);
-            m_error->found = call.arguments.size();
+            m_error->found = call.arguments.size() - missing;
             m_error->wanted = wanted;
         } else if (signature.shape == CallShape::Viewport) {
             readViewport(call);
@@ -160,23 +164,17 @@ private:
         }
     }
 
-    /// An argument without Python's keyword: "60" of "fov=60".
-    static std::string withoutKeyword(const std::string &argument)
-    {
-        const std::size_t end = syntax::behindNames(argument, 0), sign = syntax::behindBlanks(argument, end);
-        const bool isKeyword =
-            end > 0 && sign + 1 < argument.size() && argument[sign] == '=' && argument[sign + 1] != '=';
-        return isKeyword ? std::string(syntax::trimmed(std::string_view(argument).substr(sign + 1))) : argument;
-    }
-
     /// Adds the default arguments of three.js.
     static void addDefaults(CallText &call, const CallSignature &signature)
     {
         const std::vector<std::string> defaults = signature.isPerspective
                                                       ? std::vector<std::string>{"50", "1", "0.1", "2000"}
                                                       : std::vector<std::string>{"-1", "1", "1", "-1", "0.1", "2000"};
-        for (std::size_t i = call.arguments.size(); i < defaults.size(); ++i)
-            call.arguments.push_back(defaults[i]);
+        call.arguments.resize(std::max(call.arguments.size(), defaults.size()));
+        for (std::size_t i = 0; i < defaults.size(); ++i) {
+            if (call.arguments[i].empty())
+                call.arguments[i] = defaults[i];
+        }
     }
 
     void readViewport(const CallText &call)

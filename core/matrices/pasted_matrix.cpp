@@ -353,6 +353,11 @@ std::string callText(const PasteError &error)
                         error.argument);
     case CallFault::Count:
         return text::tr("%1: %2 arguments found, %3 are needed", error.call, error.found, error.wanted);
+    case CallFault::UnknownKeyword:
+        return text::tr("%1: the argument '%2' is not known. Use the names of the call's own arguments, or none",
+                        error.call, error.argument);
+    case CallFault::RepeatedKeyword:
+        return text::tr("%1: the argument '%2' is given twice. Remove one of them", error.call, error.argument);
     case CallFault::Radians:
         return text::tr("%1: the angle is in radians and must be smaller than pi. You entered %2", error.call,
                         error.argument);

@@ -89,11 +89,13 @@ struct PastedScene {
 
 /// The fault of a call, see pastedCalls.
 enum class CallFault {
-    NoNumber,  ///< an argument
-    NoVector,  ///< an argument
-    Count,     ///< found, wanted: arguments
-    Radians,   ///< argument: an angle that is only plausible in degrees
-    Parameters ///< parameters: no projection or view has them
+    NoNumber,        ///< an argument
+    NoVector,        ///< an argument
+    Count,           ///< found, wanted: arguments
+    UnknownKeyword,  ///< argument: a keyword that the call does not have
+    RepeatedKeyword, ///< argument: a keyword of an argument that is given twice
+    Radians,         ///< argument: an angle that is only plausible in degrees
+    Parameters       ///< parameters: no projection or view has them
 };
 
 struct PasteError {

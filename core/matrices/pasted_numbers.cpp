@@ -1,5 +1,6 @@
 #include "core/matrices/pasted_numbers.h"
 
+#include "core/matrices/call_syntax.h"
 #include "core/matrices/paste_marks.h"
 
 #include <algorithm>
@@ -12,16 +13,12 @@
 
 namespace unprojector::matrices {
 using namespace geometry;
+using syntax::isDigit;
 
 namespace {
 
 /// U+2212, the minus sign of typeset numbers.
 constexpr std::string_view kMinusSign = "\xe2\x88\x92";
-
-bool isDigit(char c)
-{
-    return c >= '0' && c <= '9';
-}
 
 bool isWordCharacter(char c)
 {
@@ -255,7 +252,7 @@ bool isAside(const std::string &letters)
                              "winy"});
 }
 
-/// Returns whether a name is of a picture's width and height, together.
+/// Returns whether a name is of an image's width and height, together.
 bool isSize(const std::string &letters)
 {
     return isAnyOf(letters, {"screen", "size", "resolution", "screensize", "windowsize", "imagesize", "canvas",
@@ -368,7 +365,7 @@ private:
         const bool hasViewport = std::any_of(m_numbers.begin(), m_numbers.end(), [](const PastedNumber &number) {
             return number.part == PastedPart::Viewport;
         });
-        const bool isOfMatrix = m_width && m_height && *m_width <= 4.0 && *m_height <= 4.0; // "size 4x4"
+        const bool isOfMatrix = m_width && m_height && *m_width <= kMatrixSide && *m_height <= kMatrixSide;
         if (m_numbers.empty() || hasViewport || !m_width || !m_height || isOfMatrix) {
             if (m_width)
                 m_aside.emplace_back("width");
@@ -392,17 +389,33 @@ private:
     /// Takes a number that belongs to no matrix. Returns whether it is one.
     bool takeAside(double value)
     {
-        if (m_size == SizePart::Height && !m_height)
-            m_height = value;
-        else if (m_size != SizePart::None && !m_width)
-            m_width = value;
-        else if (m_size == SizePart::Both && !m_height)
-            m_height = value;
-        else if (!m_isAside)
+        if (takeSize(value))
+            return true;
+        if (m_isAside)
+            nameAside();
+        return m_isAside;
+    }
+
+    /// Takes a number of a width, a height or both. The first width and height are used; a name
+    /// that repeats them with other numbers is reported.
+    bool takeSize(double value)
+    {
+        const int most = m_size == SizePart::None ? 0 : m_size == SizePart::Both ? 2 : 1;
+        if (m_sizeNumbers == most)
             return false;
-        else if (m_aside.empty() || m_aside.back() != m_name)
-            m_aside.push_back(m_name);
+        const bool isHeight = m_size == SizePart::Height || m_sizeNumbers == 1;
+        ++m_sizeNumbers;
+        std::optional<double> &side = isHeight ? m_height : m_width;
+        if (!side || *side <= kMatrixSide)
+            side = value;
+        else if (*side != value)
+            nameAside();
         return true;
+    }
+    void nameAside()
+    {
+        if (m_aside.empty() || m_aside.back() != m_name)
+            m_aside.push_back(m_name);
     }
 
     /// Reads LaTeX's \cdot 10^{-16} after a number.
@@ -479,10 +492,10 @@ private:
             (isOfViewport || m_size == SizePart::Both) && cross != word.npos) {
             const auto width = numberOf(word.substr(0, cross)), height = numberOf(word.substr(cross + 1));
             if (width && height && *width > 0.0 && std::isfinite(*width) && std::isfinite(*height)) {
-                if (takeAside(*width) && takeAside(*height))
-                    return std::nullopt;
-                add(*width, start, word);
-                add(*height, start + cross + 1, word);
+                if (!takeAside(*width))
+                    add(*width, start, word);
+                if (!takeAside(*height))
+                    add(*height, start + cross + 1, word);
                 return std::nullopt;
             }
         }
@@ -552,14 +565,17 @@ private:
                  : letters == "height" ? SizePart::Height
                  : isSize(letters)     ? SizePart::Both
                                        : SizePart::None;
+        m_sizeNumbers = 0;
         if (m_isAside || m_size != SizePart::None)
             return;
         if (const auto named = namedBy(m_name))
             m_named = named;
     }
 
-    /// The numbers of this line that are a picture's size.
+    /// The numbers of this line that are an image's size.
     enum class SizePart { None, Width, Height, Both };
+
+    static constexpr double kMatrixSide = 4.0; ///< "size 4x4" is a matrix's
 
     std::string_view m_text;
     std::size_t m_at = 0, m_line = 0, m_lineStart = 0;
@@ -575,6 +591,7 @@ private:
     double m_factor = 1.0;  ///< of the numbers up to the next name
     bool m_isAside = false; ///< the numbers of this line belong to no matrix
     SizePart m_size = SizePart::None;
+    int m_sizeNumbers = 0; ///< read after the size's name
     std::optional<double> m_width, m_height;
     std::vector<std::string> m_aside; ///< names of numbers that belong to no matrix
     std::vector<PastedNumber> m_numbers;

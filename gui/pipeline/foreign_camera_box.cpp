@@ -1,5 +1,6 @@
 #include "gui/pipeline/foreign_camera_box.h"
 
+#include "gui/document/view_limits.h"
 #include "gui/text/number_text.h"
 #include "gui/text/sentences.h"
 #include "gui/text/typed_numbers.h"
@@ -25,9 +26,6 @@ using namespace geometry;
 using namespace cameras;
 
 namespace {
-
-/// The largest side that a view can have, device pixels.
-constexpr int kMostPixels = 8192;
 
 QString axesName(EyeAxes axes)
 {
@@ -275,7 +273,7 @@ void ForeignCameraBox::showRead(const ForeignCamera &camera)
     if (!*m_camera)
         return;
     const SceneCamera &scene = **m_camera;
-    const bool canTakeSize = std::max(scene.size.width, scene.size.height) <= kMostPixels;
+    const bool canTakeSize = std::max(scene.size.width, scene.size.height) <= kMostViewPixels;
     m_takesSize->setEnabled(canTakeSize);
     m_size->setPlaceholderText(sizeText(scene.size));
     m_near->setPlaceholderText(scene.nearDistance ? shortestText(*scene.nearDistance) : QString());
@@ -288,7 +286,7 @@ void ForeignCameraBox::showRead(const ForeignCamera &camera)
     for (const std::string &sentence : scene.assumed)
         said << withFieldNames(QString::fromStdString(sentence));
     if (!canTakeSize)
-        said << tr("The image is larger than %1 pixels: the view keeps its own size.").arg(kMostPixels);
+        said << tr("The image is larger than %1 pixels: the view keeps its own size.").arg(kMostViewPixels);
     setRefused(*m_size, isRefused(*m_size, typedSize(m_size->text()).has_value()));
     for (QLineEdit *field : {m_near, m_far})
         setRefused(*field, isRefused(*field, numberIn(*field).has_value()));

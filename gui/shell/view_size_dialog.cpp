@@ -1,6 +1,7 @@
 #include "gui/shell/view_size_dialog.h"
 
 #include "gui/document/scene_document.h"
+#include "gui/document/view_limits.h"
 #include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
 #include "gui/view/scene_view.h"
@@ -24,8 +25,6 @@ using namespace geometry;
 
 namespace {
 
-/// The largest side, device pixels: every graphics driver supports it.
-constexpr int kMostPixels = 8192;
 constexpr double kLeastRatio = 0.25, kMostRatio = 8.0;
 
 } // namespace
@@ -94,7 +93,7 @@ QSpinBox *ViewSizeDialog::addNumber(QHBoxLayout &row, const QString &name, const
     field->setObjectName(QLatin1String(objectName));
     field->setAccessibleName(name);
     field->setToolTip(tip);
-    field->setRange(1, kMostPixels);
+    field->setRange(1, kMostViewPixels);
     field->setKeyboardTracking(false);
     if (row.count() > 0)
         row.addWidget(new QLabel(QStringLiteral("×")));
@@ -114,7 +113,7 @@ void ViewSizeDialog::setSize(const Surface &surface)
     m_ratio->setValue(surface.devicePixelRatio);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const QSignalBlocker logicalIsQuiet(m_logical[i]), deviceIsQuiet(m_device[i]);
-        m_logical[i]->setMaximum(std::max(1, static_cast<int>(kMostPixels / surface.devicePixelRatio)));
+        m_logical[i]->setMaximum(std::max(1, static_cast<int>(kMostViewPixels / surface.devicePixelRatio)));
         m_logical[i]->setValue(logicalFromDevice(surface, pixels[i]));
         // One step is a logical pixel: a smaller step down would be rounded back.
         m_device[i]->setSingleStep(std::max(1, static_cast<int>(std::ceil(surface.devicePixelRatio))));
@@ -125,7 +124,7 @@ void ViewSizeDialog::setSize(const Surface &surface)
 
 void ViewSizeDialog::takeLogical()
 {
-    const auto most = static_cast<int>(kMostPixels / m_ratio->value());
+    const auto most = static_cast<int>(kMostViewPixels / m_ratio->value());
     for (QSpinBox *field : m_logical) {
         const QSignalBlocker quiet(field);
         field->setMaximum(std::max(1, most));

@@ -35,6 +35,7 @@ struct TiffKind {
     bool isTiled = false;
     int channels = 1;
     const char *mode = "w";
+    bool tellsZero = true; ///< has a photometric interpretation
 };
 
 template <class Number>
@@ -46,7 +47,8 @@ QByteArray tiffOf(const QString &file, const TiffKind &kind)
     TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, kind.bits);
     TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, kind.channels);
     TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, kind.format);
-    TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, kind.channels == 3 ? PHOTOMETRIC_RGB : PHOTOMETRIC_MINISBLACK);
+    if (kind.tellsZero)
+        TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, kind.channels == 3 ? PHOTOMETRIC_RGB : PHOTOMETRIC_MINISBLACK);
     TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
     TIFFSetField(tiff, TIFFTAG_COMPRESSION, kind.compression);
     TIFFSetField(tiff, TIFFTAG_ORIENTATION, kind.orientation);

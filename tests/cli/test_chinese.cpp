@@ -265,8 +265,8 @@ void TestChinese::reportsAreChinese_data()
                                 "方法     精度                最大       平均    99.99 %\n公式     double  x    ";
     QTest::newRow("doctor") << QStringList{"doctor",  "scene.json", "--pixel", "100.5,200.5",
                                            "--depth", "0.6666667",  "--got",   "-1.4975,-0.4975,3.00000"}
-                            << "y-not-flipped\n  y 没有翻转：窗口的行从上往下数，OpenGL 的行从下往上数。\n"
-                               "  能解释       y-not-flipped：";
+                            << "y-not-flipped 或 axes-differ（x,-y,z，镜像） 或 camera-axes-differ（x,-y,z）\n"
+                               "  y 没有翻转：窗口的行从上往下数，OpenGL 的行从下往上数。\n  或 axes-differ（";
     QTest::newRow("doctor-unknown") << QStringList{"doctor",  "scene.json", "--pixel", "100.5,200.5",
                                                    "--depth", "0.66667",    "--got",   "1,2,3"}
                                     << "像素比 ";

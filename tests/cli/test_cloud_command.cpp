@@ -247,8 +247,8 @@ void TestCloudCommand::unusableInput_data()
     QTest::addColumn<QByteArray>("message");
     const QByteArray raw = bytesOf(depths());
     QTest::newRow("raw without a size") << raw << QStringList{} << QByteArray("--size");
-    QTest::newRow("no size") << raw << QStringList{"--size", "4by3"} << QByteArray("1920x1080");
-    QTest::newRow("no pixels") << raw << QStringList{"--size", "0x3"} << QByteArray("1920x1080");
+    QTest::newRow("no size") << raw << QStringList{"--size", "4by3"} << QByteArray("as in 800x600");
+    QTest::newRow("no pixels") << raw << QStringList{"--size", "0x3"} << QByteArray("at least 1 pixel");
     QTest::newRow("other size than the window") << raw << QStringList{"--size", "3x4"} << QByteArray("window 4x3");
     QTest::newRow("too short") << raw.chopped(1) << QStringList{"--size", "4x3"} << QByteArray("too short");
     QTest::newRow("too long") << raw + '\0' << QStringList{"--size", "4x3"} << QByteArray("too long");

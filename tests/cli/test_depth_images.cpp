@@ -124,9 +124,13 @@ private slots:
     void wholeNumbersAreSharesOfTheGreatest_data();
     void wholeNumbersAreSharesOfTheGreatest();
     void channelsAreNamed();
+    void channelsAreChosen();
+    void untoldZeroIsANote();
     void colorsFollowTheirPoints_data();
     void colorsFollowTheirPoints();
     void colorsMustFit();
+    void faultsOfJpegAreNotes_data();
+    void faultsOfJpegAreNotes();
     void unusableImages_data();
     void unusableImages();
     void everyShorterFileIsRefused_data();
@@ -256,10 +260,40 @@ void TestDepthImages::channelsAreNamed()
     QCOMPARE(pointsOf<double>(colors.output), expectedPoints());
     const Run unknown = cloud(exr(name, Imf::FLOAT, {"one", "two"}), options);
     QCOMPARE(unknown.exitCode, 2);
-    QVERIFY2(unknown.errors.contains("has the channels one, two; name the one of depth Z\n"),
+    QVERIFY2(unknown.errors.contains("has the channels one, two; give the one of depth by --channel NAME\n"),
              unknown.errors.constData());
 #else
     QSKIP("built without OpenEXR");
+#endif
+}
+
+void TestDepthImages::channelsAreChosen()
+{
+    const QStringList options{"--depth-is", "z", "--precision", "double", "--channel", "A"};
+    const Run other = cloud(npyOf<float>("<f4"), options);
+    QCOMPARE(other.exitCode, 2);
+    QVERIFY2(other.errors.contains("--channel is for OpenEXR"), other.errors.constData());
+#ifdef UNPROJECTOR_OPENEXR
+    const QString name = m_folder.path("made.exr");
+    const Run chosen = cloud(exr(name, Imf::FLOAT, {"A", "Z"}), options);
+    QCOMPARE(chosen.errors, QByteArray());
+    QCOMPARE(pointsOf<double>(chosen.output), expectedPoints());
+    const Run missing = cloud(exr(name, Imf::FLOAT, {"Y", "Z"}), options);
+    QCOMPARE(missing.exitCode, 2);
+    QVERIFY2(missing.errors.contains("has the channels Y, Z, not A\n"), missing.errors.constData());
+#endif
+}
+
+void TestDepthImages::untoldZeroIsANote()
+{
+#ifdef UNPROJECTOR_TIFF
+    const Run run = cloud(tiffOf<float>(m_folder.path("made.tiff"), {.tellsZero = false}),
+                          {"--depth-is", "z", "--precision", "double"});
+    QCOMPARE(run.exitCode, 0);
+    QVERIFY2(run.errors.contains("the TIFF does not tell the meaning of 0"), run.errors.constData());
+    QCOMPARE(pointsOf<double>(run.output), expectedPoints());
+#else
+    QSKIP("built without TIFF");
 #endif
 }
 
@@ -340,6 +374,57 @@ void TestDepthImages::colorsMustFit()
               {"--size", "4x3", "--color", m_folder.write("colors", encoded(colors(), "jpg").chopped(12))});
     QCOMPARE(short_.exitCode, 2);
     QVERIFY2(short_.errors.contains("colors: the file is"), short_.errors.constData());
+    const QByteArray closed = encoded(colors(), "jpg").chopped(12) + "\xff\xd9"; // libjpeg only warns
+    const Run gray = cloud(bytesOf(numbers<float>()), {"--size", "4x3", "--color", m_folder.write("colors", closed)});
+    QCOMPARE(gray.exitCode, 2);
+    QVERIFY2(gray.errors.contains("colors: the file is damaged (Corrupt JPEG data: premature end"),
+             gray.errors.constData());
+#endif
+}
+
+void TestDepthImages::faultsOfJpegAreNotes_data()
+{
+    QTest::addColumn<QByteArray>("inserted"); // behind the first segment
+    QTest::addColumn<QByteArray>("note");
+    const QByteArray exif("Exif\0\0", 6);
+    const auto segment = [](const QByteArray &content) {
+        return QByteArray("\xff\xe1") + '\0' + char(content.size() + 2) + content;
+    };
+    QTest::newRow("sound") << QByteArray() << QByteArray();
+    QTest::newRow("bytes before a segment") << QByteArray("\x01\x02\x03") << QByteArray("the JPEG has a fault (");
+    QTest::newRow("turned") << segment(
+        exif + QByteArray("II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x06\0\0\0\0\0\0\0", 26))
+                            << QByteArray("turned or mirrored (Exif orientation 6)");
+    QTest::newRow("mirrored, big-endian")
+        << segment(exif + QByteArray("MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x02\0\0\0\0\0\0", 26))
+        << QByteArray("turned or mirrored (Exif orientation 2)");
+    QTest::newRow("upright") << segment(
+        exif + QByteArray("MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x01\0\0\0\0\0\0", 26))
+                             << QByteArray();
+    QTest::newRow("Exif that ends early") << segment(exif + "MM") << QByteArray();
+    QTest::newRow("Exif that points behind its end")
+        << segment(exif + QByteArray("MM\0*\xff\xff\xff\xff", 8)) << QByteArray();
+}
+
+void TestDepthImages::faultsOfJpegAreNotes()
+{
+#ifdef UNPROJECTOR_JPEG
+    QFETCH(QByteArray, inserted);
+    QFETCH(QByteArray, note);
+    const QByteArray sound = encoded(colors(), "jpg");
+    constexpr int kFirstSegment = 20; // SOI and JFIF
+    QByteArray jpeg = sound;
+    jpeg.insert(kFirstSegment, inserted);
+    const auto colored = [this](const QByteArray &bytes) {
+        return cloud(bytesOf(numbers<float>()),
+                     {"--size", "4x3", "--depth-is", "z", "--color", m_folder.write("colors", bytes)});
+    };
+    const Run run = colored(jpeg);
+    QCOMPARE(run.exitCode, 0);
+    QVERIFY2(note.isEmpty() ? run.errors.isEmpty() : run.errors.contains(note), run.errors.constData());
+    QCOMPARE(run.output, colored(sound).output);
+#else
+    QSKIP("built without JPEG");
 #endif
 }
 
@@ -392,6 +477,9 @@ void TestDepthImages::unusableImages_data()
     const QString file = m_folder.path("made.tiff");
     QTest::newRow("TIFF of colors") << tiffOf<quint8>(file, {.bits = 8, .format = SAMPLEFORMAT_UINT, .channels = 3})
                                     << QByteArray("the TIFF has 3 channels");
+    QTest::newRow("TIFF, 64 bits of whole numbers")
+        << tiffOf<quint64>(file, {.bits = 64, .format = SAMPLEFORMAT_UINT})
+        << QByteArray("numbers of 64 bits; give floats, or whole numbers of 8, 16 or 32 bits");
     QTest::newRow("TIFF, mirrored") << tiffOf<float>(file, {.orientation = ORIENTATION_TOPRIGHT})
                                     << QByteArray("orientation 2");
     QTest::newRow("TIFF, damaged")

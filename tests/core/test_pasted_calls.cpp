@@ -184,6 +184,18 @@ void TestPastedCalls::projectionsAreRead_data()
     QTest::newRow("PyBullet, field of view")
         << "p.computeProjectionMatrixFOV(fov=45.0, aspect=4 / 3, nearVal=0.1, farVal=100.0)" << perspective()
         << MinusOneToOne;
+    QTest::newRow("PyBullet, keywords in another order")
+        << "p.computeProjectionMatrixFOV(aspect=4 / 3, farVal=100.0, fov=45.0, nearVal=0.1, physicsClientId=client)"
+        << perspective() << MinusOneToOne;
+    QTest::newRow("PyBullet, keywords after positions")
+        << "p.computeProjectionMatrixFOV(45.0, 4 / 3, farVal=100.0, nearVal=0.1)" << perspective() << MinusOneToOne;
+    QTest::newRow("System.Numerics, names in another order")
+        << "Matrix4x4.CreatePerspectiveFieldOfView(aspectRatio: 4f / 3f, fieldOfView: MathF.PI / 4, "
+           "farPlaneDistance: 100, nearPlaneDistance: 0.1f)"
+        << rightHanded << ZeroToOne;
+    QTest::newRow("PyBullet, edges by keyword")
+        << "p.computeProjectionMatrix(right=2, left=-1, top=0.5, bottom=-0.75, farVal=50, nearVal=2)" << frustum
+        << MinusOneToOne;
     QTest::newRow("PyBullet, edges") << "p.computeProjectionMatrix(-1, 2, -0.75, 0.5, 2, 50)" << frustum
                                      << MinusOneToOne;
     QTest::newRow("Android") << "Matrix.perspectiveM(m, 0, 45f, 800f / 600f, 0.1f, 100f);" << perspective()
@@ -260,6 +272,10 @@ void TestPastedCalls::viewsAreRead_data()
     QTest::newRow("PyBullet") << "v = p.computeViewMatrix(cameraEyePosition=[3, 2, 5], cameraTargetPosition=[0, 0.5, "
                                  "0], cameraUpVector=[0, 1, 0])"
                               << view();
+    QTest::newRow("PyBullet, keywords in another order")
+        << "v = p.computeViewMatrix(cameraTargetPosition=[0, 0.5, 0], cameraUpVector=[0, 1, 0], "
+           "cameraEyePosition=[3, 2, 5])"
+        << view();
     QTest::newRow("Android") << "Matrix.setLookAtM(view, 0, 3f, 2f, 5f, 0f, 0.5f, 0f, 0f, 1f, 0f);" << view();
     QTest::newRow("glam") << "Mat4::look_at_rh(Vec3::new(3.0, 2.0, 5.0), vec3(0.0, 0.5, 0.0), vec3(0.0, 1.0, 0.0))"
                           << view();
@@ -379,6 +395,14 @@ void TestPastedCalls::whatIsNoNumberIsNamed_data()
                                   << "camera.position.z: the argument 'radius' is not a number. Put its value there";
     QTest::newRow("an argument too few") << "gluPerspective(45, 1.5, 0.1)"
                                          << "gluPerspective: 3 arguments found, 4 are needed";
+    QTest::newRow("an unknown keyword")
+        << "p.computeProjectionMatrixFOV(fov=60, ratio=1.5, nearVal=1, farVal=9)"
+        << "p.computeProjectionMatrixFOV: the argument 'ratio' is not known. Use the names of the call's own "
+           "arguments, or none";
+    QTest::newRow("a keyword twice") << "gluPerspective(60, 1.5, fovy=1, zNear=9)"
+                                     << "gluPerspective: the argument 'fovy' is given twice. Remove one of them";
+    QTest::newRow("a keyword too few") << "p.computeProjectionMatrixFOV(farVal=9, fov=60, aspect=1.5)"
+                                       << "p.computeProjectionMatrixFOV: 3 arguments found, 4 are needed";
     QTest::newRow("degrees for radians")
         << "glm::perspective(45.0f, 1.5f, 0.1f, 100.0f)"
         << "glm::perspective: the angle is in radians and must be smaller than pi. You entered 45";

@@ -64,6 +64,8 @@ private slots:
     void numbersOfMatricesStay_data();
     void numbersOfMatricesStay();
     void numbersAsideAreNamed();
+    void repeatedSizesAreOneSize_data();
+    void repeatedSizesAreOneSize();
     void rowsAreCompleted();
 };
 
@@ -126,6 +128,41 @@ void TestPastedKinds::numbersAsideAreNamed()
     // The numbers of the next line are a matrix's again.
     const auto scene = pastedParts("depth 0.98\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1");
     QVERIFY(scene && scene->modelView);
+}
+
+void TestPastedKinds::repeatedSizesAreOneSize_data()
+{
+    QTest::addColumn<QString>("sizes");
+    QTest::addColumn<QString>("aside");
+    QTest::newRow("the same") << "width = 800\nheight = 600\nsize = 800x600"
+                              << "";
+    QTest::newRow("the same in two numbers") << "size = 800 600\nresolution 800 600"
+                                             << "";
+    QTest::newRow("each twice") << "width = 800\nwidth = 800\nheight = 600\nheight = 600"
+                                << "";
+    QTest::newRow("a width before both") << "width = 800\nsize = 800x600"
+                                         << "";
+    QTest::newRow("both before a height") << "size = 800x600\nheight = 600"
+                                          << "";
+    QTest::newRow("another size") << "width = 800\nheight = 600\nsize = 400x300"
+                                  << "size";
+    QTest::newRow("another width") << "width = 800\nwidth = 640\nheight = 600"
+                                   << "width";
+    QTest::newRow("a matrix's size first") << "size = 4x4\nwindow size = 800x600"
+                                           << "";
+}
+
+void TestPastedKinds::repeatedSizesAreOneSize()
+{
+    QFETCH(QString, sizes);
+    QFETCH(QString, aside);
+    const std::string matrices = "view 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\nprojection 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n";
+    for (const std::string &text : {matrices + sizes.toStdString(), sizes.toStdString() + '\n' + matrices}) {
+        const auto scene = pastedScene(text);
+        QVERIFY2(scene, scene ? "" : reasonText(scene.error()).c_str());
+        QVERIFY(scene->viewport && *scene->viewport == (Viewport{0, 0, 800, 600}));
+        QCOMPARE(asideOf(text.c_str()), aside);
+    }
 }
 
 void TestPastedKinds::rowsAreCompleted()

@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+using namespace unprojector;
 using namespace unprojector::cli;
 
 extern "C" int LLVMFuzzerInitialize(int *, char ***)
@@ -17,7 +18,8 @@ extern "C" int LLVMFuzzerInitialize(int *, char ***)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
     const std::string file = fuzz::fileOf("depth", data, size).string();
-    for (const char *given : {"", "3x2"}) {
+    for (const DepthImageChoices &given :
+         {DepthImageChoices{}, DepthImageChoices{images::PixelSize{3, 2}, {}}, DepthImageChoices{{}, "Z"}}) {
         std::size_t seen = 0;
         const auto image = readDepthImage(file, given, {3, 2}, [&](std::size_t count) { seen += count; });
         if (!image)

@@ -1,10 +1,12 @@
 #include "core/cli/commands/cloud_command.h"
 
+#include "core/cli/commands/size_text.h"
 #include "core/cli/rows/byte_stream.h"
 #include "core/cli/rows/depth_cloud.h"
 #include "core/cli/rows/depth_image.h"
 #include "core/cli/rows/scene_input.h"
 #include "core/cli/terminal/progress_bar.h"
+#include "core/images/byte_order.h"
 #include "core/text/error_text.h"
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
@@ -34,12 +36,21 @@ template <class Scalar>
 void makeLittleEndian([[maybe_unused]] std::span<Scalar> values)
 {
     if constexpr (std::endian::native == std::endian::big) {
-        for (Scalar &value : values) {
-            auto bytes = std::bit_cast<std::array<char, sizeof(Scalar)>>(value);
-            std::ranges::reverse(bytes);
-            value = std::bit_cast<Scalar>(bytes);
-        }
+        std::ranges::transform(values, values.begin(), images::withSwappedBytes<Scalar>);
     }
+}
+
+/// The size of --size, or nothing with a message on stderr.
+std::optional<images::PixelSize> rawSizeOf(const std::string &text)
+{
+    const std::optional<SizeGiven> size = sizeGiven("--size", text);
+    if (!size)
+        return std::nullopt;
+    if (size->width < 1 || size->height < 1) {
+        complain(tr("%1: width and height must be at least 1 pixel", "--size " + text));
+        return std::nullopt;
+    }
+    return images::PixelSize{static_cast<std::size_t>(size->width), static_cast<std::size_t>(size->height)};
 }
 
 std::uint64_t pixelsOf(const Setup &g)
@@ -279,6 +290,10 @@ ExitCode runCloud(const CloudOptions &options)
         complain(fault);
         return ExitCode::UnusableInput;
     }
+    DepthImageChoices choices;
+    choices.channel = options.channel;
+    if (!options.size.empty() && !(choices.size = rawSizeOf(options.size)))
+        return ExitCode::UnusableInput;
     const std::optional<SceneFile> scene = readScene(options.scene);
     if (!scene)
         return ExitCode::UnusableInput;
@@ -312,14 +327,14 @@ ExitCode runCloud(const CloudOptions &options)
     ByteSink sink(options.output, inputs); // an unwritable output is reported before the computation
     if (!sink.isOpen())
         return ExitCode::UnusableInput;
-    const images::ImageSize window{static_cast<std::size_t>(g.surface.widthPixels),
+    const images::PixelSize window{static_cast<std::size_t>(g.surface.widthPixels),
                                    static_cast<std::size_t>(g.surface.heightPixels)};
     std::optional<images::ColorImage> colors;
     if (!options.color.empty() && !(colors = readColors(options.color, window)))
         return ExitCode::UnusableInput;
     ProgressBar progress(pixelsOf(g), ProgressBar::Unit::Points);
     const std::optional<images::NumberImage> image =
-        readDepthImage(options.depth, options.size, window, [&](std::size_t count) { progress.advance(count); });
+        readDepthImage(options.depth, choices, window, [&](std::size_t count) { progress.advance(count); });
     progress.finish();
     if (!image)
         return ExitCode::UnusableInput;

@@ -14,10 +14,11 @@ enum class PointPrecision { Float, Double };
 /// `unproject cloud`: converts a whole depth image to a point cloud in world space.
 struct CloudOptions {
     std::string scene;
-    std::string depth;  ///< a depth image, see images::readNumberImage
-    std::string color;  ///< PNG or JPEG of the same pixels; empty: points without colors
-    std::string size;   ///< "WxH", for raw floats
-    std::string output; ///< a PLY file, "-" for stdout
+    std::string depth;   ///< a depth image, see images::readNumberImage
+    std::string color;   ///< PNG or JPEG of the same pixels; empty: points without colors
+    std::string size;    ///< "WxH", for raw floats
+    std::string channel; ///< of OpenEXR; empty: by its name
+    std::string output;  ///< a PLY file, "-" for stdout
     DepthNumbers numbers;
     unproject::Method method = unproject::Method::Formula;
     PointPrecision precision = PointPrecision::Float;

@@ -209,6 +209,8 @@ void addCloud(CLI::App &app, Run &run)
     addFile(*command, "-o,--output", options->output, tr("Binary PLY; - is standard output"))->required();
     addFile(*command, "--color", options->color, tr("Colors of the same pixels: PNG or JPEG"));
     command->add_option("--size", options->size, tr("Size of raw floats, in pixels"))->type_name("WxH");
+    command->add_option("--channel", options->channel, tr("Channel of OpenEXR that holds the depths"))
+        ->type_name("NAME");
     CLI::Option *meaning = addChoice<DepthMeaning>(
         *command, "--depth-is", options->numbers.meaning,
         {{"buffer", DepthMeaning::Buffer},

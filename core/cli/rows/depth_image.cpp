@@ -2,35 +2,13 @@
 
 #include "core/text/translation.h"
 
-#include <charconv>
-#include <string_view>
+#include <utility>
 
 namespace unprojector::cli {
 using namespace images;
 using geometry::Result;
 using text::tr;
 namespace {
-
-std::optional<std::size_t> sideOf(std::string_view text)
-{
-    std::size_t side = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), side);
-    if (error != std::errc{} || end != text.data() + text.size() || side == 0 || side > kMostSide)
-        return std::nullopt;
-    return side;
-}
-
-std::optional<ImageSize> sizeOf(const std::string &text)
-{
-    const std::size_t cross = text.find('x');
-    if (cross == std::string::npos)
-        return std::nullopt;
-    const auto width = sideOf(std::string_view(text).substr(0, cross));
-    const auto height = sideOf(std::string_view(text).substr(cross + 1));
-    if (!width || !height)
-        return std::nullopt;
-    return ImageSize{*width, *height};
-}
 
 /// Reads an image by one of the readers, and prints what it reports.
 template <class Image>
@@ -55,39 +33,33 @@ std::optional<Image> readImage(const std::string &file, const ImageRequest &requ
 
 } // namespace
 
-std::optional<NumberImage> readDepthImage(const std::string &file, const std::string &sizeText, const ImageSize &window,
-                                          const std::function<void(std::size_t)> &onRead)
+std::optional<NumberImage> readDepthImage(const std::string &file, const DepthImageChoices &choices,
+                                          const PixelSize &window, const std::function<void(std::size_t)> &onRead)
 {
     ImageRequest request;
-    if (!sizeText.empty()) {
-        request.rawSize = sizeOf(sizeText);
-        if (!request.rawSize) {
-            complain(tr("%1: give width and height in pixels, as in 1920x1080", "--size " + sizeText));
-            return std::nullopt;
-        }
-    }
+    request.rawSize = choices.size;
+    request.channel = choices.channel;
     request.onRead = onRead;
-    request.refusal = [&](const ImageSize &size) -> std::optional<ImageError> {
+    request.refusal = [&](const PixelSize &size) -> std::optional<ImageError> {
         if (request.rawSize && *request.rawSize != size)
-            return ImageError{
-                tr("the image has %1 pixels, not %2", images::sizeText(size), images::sizeText(*request.rawSize))};
+            return ImageError{tr("the image has %1 pixels, not %2", sizeText(size), sizeText(*request.rawSize))};
         if (size != window)
-            return ImageError{tr("the image has %1 pixels, the scene's window %2 pixels", images::sizeText(size),
-                                 images::sizeText(window))};
+            return ImageError{
+                tr("the image has %1 pixels, the scene's window %2 pixels", sizeText(size), sizeText(window))};
         return std::nullopt;
     };
     return readImage(file, request, readNumberImage);
 }
 
-std::optional<ColorImage> readColors(const std::string &file, const ImageSize &window)
+std::optional<ColorImage> readColors(const std::string &file, const PixelSize &window)
 {
     ImageRequest request;
     request.onRead = [](std::size_t) {};
-    request.refusal = [&](const ImageSize &size) -> std::optional<ImageError> {
+    request.refusal = [&](const PixelSize &size) -> std::optional<ImageError> {
         if (size == window)
             return std::nullopt;
         return ImageError{tr("the colors have %1 pixels, the depths %2 pixels; give colors of the same camera and size",
-                             images::sizeText(size), images::sizeText(window))};
+                             sizeText(size), sizeText(window))};
     };
     return readImage(file, request, readColorImage);
 }

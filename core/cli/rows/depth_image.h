@@ -10,16 +10,20 @@
 
 namespace unprojector::cli {
 
+struct DepthImageChoices {
+    std::optional<images::PixelSize> size; ///< needed for raw floats, otherwise checked against the file's
+    std::string channel;                   ///< of OpenEXR; empty: by its name
+};
+
 /// Reads a depth image, see images::readNumberImage; prints errors and notes on stderr.
-/// @param sizeText  "WxH"; needed for raw floats, otherwise checked against the file's if given
 /// @param window  size of the scene's window; an image of another size is refused before memory is
 ///         allocated
 /// @param onRead  receives the number of pixels read since the last call
-std::optional<images::NumberImage> readDepthImage(const std::string &file, const std::string &sizeText,
-                                                  const images::ImageSize &window,
+std::optional<images::NumberImage> readDepthImage(const std::string &file, const DepthImageChoices &choices,
+                                                  const images::PixelSize &window,
                                                   const std::function<void(std::size_t)> &onRead);
 
 /// Reads the colors of the same pixels, see images::readColorImage; prints errors on stderr.
-std::optional<images::ColorImage> readColors(const std::string &file, const images::ImageSize &window);
+std::optional<images::ColorImage> readColors(const std::string &file, const images::PixelSize &window);
 
 } // namespace unprojector::cli
