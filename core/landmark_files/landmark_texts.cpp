@@ -59,29 +59,29 @@ std::string noteText(const LandmarkNote &note)
     const auto said = [&note](const char *one, const char *many) { return counted(note.count, one, many); };
     switch (note.kind) {
     case Kind::NamesLeftOut:
-        return said(marked("the names of %1 point are left out; only their order is kept"),
-                    marked("the names of %1 points are left out; only their order is kept"));
+        return said(marked("the names of %1 landmark are left out; only their order is kept"),
+                    marked("the names of %1 landmarks are left out; only their order is kept"));
     case Kind::PositionsLeftOut:
-        return said(marked("the coordinates of %1 point are left out"),
-                    marked("the coordinates of %1 points are left out"));
+        return said(marked("the coordinates of %1 landmark are left out"),
+                    marked("the coordinates of %1 landmarks are left out"));
     case Kind::ObjectsLeftOut:
-        return said(marked("the objects of %1 point are left out"), marked("the objects of %1 points are left out"));
+        return said(marked("the objects of %1 landmark are left out"), marked("the objects of %1 landmarks are left out"));
     case Kind::HoldsLeftOut:
         return said(marked("the anchor of %1 landmark (triangle, vertex or edge) is left out"),
                     marked("the anchors of %1 landmarks (triangles, vertices or edges) are left out"));
     case Kind::UncertaintiesLeftOut:
-        return said(marked("the uncertainties of %1 point are left out"),
-                    marked("the uncertainties of %1 points are left out"));
+        return said(marked("the uncertainties of %1 landmark are left out"),
+                    marked("the uncertainties of %1 landmarks are left out"));
     case Kind::NotesLeftOut:
-        return said(marked("the notes of %1 point are left out"), marked("the notes of %1 points are left out"));
+        return said(marked("the notes of %1 landmark are left out"), marked("the notes of %1 landmarks are left out"));
     case Kind::ColorsLeftOut:
-        return said(marked("the colours of %1 point are left out"), marked("the colours of %1 points are left out"));
+        return said(marked("the colours of %1 landmark are left out"), marked("the colours of %1 landmarks are left out"));
     case Kind::HiddenLeftOut:
-        return said(marked("%1 hidden point is written as any other"),
-                    marked("%1 hidden points are written as any other"));
+        return said(marked("%1 hidden landmark is written as any other"),
+                    marked("%1 hidden landmarks are written as any other"));
     case Kind::KeysLeftOut:
-        return said(marked("the other values of %1 point are left out"),
-                    marked("the other values of %1 points are left out"))
+        return said(marked("the other values of %1 landmark are left out"),
+                    marked("the other values of %1 landmarks are left out"))
                + ": " + note.detail;
     case Kind::SpecimenKeysLeftOut:
         return said(marked("other values of %1 specimen are left out"),

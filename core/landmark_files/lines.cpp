@@ -111,14 +111,17 @@ namespace {
 
 /// Collects the keys of several objects, each once.
 class Keys {
+    // The program's own: the edge that a placed landmark's pixel touches is a part of its anchor.
+    static constexpr const char *kEdgeKey = "pixelEdge";
+
 public:
     void add(const nlohmann::ordered_json &extra)
     {
-        if (!extra.is_object() || extra.empty())
+        if (!extra.is_object() || extra.empty() || (extra.size() == 1 && extra.contains(kEdgeKey)))
             return;
         ++m_count;
         for (auto it = extra.begin(); it != extra.end(); ++it) {
-            if (std::find(m_names.begin(), m_names.end(), it.key()) == m_names.end())
+            if (it.key() != kEdgeKey && std::find(m_names.begin(), m_names.end(), it.key()) == m_names.end())
                 m_names.push_back(it.key());
         }
     }

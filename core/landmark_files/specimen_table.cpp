@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <utility>
@@ -232,6 +233,27 @@ std::string wideText(std::span<const LandmarkSet> sets, const ProtocolColumns &p
     return text;
 }
 
+/// Returns whether the note is about a property that tables of coordinates never have.
+bool isOfEveryTable(const LandmarkNote &note)
+{
+    using Kind = LandmarkNote::Kind;
+    constexpr std::array kOfEvery{Kind::ObjectsLeftOut, Kind::HoldsLeftOut,        Kind::UncertaintiesLeftOut,
+                                  Kind::NotesLeftOut,   Kind::ColorsLeftOut,       Kind::HiddenLeftOut,
+                                  Kind::KeysLeftOut,    Kind::SpecimenKeysLeftOut, Kind::MeshLeftOut};
+    return std::find(kOfEvery.begin(), kOfEvery.end(), note.kind) != kOfEvery.end();
+}
+
+/// Puts the notes that matter most first. A row per specimen has names and coordinates by design: its
+/// table has no notes about the rest.
+void sortNotes(std::vector<LandmarkNote> &notes, TableForm form)
+{
+    if (form == TableForm::Wide)
+        std::erase_if(notes, isOfEveryTable);
+    std::stable_partition(notes.begin(), notes.end(), [](const LandmarkNote &note) { return !isOfEveryTable(note); });
+    std::stable_partition(notes.begin(), notes.end(),
+                          [](const LandmarkNote &note) { return note.kind == LandmarkNote::Kind::RepeatsLeftOut; });
+}
+
 std::string textOf(std::vector<LandmarkSet> &sets, TableForm form, const ProtocolColumns &protocol,
                    text::CellTexts texts, Notes &notes)
 {
@@ -305,6 +327,7 @@ geometry::Result<WrittenTable, LandmarkFileError> specimenTable(std::span<const 
         std::erase_if(taken, [](const LandmarkNote &note) { // `absent` has the reasons
             return note.kind == LandmarkNote::Kind::AbsencesLeftOut;
         });
+        sortNotes(taken, form);
         return WrittenTable{std::move(text), std::move(taken), absent, std::move(sliders)};
     } catch (const Failure &failure) {
         return LandmarkFileError{failure.code, {}, failure.line, failure.text};

@@ -24,8 +24,22 @@ void Autosave::follow(bool isUnsaved)
     m_isBehind = true;
     if (!m_sinceFirstChange.isValid())
         m_sinceFirstChange.start();
+    if (m_isHurried)
+        return;
     const auto waited = std::chrono::milliseconds(m_sinceFirstChange.elapsed());
     m_timer.start(std::clamp(m_timing.latest - waited, std::chrono::milliseconds(0), m_timing.pause));
+}
+
+void Autosave::hurry(HurryTiming timing)
+{
+    // A larger scene, or a slow disk, would stop the window at each landmark.
+    if (!m_isBehind || m_isHurried || m_cost > timing.cheap)
+        return;
+    m_isHurried = true;
+    std::chrono::milliseconds wait(0);
+    if (m_sinceWrite.isValid())
+        wait = std::max(wait, timing.between - std::chrono::milliseconds(m_sinceWrite.elapsed()));
+    m_timer.start(wait);
 }
 
 void Autosave::adopt(std::unique_ptr<RecoveryFile> file)
@@ -37,6 +51,7 @@ void Autosave::adopt(std::unique_ptr<RecoveryFile> file)
 std::unique_ptr<RecoveryFile> Autosave::release()
 {
     m_timer.stop();
+    m_isHurried = false;
     if (std::exchange(m_isBehind, false)) {
         m_hasFailed = false;
         write();
@@ -47,7 +62,7 @@ std::unique_ptr<RecoveryFile> Autosave::release()
 void Autosave::discard()
 {
     m_timer.stop();
-    m_isBehind = false;
+    m_isBehind = m_isHurried = false;
     m_sinceFirstChange.invalidate();
     if (!m_file)
         return;
@@ -58,7 +73,10 @@ void Autosave::discard()
 void Autosave::write()
 {
     m_sinceFirstChange.invalidate();
+    m_isHurried = false;
+    m_sinceWrite.start();
     const Kept kept = keep();
+    m_cost = std::chrono::milliseconds(m_sinceWrite.elapsed());
     if (kept)
         m_isBehind = m_hasFailed = false;
     else if (!std::exchange(m_hasFailed, true))

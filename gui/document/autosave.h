@@ -19,6 +19,12 @@ struct AutosaveTiming {
     std::chrono::milliseconds latest{5000}; ///< after the first unwritten change, even if more changes follow
 };
 
+/// The limits of hurried writes.
+struct HurryTiming {
+    std::chrono::milliseconds between{200}; ///< writes; the first one is at once
+    std::chrono::milliseconds cheap{20};    ///< the most time that a write takes if the next one may be hurried
+};
+
 /// Keeps a window's scene in a recovery file while it has changes that are saved nowhere else. The
 /// file exists only while such changes exist: an unlocked file means that changes would be lost.
 class Autosave : public QObject {
@@ -40,6 +46,9 @@ public:
     /// Reacts to a possible change of the scene: writes after a delay, or removes the file if there
     /// is nothing to keep.
     void follow(bool isUnsaved);
+    /// Writes the changes that `follow` waits with on the next turn of the event loop, or later if the
+    /// last write was just before. Does nothing if that took long.
+    void hurry(HurryTiming timing = {});
     /// Takes over a recovered file as the scene's own. Removes the file that was kept before.
     void adopt(std::unique_ptr<RecoveryFile> file);
     /// Writes the latest changes and gives the file away; the next scene gets another file. If the
@@ -66,8 +75,11 @@ private:
     Source m_source;
     std::unique_ptr<RecoveryFile> m_file; ///< null while there is nothing to keep
     QTimer m_timer;
-    QElapsedTimer m_sinceFirstChange; ///< since the first unwritten change; invalid without one
-    bool m_isBehind = false;          ///< there are unwritten changes
+    QElapsedTimer m_sinceWrite;          ///< invalid before the first write
+    std::chrono::milliseconds m_cost{0}; ///< of the last write
+    QElapsedTimer m_sinceFirstChange;    ///< since the first unwritten change; invalid without one
+    bool m_isBehind = false;             ///< there are unwritten changes
+    bool m_isHurried = false;            ///< the timer runs since `hurry`
     bool m_hasFailed = false;
 };
 

@@ -37,6 +37,8 @@ Session::Session(SceneDocument &document, SessionQuestions &questions, const Opt
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::History)
             followChanges();
+        if ((changes & Change::Landmarks) && m_autosave) // each one is work that cannot be repeated exactly
+            m_autosave->hurry();
     });
 }
 

@@ -85,7 +85,10 @@ QString ExpectedLandmarks::reasonText() const
     if (m_reason) {
         switch (*m_reason) {
         case NoExpectedPlaces::NoOthers:
-            return tr("No other scan of the series has landmarks that tell where the next one is.");
+            return m_series.placing() > 1
+                       ? tr("No other scan has landmarks of this placing (%1) that tell where the next one is.")
+                             .arg(m_series.placing())
+                       : tr("No other scan of the series has landmarks that tell where the next one is.");
         case NoExpectedPlaces::TooFew:
             return tr("Place three landmarks that other scans have. Then the other scans tell where the next one is.");
         case NoExpectedPlaces::OnALine:
@@ -93,7 +96,9 @@ QString ExpectedLandmarks::reasonText() const
                       "next one is.");
         }
     }
-    return tr("No other scan of the series has %1.").arg(SceneLandmarks::shownNameOf(m_document.landmarks(), *next));
+    const QString name = SceneLandmarks::shownNameOf(m_document.landmarks(), *next);
+    return m_series.placing() > 1 ? tr("No other scan has %1 in this placing (%2).").arg(name).arg(m_series.placing())
+                                  : tr("No other scan of the series has %1.").arg(name);
 }
 
 QString ExpectedLandmarks::faceNext()

@@ -10,6 +10,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QScopedValueRollback>
+#include <QStyleHints>
 #include <QToolTip>
 
 #include <algorithm>
@@ -118,8 +119,29 @@ std::optional<DevicePoint> LandmarkTool::pointedAt(const QPointF &local) const
     return pixel ? std::optional(pixelCenter(*pixel)) : std::nullopt;
 }
 
+bool LandmarkTool::refuses(const QMouseEvent &event)
+{
+    bool isSecond = event.type() == QEvent::MouseButtonDblClick && (m_isPlacing || m_lastPress);
+    if (m_lastPress && m_lastPress->milliseconds > 0) { // a third click comes as a single one
+        const QStyleHints &hints = *QGuiApplication::styleHints();
+        const quint64 latest = m_lastPress->milliseconds + static_cast<quint64>(hints.mouseDoubleClickInterval());
+        const QPointF way = event.position() - m_lastPress->at;
+        isSecond = isSecond
+                   || (event.timestamp() < latest && way.manhattanLength() <= double(hints.mouseDoubleClickDistance()));
+    }
+    if (!isSecond)
+        return false;
+    m_lastPress = PlacingPress{event.position(), event.timestamp()};
+    QToolTip::showText(event.globalPosition().toPoint(), tr("The second click of a double-click places nothing."),
+                       &m_view);
+    return true;
+}
+
 ViewTool::Press LandmarkTool::press(const QMouseEvent &event, const QString &mergeKey)
 {
+    m_lastPress.reset();
+    if (m_isPlacing)
+        m_lastPress = PlacingPress{event.position(), event.timestamp()};
     const WidgetPoint position = m_view.widgetPosition(event.position());
     const QPointF pointer(position.x, position.y);
     const LandmarkMark *mark = markUnder(m_drawing.marks(), pointer, true);

@@ -41,6 +41,8 @@ public:
     const LandmarkLooks &looks() const { return m_drawing.looks(); }
     void setLooks(const LandmarkLooks &looks) { m_drawing.setLooks(looks); }
 
+    /// Refuses the second press of a double-click: a landmark there would be on the same pixel.
+    bool refuses(const QMouseEvent &event) override;
     /// Selects a visible mark. A mark that was already selected can be dragged; in placing mode,
     /// any mark can.
     Press press(const QMouseEvent &event, const QString &mergeKey) override;
@@ -73,6 +75,11 @@ private:
         Pressed, ///< a mark, while a name waits: a click places the name, a drag moves the mark
         Landmark,
         Axis
+    };
+    /// A press while placing.
+    struct PlacingPress {
+        QPointF at;           ///< logical pixels
+        quint64 milliseconds; ///< of the event; 0: unknown
     };
     enum class Arrows {
         Hidden,
@@ -109,6 +116,7 @@ private:
     SceneView &m_view;
     LandmarkDrawing m_drawing;
     bool m_isPlacing = false;
+    std::optional<PlacingPress> m_lastPress; ///< nothing if the last press was not while placing
     Arrows m_arrows = Arrows::Hidden;
     std::optional<std::size_t> m_arrowsOf; ///< the landmark that was current when they appeared
     bool m_isOverCurrent = false;          ///< the pointer is on the current landmark's mark

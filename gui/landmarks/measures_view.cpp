@@ -37,7 +37,8 @@ MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
             tr("Landmarks whose names differ only in left and right, and the plane that mirrors them best")},
            {tr("Protocol"), tr("Kept measures: each is measured on every scan of a series, and a column of its "
                                "tables")}})),
-      m_keep(new QToolButton), m_unit(new QComboBox), m_rows(new QTreeWidget), m_empty(new QLabel)
+      m_keep(new QToolButton), m_remove(new QToolButton), m_unit(new QComboBox), m_rows(new QTreeWidget),
+      m_empty(new QLabel)
 {
     m_rows->setAccessibleName(tr("Measures"));
     m_rows->setRootIsDecorated(false);
@@ -79,13 +80,20 @@ MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
             m_rows->editItem(item, 0);
     });
     connect(m_rows, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem *item) { rename(*item); });
-    m_keep->setFocusPolicy(Qt::StrongFocus);
-    m_keep->setPopupMode(QToolButton::MenuButtonPopup);
-    auto *files = new QMenu(m_keep);
+    m_keep->setText(tr("Keep"));
+    m_keep->setToolTip(tr("Keep the chosen measure in the protocol"));
+    m_remove->setText(tr("Remove"));
+    m_remove->setToolTip(tr("Remove the chosen measure from the protocol"));
+    auto *files = new QMenu(this);
     files->addAction(tr("&Load Protocol…"), this, &MeasuresView::loadProtocol);
     files->addAction(tr("&Save Protocol…"), this, &MeasuresView::saveProtocol);
-    m_keep->setMenu(files);
-    connect(m_keep, &QToolButton::clicked, this, &MeasuresView::keepOrRemove);
+    for (QToolButton *button : {m_keep, m_remove}) {
+        button->setFocusPolicy(Qt::StrongFocus);
+        button->setPopupMode(QToolButton::MenuButtonPopup);
+        button->setMenu(files);
+    }
+    connect(m_keep, &QToolButton::clicked, this, &MeasuresView::keep);
+    connect(m_remove, &QToolButton::clicked, this, &MeasuresView::removeFromProtocol);
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::Landmarks)
             showUnit();
@@ -101,6 +109,7 @@ MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
     line->addStretch();
     line->addWidget(m_keep);
     line->addWidget(m_unit);
+    line->addWidget(m_remove);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addLayout(line);
@@ -289,28 +298,31 @@ void MeasuresView::editProtocol(std::vector<landmarks::KeptMeasure> measures, co
 
 void MeasuresView::showProtocolButton()
 {
-    const bool isProtocol = m_what->choice() == OfProtocol;
-    m_keep->setVisible(m_what->choice() != OfSides);
-    m_keep->setText(isProtocol ? tr("Remove") : tr("Keep"));
-    m_keep->setToolTip(isProtocol ? tr("Remove the chosen measure from the protocol")
-                                  : tr("Keep the chosen measure in the protocol"));
+    m_keep->setVisible(m_what->choice() != OfSides && m_what->choice() != OfProtocol);
+    m_remove->setVisible(m_what->choice() == OfProtocol);
 }
 
-void MeasuresView::keepOrRemove()
+void MeasuresView::removeFromProtocol()
 {
     std::vector<landmarks::KeptMeasure> measures = protocol();
     if (!m_chosen) {
         emit warned(tr("Choose a measure in the list first."));
         return;
     }
-    const auto index = static_cast<std::size_t>(*m_chosen);
-    if (m_what->choice() == OfProtocol) {
-        const QString name = QString::fromStdString(measures[index].name);
-        measures.erase(measures.begin() + *m_chosen);
-        editProtocol(std::move(measures), tr("Remove measure %1").arg(name));
+    const auto removed = measures.begin() + *m_chosen;
+    const QString name = QString::fromStdString(removed->name);
+    measures.erase(removed);
+    editProtocol(std::move(measures), tr("Remove measure %1").arg(name));
+}
+
+void MeasuresView::keep()
+{
+    std::vector<landmarks::KeptMeasure> measures = protocol();
+    if (!m_chosen) {
+        emit warned(tr("Choose a measure in the list first."));
         return;
     }
-    const std::optional<ShownMeasure> &shown = m_listed[index].shown;
+    const std::optional<ShownMeasure> &shown = m_listed[static_cast<std::size_t>(*m_chosen)].shown;
     std::optional<landmarks::KeptMeasure> kept =
         shown ? keptMeasureOf(*shown, m_document.scene().landmarks) : std::nullopt;
     if (!kept) {

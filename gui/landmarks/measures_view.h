@@ -56,8 +56,8 @@ private:
     const std::vector<landmarks::KeptMeasure> &protocol() const;
     void editProtocol(std::vector<landmarks::KeptMeasure> measures, const QString &text);
     void showProtocolButton();
-    /// Keeps the chosen measure; in the protocol, removes it.
-    void keepOrRemove();
+    void keep();
+    void removeFromProtocol();
     void rename(QTreeWidgetItem &item);
     void loadProtocol();
     void saveProtocol();
@@ -66,7 +66,7 @@ private:
 
     SceneDocument &m_document;
     SegmentedSwitch *m_what;
-    QToolButton *m_keep;
+    QToolButton *m_keep, *m_remove; ///< each in a place of its own: a second press must not remove
     QComboBox *m_unit;
     QTreeWidget *m_rows;
     QLabel *m_empty;

@@ -267,7 +267,8 @@ void ScanSeries::takeShown(bool isLoaded)
         putHistoryBack();
         emit failed(scan.problem + u'\n'
                     + tr("The file is not overwritten: to keep new landmarks, save the scene. Or repair or move the "
-                         "file, and open the scan again."));
+                         "file, and open the scan again.")
+                    + nextScanText());
         emit changed();
         return;
     }
@@ -283,6 +284,11 @@ void ScanSeries::takeShown(bool isLoaded)
     emit changed();
     emit scanShown();
     runTarget();
+}
+
+QString ScanSeries::nextScanText() const
+{
+    return hasNext() ? u'\n' + tr("Press Ctrl+PgDown for the next scan.") : QString();
 }
 
 ScanPlacing ScanSeries::shownPlacing() const
@@ -437,7 +443,7 @@ void ScanSeries::resume(const RecoverySeries &series)
     const std::filesystem::path file = landmarksBeside(scan.file, m_now.placing);
     m_shownScan.begin(scan.file, file);
     if (scan.isDamaged) {
-        emit failed(scan.problem);
+        emit failed(scan.problem + nextScanText());
         emit changed();
         emit resumed();
         return;

@@ -136,6 +136,12 @@ bool SeriesPanel::chooseFolder()
     return !folder.empty() && m_series.open(folder);
 }
 
+QString SeriesPanel::proposedName(const QString &end) const
+{
+    const std::filesystem::path &folder = m_series.folder();
+    return pathText(folder.has_filename() ? folder.filename() : folder.parent_path().filename()) + end; // "scans/"
+}
+
 void SeriesPanel::exportTable()
 {
     using Table = ScanSeries::Table;
@@ -147,7 +153,8 @@ void SeriesPanel::exportTable()
     QStringList filters;
     for (const auto &[table, filter] : kinds)
         filters << filter;
-    const SaveName named = askSaveName(*this, tr("Export Landmarks of All Scans"), filters);
+    const SaveName named =
+        askSaveName(*this, tr("Export Landmarks of All Scans"), filters, proposedName(QStringLiteral(".csv")));
     if (!named.file.empty())
         m_series.exportTable(named.file, kinds[static_cast<std::size_t>(named.filter)].first);
     m_progress.reset();
@@ -186,7 +193,9 @@ void SeriesPanel::showRepeats()
     auto *dialog = new RepeatsDialog(error, unit, remarks, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     const auto save = [this](ScanSeries::Table table, const QString &title) {
-        const SaveName named = askSaveName(*this, title, {tr("Table (%1)").arg(QStringLiteral("*.csv"))});
+        const QString proposed = proposedName(table == ScanSeries::Table::Errors ? QStringLiteral("-errors.csv")
+                                                                                 : QStringLiteral("-repeats.csv"));
+        const SaveName named = askSaveName(*this, title, {tr("Table (%1)").arg(QStringLiteral("*.csv"))}, proposed);
         if (!named.file.empty())
             m_series.exportTable(named.file, table);
     };

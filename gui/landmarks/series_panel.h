@@ -42,6 +42,8 @@ signals:
 
 private:
     void exportTable();
+    /// The name of the series' folder, with an end.
+    QString proposedName(const QString &end) const;
     /// Shows the progress of a long export.
     /// @return false to cancel
     bool goesOn(std::size_t done, std::size_t count);

@@ -95,6 +95,20 @@ Specimens specimensOf(const SeriesContent &content, bool hasAllPlacings, QString
     return specimens;
 }
 
+/// The number of placings, besides the shown one, that hold a landmark.
+std::size_t otherPlacings(const SeriesContent &content)
+{
+    std::size_t count = 0;
+    QStringList problems; // a table without them lacks nothing
+    for (const Scan &scan : content.scans) {
+        for (int placing = 1; placing <= kMostPlacings; ++placing) {
+            const auto set = placing != content.placing ? savedPlacing(scan, placing, problems) : std::nullopt;
+            count += set && isAnyPlaced(*set) ? 1U : 0U;
+        }
+    }
+    return count;
+}
+
 /// The values of the protocol for each specimen; nothing if the user cancelled.
 std::optional<std::vector<std::vector<ProtocolValue>>> measured(const Specimens &specimens,
                                                                 const SeriesContent &content)
@@ -253,6 +267,9 @@ Result<WrittenSeries, QString> writeSeries(const std::filesystem::path &file, Se
     const auto text = specimenTable(specimens.sets, formOf(table), protocol, content.names);
     if (!text)
         return reasonOf(text.error(), file);
+    std::vector<LandmarkNote> notes = text->notes;
+    if (const std::size_t others = hasRows ? 0 : otherPlacings(content); others > 0)
+        notes.insert(notes.begin(), LandmarkNote{LandmarkNote::Kind::RepeatsLeftOut, others, {}});
     if (QString reason = writtenTo(file, text->text); !reason.isEmpty())
         return reason;
     const std::size_t without = content.scans.size() - specimens.scanCount;
@@ -265,7 +282,7 @@ Result<WrittenSeries, QString> writeSeries(const std::filesystem::path &file, Se
     QStringList remarks = remarksOn(*text, hasRows ? protocol : ProtocolColumns(), content);
     const SlidersReport sliders = writeSliders(file, text->sliders);
     QStringList warnings = sliders.lost;
-    if (const QString warning = warningOf(file, problems, text->notes); !warning.isEmpty())
+    if (const QString warning = warningOf(file, problems, notes); !warning.isEmpty())
         warnings.prepend(warning);
     return WrittenSeries{warnings.join(u'\n'), joinSentences(QStringList{written} + remarks + sliders.said)};
 }

@@ -3,6 +3,7 @@
 #include <QFontMetrics>
 #include <QGuiApplication>
 #include <QPainter>
+#include <QTextOption>
 
 #include <cmath>
 
@@ -44,8 +45,9 @@ QImage ContactSheet::image() const
         if (entry.picture.isNull()) {
             painter.fillRect(tile, kEmpty);
             painter.setPen(kProblem);
-            painter.drawText(tile.adjusted(kGap, kGap, -kGap, -kGap), Qt::AlignCenter | Qt::TextWrapAnywhere,
-                             entry.problem);
+            QTextOption atWords(Qt::AlignCenter);
+            atWords.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere); // a file's name may be too long
+            painter.drawText(QRectF(tile.adjusted(kGap, kGap, -kGap, -kGap)), entry.problem, atWords);
         } else {
             painter.drawImage(corner
                                   + QPoint((m_tile.width() - entry.picture.width()) / 2,

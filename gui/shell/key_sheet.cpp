@@ -75,7 +75,7 @@ KeySheet::KeySheet(const QMenuBar &menus, QWidget *parent) : QDialog(parent)
     rows += row(tr("left drag of a marker"), tr("slide the landmark on the surface; Esc cancels"));
     rows += row(tr("left drag of an arrow at the selected landmark"),
                 tr("move the landmark along the axis, off the surface; A shows the arrows"));
-    rows += row(tr("left button, while placing"), tr("place a landmark; Esc ends placing"));
+    rows += row(tr("left button, while placing"), tr("place a landmark; a double-click places one; Esc ends placing"));
     rows += row(tr("arrows, while placing"),
                 tr("move the selected landmark by a pixel, with Shift by ten, with Alt by a tenth"));
     rows += row(tr("Del"), tr("remove the selected landmarks"));

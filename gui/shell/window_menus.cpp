@@ -168,8 +168,26 @@ void WindowMenus::addEditMenu()
     if (const QKeySequence key(Qt::CTRL | Qt::Key_Y); !redoKeys.contains(key))
         redoKeys << key; // some desktops don't have it
     redo->setShortcuts(redoKeys);
-    for (QAction *action : {undo, redo})
+    for (QAction *action : {undo, redo}) {
         keepToolTipPlain(action);
+        QObject::disconnect(action, &QAction::triggered, &stack, nullptr);
+    }
+    // The text is the step's own; afterwards the stack has that of another one. A refused step goes
+    // from the stack and has a message of its own.
+    connect(undo, &QAction::triggered, this, [this, &stack] {
+        const QString text = stack.undoText();
+        const int count = stack.count();
+        stack.undo();
+        if (stack.count() == count)
+            m_window.notice(tr("Undone: %1.").arg(text));
+    });
+    connect(redo, &QAction::triggered, this, [this, &stack] {
+        const QString text = stack.redoText();
+        const int count = stack.count();
+        stack.redo();
+        if (stack.count() == count)
+            m_window.notice(tr("Redone: %1.").arg(text));
+    });
     menu.addActions({undo, redo});
     putOnBar(*m_bar, *undo, Drawing::Undo);
     putOnBar(*m_bar, *redo, Drawing::Redo);

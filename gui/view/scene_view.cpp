@@ -283,6 +283,8 @@ void SceneView::mousePressEvent(QMouseEvent *event)
     const bool pans = isPan(event->button(), event->modifiers());
     if (m_drag != Drag::None || (!pans && event->button() != Qt::LeftButton))
         return;
+    if (!pans && m_tool && m_tool->refuses(*event))
+        return;
     m_lastPosition = event->position();
     m_hasMoved = false;
     const QString &mergeKey = m_navigation.beginDrag();
@@ -372,10 +374,12 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent *event)
 {
     if (m_drag != Drag::None || event->button() != Qt::LeftButton)
         return;
-    if (m_tool && m_tool->takesClicks()) { // two quick clicks
+    if (m_tool && m_tool->takesClicks() && isPan(event->button(), event->modifiers())) {
         mousePressEvent(event);
         return;
     }
+    if (m_tool && m_tool->refuses(*event))
+        return;
     const std::optional<PixelClick> click = clickAt(widgetPosition(event->position()));
     if (!click || !click->sample.hit())
         return;

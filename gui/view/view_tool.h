@@ -30,6 +30,9 @@ public:
     ViewTool(const ViewTool &) = delete;
     ViewTool &operator=(const ViewTool &) = delete;
 
+    /// Returns whether the view ignores a press of the left button: the second one of a double-click,
+    /// if the first one was the tool's. Tells the user.
+    virtual bool refuses(const QMouseEvent &event) = 0;
     /// Handles the press of the left button.
     /// @param mergeKey  of a following drag, which is one step of undo
     virtual Press press(const QMouseEvent &event, const QString &mergeKey) = 0;

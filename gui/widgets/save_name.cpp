@@ -69,7 +69,14 @@ SaveName askSaveName(QWidget &parent, const QString &title, const QStringList &f
     QFileDialog dialog(&parent, title, startFolder(parent, kind));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setNameFilters(filters);
-    const auto takeSuffix = [&dialog](const QString &filter) { dialog.setDefaultSuffix(suffixesOf(filter).front()); };
+    const auto takeSuffix = [&dialog](const QString &filter) {
+        const QString before = dialog.defaultSuffix(), now = suffixesOf(filter).front();
+        const QStringList files = dialog.selectedFiles();
+        dialog.setDefaultSuffix(now);
+        const QFileInfo named(files.isEmpty() ? QString() : files.front());
+        if (!before.isEmpty() && named.fileName().endsWith(u'.' + before) && !named.isDir())
+            dialog.selectFile(named.fileName().chopped(before.size()) + now);
+    };
     QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, takeSuffix);
     takeSuffix(filters.front());
     dialog.selectFile(proposed);

@@ -82,8 +82,8 @@ void TestLandmarksCommand::whatIsLostIsSaid()
         runCommand({"landmarks", "--from", "csv", "--to", "tps", "-", "-"}, "name,x,y,z,note\nN,1,2,3,worn\n");
     QCOMPARE(run.exitCode, 0);
     QCOMPARE(run.output, QByteArray("LM3=1\n1 2 3\n\n"));
-    QCOMPARE(run.errors, QByteArray("stdout: the names of 1 point are left out; only their order is kept\n"
-                                    "stdout: the notes of 1 point are left out\n"));
+    QCOMPARE(run.errors, QByteArray("stdout: the names of 1 landmark are left out; only their order is kept\n"
+                                    "stdout: the notes of 1 landmark are left out\n"));
 }
 
 /// An empty table is never an expected result.

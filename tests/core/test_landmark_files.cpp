@@ -244,11 +244,11 @@ void TestLandmarkFiles::whatHasNoPlaceIsSaid_data()
 {
     QTest::addColumn<Format>("format");
     QTest::addColumn<QStringList>("notes");
-    const QString object = "the objects of 1 point are left out",
+    const QString object = "the objects of 1 landmark are left out",
                   hold = "the anchor of 1 landmark (triangle, vertex or edge) is left out",
-                  uncertainty = "the uncertainties of 1 point are left out", note = "the notes of 1 point are left out",
-                  color = "the colours of 1 point are left out", hidden = "1 hidden point is written as any other",
-                  keys = "the other values of 1 point are left out: sex, code",
+                  uncertainty = "the uncertainties of 1 landmark are left out", note = "the notes of 1 landmark are left out",
+                  color = "the colours of 1 landmark are left out", hidden = "1 hidden landmark is written as any other",
+                  keys = "the other values of 1 landmark are left out: sex, code",
                   specimen = "the name of the specimen, \"skull 7\", is left out",
                   mesh = "the name of the mesh, \"skull.ply\", is left out", unit = "the unit, mm, is left out",
                   more = "other values of 1 specimen are left out: more";
@@ -256,7 +256,7 @@ void TestLandmarkFiles::whatHasNoPlaceIsSaid_data()
     QTest::newRow("pp") << Format::MeshLab
                         << QStringList{object, hold, uncertainty, note, color, hidden, specimen, unit, keys, more};
     QTest::newRow("pptpl") << Format::MeshLabTemplate
-                           << QStringList{"the coordinates of 1 point are left out",
+                           << QStringList{"the coordinates of 1 landmark are left out",
                                           object,
                                           hold,
                                           uncertainty,
@@ -289,7 +289,7 @@ void TestLandmarkFiles::whatHasNoPlaceIsSaid_data()
                        specimen, mesh,  unit,
                        keys,     more,  "\"N\" has a coordinate of 9999, which readers take for a missing point"};
     QTest::newRow("tps") << Format::Tps
-                         << QStringList{"the names of 2 points are left out; only their order is kept",
+                         << QStringList{"the names of 2 landmarks are left out; only their order is kept",
                                         object,
                                         hold,
                                         uncertainty,
@@ -300,7 +300,7 @@ void TestLandmarkFiles::whatHasNoPlaceIsSaid_data()
                                         keys,
                                         more};
     QTest::newRow("nts") << Format::Nts
-                         << QStringList{"the names of 2 points are left out; only their order is kept",
+                         << QStringList{"the names of 2 landmarks are left out; only their order is kept",
                                         object,
                                         hold,
                                         uncertainty,
@@ -412,7 +412,7 @@ void TestLandmarkFiles::namesThatReadersStumbleOver()
     QCOMPARE(pts->text,
              std::string("Version 1.0\n5\nleft_eye 1 2 3\na_b 1 2 3\nleft_eye_2 1 2 3\nS3 1 2 3\nsay__x_ 1 2 3\n\n"));
     QCOMPARE(noteTexts(pts->notes),
-             QStringList({"the notes of 1 point are left out", "the name \"left eye\" as \"left_eye\"",
+             QStringList({"the notes of 1 landmark are left out", "the name \"left eye\" as \"left_eye\"",
                           "the name \"a#b\" as \"a_b\"", "the name \"left_eye\" as \"left_eye_2\"",
                           "the name \"\" as \"S3\"", "the name \"say \"x\"\" as \"say__x_\""}));
     const auto fcsv = landmarksText({&set, 1}, Format::SlicerCsv);
@@ -433,13 +433,13 @@ void TestLandmarkFiles::otherKeysAreNotTakenForOurs()
     const auto tps = landmarksText({&set, 1}, Format::Tps);
     QVERIFY(tps);
     QCOMPARE(tps->text, std::string("LM3=1\n1 2 3\nCOMMENT=c\n\n"));
-    QCOMPARE(noteTexts(tps->notes), QStringList({"the other values of 1 point are left out: X, deep",
+    QCOMPARE(noteTexts(tps->notes), QStringList({"the other values of 1 landmark are left out: X, deep",
                                                  "other values of 1 specimen are left out: SCALE",
                                                  "other values of 1 specimen are left out: LM3"}));
     const auto csv = landmarksText({&set, 1}, Format::Csv);
     QVERIFY(csv);
     QCOMPARE(csv->text, std::string("name,x,y,z,object,face,u,v,w,note,deep\n,1,2,3,,,,,,,\"[[1,{\"\"a\"\":2}]]\"\n"));
-    QVERIFY(noteTexts(csv->notes).contains("the other values of 1 point are left out: X"));
+    QVERIFY(noteTexts(csv->notes).contains("the other values of 1 landmark are left out: X"));
     QVERIFY(parseLandmarks(csv->text, Format::Csv, "f").value().sets[0].landmarks[0].extra.json()["deep"]
             == set.landmarks[0].extra.json()["deep"]);
     const std::string deep = "x,y,z,deep\n1,2,3," + std::string(200000, '[') + std::string(200000, ']') + '\n';

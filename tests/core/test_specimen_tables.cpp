@@ -9,6 +9,8 @@
 
 #include <QTest>
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 
 namespace {
@@ -71,6 +73,7 @@ private slots:
     void theSeriesNamesComeFirst();
     void spellingsOfOneName();
     void placingsAreNoSpecimens();
+    void theNotesThatMatterComeFirst();
     void placingsComeBack();
     void absencesAreCounted();
     void curvesMatchByName();
@@ -146,6 +149,30 @@ void TestSpecimenTables::placingsAreNoSpecimens()
     for (const TableForm form : {TableForm::Tps, TableForm::Nts})
         QVERIFY(notesOf(sets, form)
                     .contains("1 repeated placing is left out: the format would have it as one more specimen"));
+}
+
+/// The program's own word for a pixel's edge is told nowhere.
+void TestSpecimenTables::theNotesThatMatterComeFirst()
+{
+    LandmarkSet first = specimen("s", {at("a", 1)});
+    first.landmarks[0].object = "skull";
+    first.landmarks[0].note = "worn";
+    first.landmarks[0].extra.edit()["pixelEdge"] = true;
+    LandmarkSet second = specimen("s", {at("a", 2)}, 2);
+    for (const char *key : {"pixelEdge", "sex"})
+        second.landmarks[0].extra.edit()[key] = true;
+    second.landmarks[0].object = "skull";
+    LandmarkSet third = specimen("t", {at("a", 2)});
+    third.landmarks[0].extra = second.landmarks[0].extra;
+    third.unit = first.unit = second.unit = "mm";
+    const std::vector<LandmarkSet> sets{first, second, third};
+    QCOMPARE(notesOf(sets, TableForm::Wide), QStringList("the unit, mm, is left out"));
+    const QStringList notes = notesOf(sets, TableForm::Tps);
+    QVERIFY(notes.size() > 3);
+    QVERIFY2(notes[0].startsWith("1 repeated placing is left out"), qPrintable(notes.join('\n')));
+    QVERIFY2(notes.indexOf("the unit, mm, is left out") < notes.indexOf("the objects of 1 landmark are left out"),
+             qPrintable(notes.join('\n')));
+    QVERIFY2(notes.contains("the other values of 1 landmark are left out: sex"), qPrintable(notes.join('\n')));
 }
 
 void TestSpecimenTables::placingsComeBack()

@@ -5,7 +5,9 @@
 
 #include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
+#include "gui/document/scene_edits.h"
 
+#include <QElapsedTimer>
 #include <QStatusBar>
 
 using namespace keeping;
@@ -22,6 +24,9 @@ private slots:
 
     void manyChangesAreWrittenOnceAfterAPause();
     void changesWithoutAPauseAreWrittenAllTheSame();
+    void hurriedChangesAreWrittenAtOnce();
+    void hurriedChangesAreWrittenLaterIfWritingIsSlow();
+    void aPlacedLandmarkIsKeptAtOnce();
     void aFolderThatCannotBeWrittenIsToldOnce();
     void theReasonIsTold_data();
     void theReasonIsTold();
@@ -66,6 +71,80 @@ void TestAutosave::changesWithoutAPauseAreWrittenAllTheSame()
         QTest::qWait(20);
     }
     QCOMPARE(keptIn(m_folder->recovery()).size(), 1);
+}
+
+void TestAutosave::hurriedChangesAreWrittenAtOnce()
+{
+    int asked = 0;
+    Autosave autosave(m_folder->recovery(), {60s, 60s}, [&asked] {
+        ++asked;
+        return Autosave::Content{{QStringLiteral("a"), {}, QDateTime::currentDateTime()}, std::to_string(asked)};
+    });
+    autosave.hurry(); // there is nothing to write
+    QCoreApplication::processEvents();
+    QCOMPARE(asked, 0);
+    const auto place = [&autosave] {
+        autosave.follow(true);
+        autosave.hurry({50ms, 60s});
+        autosave.follow(true); // does not put it off
+    };
+    place();
+    QCOMPARE(asked, 0);
+    QCoreApplication::processEvents();
+    QCOMPARE(asked, 1);
+    QCOMPARE(keptIn(m_folder->recovery()).size(), 1);
+    for (int i = 0; i < 20; ++i)
+        place();
+    QTRY_COMPARE_WITH_TIMEOUT(asked, 2, kPatienceMilliseconds);
+    place();
+    autosave.follow(false); // undone
+    QTest::qWait(100);
+    QCOMPARE(asked, 2);
+    QVERIFY(keptIn(m_folder->recovery()).isEmpty());
+}
+
+void TestAutosave::hurriedChangesAreWrittenLaterIfWritingIsSlow()
+{
+    int asked = 0;
+    Autosave autosave(m_folder->recovery(), {60s, 60s}, [&asked] {
+        ++asked;
+        QTest::qSleep(50);
+        return Autosave::Content{{QStringLiteral("a"), {}, QDateTime::currentDateTime()}, "a large scene"};
+    });
+    for (int i = 0; i < 2; ++i) {
+        autosave.follow(true);
+        autosave.hurry({0ms, 20ms});
+        QTest::qWait(20);
+    }
+    QCOMPARE(asked, 1);
+}
+
+/// 500 landmarks: the last one is in the file after one turn of the event loop.
+void TestAutosave::aPlacedLandmarkIsKeptAtOnce()
+{
+    MainWindow::Options options;
+    options.smoothEdges = options.remembers = false;
+    options.recoveryFolder = m_folder->recovery();
+    options.autosave = {60s, 60s};
+    MainWindow window(options);
+    QVERIFY(openAndWait(window, m_folder->sceneFile()));
+    QCoreApplication::processEvents();
+    std::vector<unprojector::landmarks::Landmark> all(500);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        all[i].name = "L" + std::to_string(i);
+        all[i].world = WorldPoint(0.1, 1.0 / double(i + 3), 0.0);
+    }
+    QVERIFY(editLandmarks(window.document(), all, {QStringLiteral("put")}));
+    unprojector::landmarks::Landmark last;
+    last.name = "the last one";
+    last.world = WorldPoint(0.25, 0.25, 0.0);
+    QVERIFY(window.document().sceneLandmarks().place(last));
+    QElapsedTimer timer;
+    timer.start();
+    QCoreApplication::processEvents();
+    qInfo("one turn of the event loop: %g ms", double(timer.nsecsElapsed()) / 1e6);
+    const QString file = m_folder->recovery() + u'/' + keptIn(m_folder->recovery())[0];
+    QVERIFY(read(file).contains("the last one"));
 }
 
 void TestAutosave::aFolderThatCannotBeWrittenIsToldOnce()

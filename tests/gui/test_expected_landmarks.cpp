@@ -165,6 +165,11 @@ void TestExpectedLandmarks::nTellsWhyItCannot()
     m_document->sceneLandmarks().setNextUnplaced(std::nullopt);
     QVERIFY(m_expected->faceNext().contains(QStringLiteral("No landmark is next")));
     QVERIFY(m_document->scene().camera == before);
+    // The other scans have landmarks, but of the first placing only.
+    m_series->setPlacing(2);
+    m_document->sceneLandmarks().setNextUnplaced(0);
+    QVERIFY2(m_expected->faceNext().contains(QStringLiteral("of this placing (2)")),
+             qPrintable(m_expected->faceNext()));
 }
 
 QTEST_MAIN(TestExpectedLandmarks)

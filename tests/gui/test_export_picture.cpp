@@ -7,12 +7,15 @@
 
 #include "gui/document/picks.h"
 #include "gui/document/scene_curves.h"
+#include "gui/shell/contact_sheet.h"
 #include "gui/shell/export_picture_dialog.h"
 #include "gui/view/scene_picture.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QFontMetrics>
+#include <QGuiApplication>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -101,6 +104,7 @@ class TestExportPicture : public QObject {
 
 private slots:
     void initTestCase() { redirectSettings(); }
+    void theSheetBreaksAReasonAtWords();
     void atTheViewsSizeThePictureIsTheViews_data();
     void atTheViewsSizeThePictureIsTheViews();
     void atTwiceTheSizeThePickIsWhereItIsProjected();
@@ -115,6 +119,24 @@ private slots:
     void theSidesKeepTheProportions();
     void aSizeThatTheDriverCannotDrawIsRefused();
 };
+
+/// A tile with room for one of two words.
+void TestExportPicture::theSheetBreaksAReasonAtWords()
+{
+    const auto sheetOf = [](const QString &reason) {
+        constexpr int kMargins = 16;
+        const int width =
+            QFontMetrics(QGuiApplication::font()).horizontalAdvance(QStringLiteral("damaged 1234")) + kMargins;
+        const QSize tile(width, width);
+        ContactSheet sheet(tile, tile);
+        sheet.addProblem(reason, QStringLiteral("a.obj"));
+        return sheet.image();
+    };
+    QCOMPARE(sheetOf(QStringLiteral("damaged 1234567890")), sheetOf(QStringLiteral("damaged\n1234567890")));
+    // A word that is too long for a line is still shown whole.
+    const QString longName(60, u'w');
+    QVERIFY(sheetOf(longName) != sheetOf(longName.first(30)));
+}
 
 void TestExportPicture::atTheViewsSizeThePictureIsTheViews_data()
 {

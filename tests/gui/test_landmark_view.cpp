@@ -13,7 +13,10 @@
 
 #include <QAction>
 #include <QImage>
+#include <QMouseEvent>
 #include <QStatusBar>
+#include <QStyleHints>
+#include <QToolTip>
 
 #include <glm/geometric.hpp>
 
@@ -94,6 +97,8 @@ private slots:
     void selectedMarksAreDraggedTogether();
     void whatIsToldGoesWithTheView();
     void escapeEndsADragAndThenPlacing();
+    void aDoubleClickPlacesOneLandmark_data();
+    void aDoubleClickPlacesOneLandmark();
     void arrowKeysMoveByPixels_data();
     void arrowKeysMoveByPixels();
     void arrowKeysMoveAllThatIsSelected();
@@ -249,6 +254,66 @@ void TestLandmarkView::escapeEndsADragAndThenPlacing()
     QCOMPARE(window->document().landmarks().size(), std::size_t{1});
     QTest::keyClick(&window->view(), Qt::Key_Escape);
     QVERIFY(!part<LandmarkTool>(*window).isPlacing());
+}
+
+/// Each row: the second press, and the number of landmarks after it.
+void TestLandmarkView::aDoubleClickPlacesOneLandmark_data()
+{
+    QTest::addColumn<QEvent::Type>("type");
+    QTest::addColumn<QPointF>("way");
+    QTest::addColumn<int>("share"); // of the double-click's interval after the first press, percent
+    QTest::addColumn<int>("count");
+    QTest::newRow("double-click") << QEvent::MouseButtonDblClick << QPointF(1, 0) << 50 << 1;
+    QTest::newRow("as a press") << QEvent::MouseButtonPress << QPointF(2, 0) << 50 << 1;
+    QTest::newRow("another point") << QEvent::MouseButtonPress << QPointF(20, 0) << 20 << 2;
+    QTest::newRow("later") << QEvent::MouseButtonPress << QPointF(2, 0) << 200 << 2;
+}
+
+void TestLandmarkView::aDoubleClickPlacesOneLandmark()
+{
+    QFETCH(QEvent::Type, type);
+    QFETCH(QPointF, way);
+    QFETCH(int, share);
+    QFETCH(int, count);
+    for (const bool isLast : {false, true}) { // of a template: the first click ends placing
+        const auto window = cubeWindow(false);
+        SceneDocument &document = window->document();
+        Landmark toPlace;
+        toPlace.name = "only";
+        if (isLast)
+            QVERIFY(editLandmarks(document, {toPlace}, {QStringLiteral("template")}));
+        document.picks().rayCasters().complete(document.objects());
+        part<LandmarkTool>(*window).setPlacing(true);
+        SceneView &view = window->view();
+        const auto click = [&view](QEvent::Type press, const QPointF &at, quint64 milliseconds) {
+            for (const bool isPress : {true, false}) {
+                QMouseEvent event(isPress ? press : QEvent::MouseButtonRelease, at, view.mapToGlobal(at),
+                                  Qt::LeftButton, isPress ? Qt::LeftButton : Qt::NoButton, Qt::NoModifier);
+                event.setTimestamp(milliseconds);
+                QCoreApplication::sendEvent(&view, &event);
+            }
+        };
+        const QPointF at = localOf(*window, kFront);
+        const LookAt camera = *document.scene().camera;
+        const auto wait = quint64(QGuiApplication::styleHints()->mouseDoubleClickInterval() * share / 100);
+        click(QEvent::MouseButtonPress, at, 10000);
+        QCOMPARE(document.landmarks().size(), std::size_t(1));
+        const Landmark first = document.landmarks()[0];
+        QVERIFY(first.isPlaced());
+        click(type, at + way, 10000 + wait);
+        QVERIFY(document.scene().camera == camera);
+        QVERIFY(document.landmarks()[0] == first);
+        const bool isRefused = count == 1;
+        QCOMPARE(QToolTip::text().contains(QStringLiteral("double-click places nothing")), isRefused);
+        if (isRefused) { // nor does a third click
+            click(QEvent::MouseButtonPress, at + way, 10000 + wait + wait);
+            QCOMPARE(document.landmarks().size(), std::size_t(1));
+        } else if (!isLast) {
+            QCOMPARE(document.landmarks().size(), std::size_t(count));
+        }
+        QToolTip::hideText();
+        QTRY_VERIFY_WITH_TIMEOUT(!QToolTip::isVisible(), kPatienceMilliseconds);
+    }
 }
 
 void TestLandmarkView::arrowKeysMoveByPixels_data()

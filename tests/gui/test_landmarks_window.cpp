@@ -20,7 +20,9 @@
 #include "gui/widgets/save_name.h"
 #include "tests/support/patience.h"
 
+#include <QAction>
 #include <QApplication>
+#include <QDir>
 #include <QFile>
 #include <QFileDialog>
 #include <QLabel>
@@ -28,6 +30,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPlainTextEdit>
+#include <QStatusBar>
 #include <QTimer>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -46,6 +49,7 @@ class TestLandmarksWindow : public QObject, ScanFolder {
 
 private slots:
     void init();
+    void theStatusBarTellsEachUndo();
     void aTemplateIsPlacedToItsEnd();
     void droppedPointsComeToTheTable();
     void aDroppedTemplateHasItsNamesPlaced();
@@ -63,6 +67,31 @@ void TestLandmarksWindow::init()
     begin();
     for (const char *name : {"a.obj", "b.obj"})
         write(QLatin1String(name), kSquare);
+}
+
+/// Every undo and redo has its own text: none keeps that of an earlier one.
+void TestLandmarksWindow::theStatusBarTellsEachUndo()
+{
+    const std::unique_ptr<MainWindow> window = windowOfSize({1280, 800});
+    for (const char *name : {"one", "two"}) {
+        landmarks::Landmark landmark;
+        landmark.name = name;
+        landmark.world = geometry::WorldPoint(1.0, 2.0, 0.0);
+        QVERIFY(window->document().sceneLandmarks().place(landmark));
+    }
+    auto *undo = window->findChild<QAction *>(QStringLiteral("undo"));
+    QVERIFY(undo);
+    undo->trigger();
+    QCOMPARE(window->statusBar()->currentMessage(), QStringLiteral("Undone: Place two."));
+    undo->trigger();
+    QCOMPARE(window->statusBar()->currentMessage(), QStringLiteral("Undone: Place one."));
+    QCOMPARE(window->document().landmarks().size(), std::size_t(0));
+    for (QAction *action : window->findChildren<QAction *>()) {
+        if (action->shortcut() == QKeySequence(QKeySequence::Redo))
+            action->trigger();
+    }
+    QCOMPARE(window->statusBar()->currentMessage(), QStringLiteral("Redone: Place one."));
+    QCOMPARE(window->document().landmarks().size(), std::size_t(1));
 }
 
 /// A template by the mouse and keys: K skips, X marks as missing, and the last click ends placing.
@@ -384,15 +413,21 @@ void TestLandmarksWindow::theTypedSuffixSelectsTheFormat()
     QVERIFY(window->findChild<ScanSeries *>()->open(path(QString()).toStdU16String()));
     QTRY_VERIFY_WITH_TIMEOUT(!window->session().isLoading(), kPatienceMilliseconds);
     window->workspaces().show(Panel::Series);
-    QStringList names{path(QStringLiteral("all.txt")), path(QStringLiteral("all.tps"))}, said;
+    QStringList names{path(QStringLiteral("all.txt")), path(QStringLiteral("all.tps"))}, said, proposed;
     QTimer answers; // the table is still chosen in the dialog
-    connect(&answers, &QTimer::timeout, this, [&names, &said] {
+    connect(&answers, &QTimer::timeout, this, [&names, &said, &proposed] {
         QWidget *modal = QApplication::activeModalWidget();
         if (auto *box = qobject_cast<QMessageBox *>(modal)) {
             said << box->text();
             box->button(QMessageBox::Ok)->click();
         } else if (auto *dialog = qobject_cast<QFileDialog *>(modal); dialog && !names.isEmpty()) {
-            dialog->findChild<QLineEdit *>()->setText(names.takeFirst());
+            auto *name = dialog->findChild<QLineEdit *>();
+            if (proposed.isEmpty()) {
+                proposed << name->text();
+                emit dialog->filterSelected(dialog->nameFilters()[2]);
+                proposed << name->text();
+            }
+            name->setText(names.takeFirst());
             QMetaObject::invokeMethod(dialog, "accept");
         }
     });
@@ -403,6 +438,8 @@ void TestLandmarksWindow::theTypedSuffixSelectsTheFormat()
     QVERIFY(button != buttons.end());
     (*button)->click();
     answers.stop();
+    const QString folder = QFileInfo(path(QStringLiteral("a.obj"))).dir().dirName();
+    QCOMPARE(proposed, (QStringList{folder + QStringLiteral(".csv"), folder + QStringLiteral(".tps")}));
     QCOMPARE(said.size(), 1);
     QVERIFY2(said[0].contains(QStringLiteral(".csv, .tps, .nts")), qPrintable(said[0]));
     QVERIFY(!QFile::exists(path(QStringLiteral("all.txt"))));

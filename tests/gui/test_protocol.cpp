@@ -56,7 +56,15 @@ private slots:
 private:
     const std::vector<KeptMeasure> &measures() const { return m_document->scene().landmarks.measures; }
     QTreeWidget &rows() { return *m_view->findChild<QTreeWidget *>(); }
-    QToolButton &button() { return *m_view->findChild<QToolButton *>(); }
+    /// The shown one of Keep and Remove.
+    QToolButton &button()
+    {
+        for (QToolButton *button : m_view->findChildren<QToolButton *>(QString(), Qt::FindDirectChildrenOnly)) {
+            if (button->isVisibleTo(m_view.get()))
+                return *button;
+        }
+        qFatal("no button");
+    }
     void choose(int row)
     {
         const QRect where = rows().visualItemRect(rows().topLevelItem(row));
@@ -151,6 +159,12 @@ void TestProtocol::aMeasureIsRenamedAndRemoved()
     rows().topLevelItem(1)->setText(0, QStringLiteral("height"));
     QCOMPARE(measures()[1].name, std::string("height"));
     QCOMPARE(button().text(), QStringLiteral("Remove"));
+    const QRect removes(button().mapTo(m_view.get(), QPoint()), button().size());
+    show(0);
+    QCOMPARE(button().text(), QStringLiteral("Keep"));
+    const QPoint keeps = button().mapTo(m_view.get(), button().rect().center());
+    QVERIFY2(!removes.contains(keeps), "a second press on Keep's place removes");
+    show(2);
     choose(0);
     button().click();
     QCOMPARE(measures(), (std::vector<KeptMeasure>{{"height", MeasureKind::Distance, {"a", "c"}}}));

@@ -310,8 +310,16 @@ void TestScanSeries::aSeriesWithABrokenScan()
 void TestScanSeries::aDamagedFileOfPointsIsNotWrittenOver()
 {
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,two,3\n");
+    write(QStringLiteral("t.obj"), kSquare);
+    QString failure;
+    connect(m_series.get(), &ScanSeries::failed, this, [&failure](const QString &text) { failure = text; });
     QVERIFY(m_series->open(file(QString())));
     QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
+    QVERIFY2(failure.endsWith(QStringLiteral("Press Ctrl+PgDown for the next scan.")), qPrintable(failure));
+    QFile::remove(path(QStringLiteral("t.obj")));
+    QVERIFY(m_series->open(file(QString()))); // there is no next one
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
+    QVERIFY2(!failure.contains(QStringLiteral("next scan")), qPrintable(failure));
     QVERIFY(m_series->scans()[0].problem.contains(QStringLiteral("square.obj.points.csv:2:")));
     QVERIFY(m_series->keep());
     QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("two"));
