@@ -62,7 +62,8 @@ private:
                 continue;
             m_camera.pose = numbers.size() == 16 ? matrixByRows(numbers) : std::nullopt;
             if (!m_camera.pose)
-                return fault(name, tr("%1 needs %2 numbers; it has %3", name, 16, numbers.size()));
+                return fault(name,
+                             tr("%1 needs %2 numbers; it has %3", m_values.find({name})->written, 16, numbers.size()));
             const bool isForward = std::string_view(name).starts_with("world");
             m_camera.direction = isForward ? PoseDirection::WorldToCamera : PoseDirection::CameraToWorld;
             m_camera.axes = EyeAxes::RightUpBack;
@@ -98,8 +99,8 @@ private:
         if (!matrix.empty()) {
             const auto clip = matrix.size() == 16 ? matrixByRows(matrix) : std::nullopt;
             if (!clip)
-                return fault("projectionmatrix",
-                             tr("%1 needs %2 numbers; it has %3", "projectionMatrix", 16, matrix.size()));
+                return fault("projectionmatrix", tr("%1 needs %2 numbers; it has %3",
+                                                    m_values.find({"projectionmatrix"})->written, 16, matrix.size()));
             m_camera.projection = MatrixProjection{*clip, NdcDepth::MinusOneToOne};
             return std::nullopt;
         }

@@ -113,6 +113,7 @@ private:
         m_isLineBlank = false;
         if (behind < m_text.size() && (m_text[behind] == ':' || m_text[behind] == '=')) {
             m_words = {plain(quoted)};
+            m_whole = m_written = quoted;
             m_wordsLine = m_line;
             begin();
             m_at = behind + 1;
@@ -147,9 +148,11 @@ private:
             if (m_words.empty()) {
                 m_areWordsFirst = m_isLineBlank;
                 m_wordsLine = m_line;
+                m_whole = name;
             }
             m_words.push_back(word);
             m_written = name;
+            m_whole = {m_whole.data(), std::size_t(name.data() + name.size() - m_whole.data())};
         }
         m_isLineBlank = false;
     }
@@ -219,9 +222,11 @@ private:
             m_parent = m_values.back().words.back();
         NamedValue value;
         value.words = std::exchange(m_words, {});
+        value.written = m_whole;
         if (value.words.size() > 1 && value.words.back().size() == 1) { // "Location X=1 Y=2 Z=3"
             m_parent = value.words[value.words.size() - 2];
             value.words = {value.words.back()};
+            value.written = m_written;
         }
         value.parent = m_parent;
         value.line = m_wordsLine;
@@ -246,6 +251,7 @@ private:
     std::size_t m_at = 0, m_line = 1;
     std::vector<std::string> m_words; ///< adjacent names that have no values yet
     std::string_view m_written;       ///< the last of them as written
+    std::string_view m_whole;         ///< all of them as written
     std::size_t m_wordsLine = 1;
     bool m_areWordsFirst = false, m_isLineBlank = true;
     bool m_areDegrees = false; ///< of the next number: "np.radians(60)"

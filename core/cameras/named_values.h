@@ -15,6 +15,7 @@ std::string plain(std::string_view name);
 /// A name in a printed text with the values behind it.
 struct NamedValue {
     std::vector<std::string> words; ///< of the name, letters and digits in lower case: {"near", "clipplane"}
+    std::string written;            ///< the name as in the text: "cam.nearClipPlane"
     std::string parent;             ///< the last name before it that has no values: "location" of "Location: X=1 Y=2"
     std::string word;               ///< the value, if it is a word: "HORIZONTAL"
     std::vector<double> numbers;    ///< the values up to the next name

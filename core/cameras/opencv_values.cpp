@@ -131,12 +131,10 @@ void applyFactor(OpenCvPart part, std::vector<double> &numbers)
         number *= factor;
 }
 
-std::string joined(const std::vector<std::string> &words, const char *between)
+/// The name as in the text, without its object's: "cameraMatrix" of "calib.cameraMatrix".
+std::string nameOf(const NamedValue &value)
 {
-    std::string text;
-    for (const std::string &word : words)
-        text += (text.empty() ? "" : between) + word;
-    return text;
+    return value.written.substr(value.written.find_last_of(".>") + 1);
 }
 
 } // namespace
@@ -163,8 +161,7 @@ OpenCvValues::OpenCvValues(std::span<const NamedText> texts)
             }
             if (value.numbers.size() == 1)
                 m_numbers.push_back(value);
-            values.push_back(
-                {{joined(value.words, " "), value.word, value.numbers, value.line, text.name}, partOf(value), 0});
+            values.push_back({{nameOf(value), value.word, value.numbers, value.line, text.name}, partOf(value), 0});
         }
         addComponents(named, text.name);
         for (Owned &owned : values) {

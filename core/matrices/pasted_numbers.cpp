@@ -87,8 +87,8 @@ std::optional<PastedPart> partOf(const std::string &letters)
         return PastedPart::Projection;
     if (has("modelview") || letters == "mv")
         return PastedPart::ModelView;
-    if (has("view") || letters == "v" || letters == "eyefromworld" || has("worldtocamera") || has("worldcam")
-        || has("worldtocam") || letters.starts_with("extrinsic"))
+    if (has("view") || letters == "v" || letters == "eyefromworld" || has("worldtocamera") || has("worldtocam")
+        || has("camerafromworld") || has("camfromworld") || letters.starts_with("extrinsic"))
         return PastedPart::View;
     // matrixWorld of a three.js object, matrix_world of Blender; without an object's name it is the
     // camera's, see namedBy
@@ -102,13 +102,17 @@ struct Named {
     bool isInverse = false;
 };
 
-/// The words of names in lower case: "inv_viewMatrix" has "inv", "view" and "matrix".
+/// The words of names in lower case: "inv_viewMatrix" has "inv", "view" and "matrix". The 2 of
+/// "world2cam" is the word "to".
 std::vector<std::string> wordsOf(std::string_view names)
 {
     std::vector<std::string> words;
     char before = ' ';
-    for (const char c : names) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const char c = names[i];
         const auto is = [](int (*kind)(int), char one) { return kind(static_cast<unsigned char>(one)) != 0; };
+        if (c == '2' && is(std::isalpha, before) && i + 1 < names.size() && is(std::isalpha, names[i + 1]))
+            words.emplace_back("to");
         if (is(std::isalpha, c)) {
             if (!is(std::isalpha, before) || (is(std::islower, before) && is(std::isupper, c)))
                 words.emplace_back();
@@ -149,7 +153,8 @@ bool isAxis(const std::string &word)
 
 /// The part that words name: "gl_ModelViewMatrix", "model view", "P*V", "projectionMatrixInverse",
 /// "cameraToWorld".
-std::optional<Named> namedBy(std::string_view names)
+/// The part that whole names tell, with the names of their objects: "camera.matrixWorld".
+std::optional<Named> namedByAll(std::string_view names)
 {
     const std::vector<std::string> words = wordsOf(names);
     std::string letters;
@@ -170,8 +175,11 @@ std::optional<Named> namedBy(std::string_view names)
         return Named{PastedPart::View};
     // The name refers to a camera or to no object: worldFromEye, the inverse of the view.
     if (letters == "matrixworld" || (hasAny({"matrixworld"}) && hasAny({"camera"}))
-        || hasAny({"worldfromeye", "worldfromcamera", "worldfromview", "cameratoworld", "viewtoworld", "eyetoworld",
-                   "camworld", "camtoworld"}))
+        || hasAny({"worldfromeye", "worldfromcam", "worldfromview", "cameratoworld", "viewtoworld", "eyetoworld",
+                   "camtoworld"}))
+        return Named{PastedPart::View, !isInverse};
+    // "cam_world" is the camera's pose, "cam_worldToCamera" is not.
+    if (hasAny({"camworld"}) && !hasAny({"worldto"}))
         return Named{PastedPart::View, !isInverse};
     if (hasAny({"eyefromclip", "viewfromclip", "cliptoeye", "cliptoview", "cliptocamera"}))
         return Named{PastedPart::Projection, !isInverse};
@@ -179,6 +187,19 @@ std::optional<Named> namedBy(std::string_view names)
         return Named{PastedPart::Product, !isInverse};
     const std::optional<PastedPart> part = partOf(letters);
     return part ? std::optional(Named{*part, isInverse}) : std::nullopt;
+}
+
+/// The part that names tell. The last name of a path counts, if it tells one: "cam.viewProjection"
+/// is a product.
+std::optional<Named> namedBy(std::string_view names)
+{
+    constexpr std::size_t kShort = 2; // the p of "ray.p" is no projection
+    const std::string_view last = names.substr(names.find_last_of('.') + 1);
+    if (names.find(' ') == names.npos && last.size() > kShort && !inSmallLetters(last).starts_with("matrix")) {
+        if (const auto named = namedByAll(last))
+            return named;
+    }
+    return namedByAll(names);
 }
 
 /// The letters of a name, in lower case.

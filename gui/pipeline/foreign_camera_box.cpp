@@ -9,9 +9,9 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -26,6 +26,8 @@ using namespace geometry;
 using namespace cameras;
 
 namespace {
+
+constexpr std::array kDirections{PoseDirection::WorldToCamera, PoseDirection::CameraToWorld};
 
 QString axesName(EyeAxes axes)
 {
@@ -87,6 +89,14 @@ QString withFieldNames(QString sentence)
     }};
     for (const auto &[option, name] : names)
         sentence.replace(QLatin1String(option), name);
+    const auto replaceWord = [&sentence](const char *word, const QString &shown) {
+        const QRegularExpression whole(QStringLiteral("(?<![\\w.-])%1(?![\\w.-])").arg(QLatin1String(word)));
+        sentence.replace(whole, ForeignCameraBox::tr("“%1”", "the item of a field").arg(shown));
+    };
+    for (const PoseDirection direction : kDirections)
+        replaceWord(keyOf(direction), directionName(direction));
+    for (const EyeAxes axes : kEyeAxes)
+        replaceWord(keyOf(axes), axesName(axes));
     return sentence;
 }
 
@@ -133,7 +143,6 @@ ForeignCameraBox::ForeignCameraBox(QWidget *parent)
 
 void ForeignCameraBox::createFields()
 {
-    static constexpr std::array kDirections{PoseDirection::WorldToCamera, PoseDirection::CameraToWorld};
     static constexpr std::array kCentres{PixelCentres::AtIntegers, PixelCentres::AtHalves};
     m_image = new QComboBox;
     m_image->setAccessibleName(tr("Image"));
@@ -161,22 +170,11 @@ void ForeignCameraBox::createFields()
         tr("Pixel centres"), tr("The coordinates of the first pixel's centre in the program"), kCentres, centresName);
     m_isUndistorted = new QCheckBox(tr("My pixels are of the undistorted image"));
     m_isUndistorted->setToolTip(tr("Drop the distortion coefficients: the view has no distortion"));
-    const auto line = [](QWidget *first, QWidget *second, const QString &between = {}) {
-        auto *made = new QHBoxLayout;
-        made->addWidget(first, 1);
-        if (!between.isEmpty())
-            made->addWidget(new QLabel(between));
-        made->addWidget(second, between.isEmpty() ? 0 : 1);
-        return made;
-    };
-    const auto label = [](const QString &text, QWidget *buddy) {
-        auto *made = new QLabel(text);
-        made->setBuddy(buddy);
-        return made;
-    };
     m_form->addRow(tr("&Image:"), m_image);
-    m_form->addRow(label(tr("Image &size:"), m_size), line(m_size, m_takesSize));
-    m_form->addRow(label(tr("&Near, far:"), m_near), line(m_near, m_far, QStringLiteral("–")));
+    m_form->addRow(tr("Image &size:"), m_size);
+    m_form->addRow({}, m_takesSize);
+    m_form->addRow(tr("&Near:"), m_near);
+    m_form->addRow(tr("Fa&r:"), m_far);
     m_form->addRow(tr("&Axes:"), m_axes);
     m_form->addRow(tr("P&ose:"), m_direction);
     m_form->addRow(tr("Pixel &centres:"), m_centres);
@@ -218,6 +216,7 @@ void ForeignCameraBox::dropChoices()
 void ForeignCameraBox::read(std::span<const NamedText> texts, const std::optional<Box> &objects)
 {
     m_camera.reset();
+    m_isRead = false;
     auto read = readCamera(texts, choices());
     std::size_t hash = 0;
     for (const NamedText &text : texts)
@@ -241,6 +240,7 @@ void ForeignCameraBox::read(std::span<const NamedText> texts, const std::optiona
         showFault();
         return;
     }
+    m_isRead = true;
     m_camera = sceneCamera(**read, choices(), objects);
     showRead(**read);
     if (!*m_camera)
@@ -268,6 +268,8 @@ void ForeignCameraBox::showRead(const ForeignCamera &camera)
     m_form->setRowVisible(m_isUndistorted, camera.distortion && !camera.distortion->isNone());
     for (QLineEdit *field : {m_near, m_far})
         field->setEnabled(camera.intrinsics.has_value());
+    for (QComboBox *box : {m_axes, m_direction, m_centres})
+        box->setEnabled(true);
     if (camera.intrinsics)
         m_centres->setItemText(0, tr("As read: %1").arg(centresName(camera.intrinsics->centres)));
     if (!*m_camera)
@@ -302,6 +304,15 @@ void ForeignCameraBox::showFault()
     const QString reason = withFieldNames(ended(error.reason));
     m_fault = place.isEmpty() ? reason : tr("%1: %2", "a place in a text, what is wrong").arg(place, reason);
     m_said->clear();
+    if (m_isRead)
+        return;
+    // The texts are not read: only these choices can make them readable.
+    if (m_title->text().isEmpty())
+        m_title->setText(tr("Camera"));
+    for (QWidget *field : std::initializer_list<QWidget *>{m_near, m_far, m_axes, m_direction, m_centres, m_takesSize})
+        field->setEnabled(false);
+    for (QLineEdit *field : {m_size, m_near, m_far})
+        field->setPlaceholderText({});
 }
 
 QString ForeignCameraBox::fault() const

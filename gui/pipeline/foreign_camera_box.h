@@ -31,6 +31,8 @@ public:
     void read(std::span<const cameras::NamedText> texts, const std::optional<geometry::Box> &objects);
     /// The last camera read; nothing if the texts have no known program's form.
     const std::optional<Camera> &camera() const { return m_camera; }
+    /// Returns whether the texts were read. The camera may still be unusable, as without a size.
+    bool isRead() const { return m_isRead; }
     /// The reason why the camera cannot be used, with what to do; empty if it can.
     QString fault() const;
     /// Returns whether the view should get the image's size.
@@ -50,6 +52,7 @@ private:
     QString m_program;
     std::size_t m_textsHash = 0; ///< of the last texts
     std::optional<Camera> m_camera;
+    bool m_isRead = false;
     QString m_fault; ///< of a camera that cannot be read
     QFormLayout *m_form;
     QLabel *m_title;

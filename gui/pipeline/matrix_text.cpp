@@ -46,7 +46,7 @@ QString partName(PastedPart part)
 }
 
 /// The window's action or advice about a finding, beside the button that repairs it.
-QString adviceFor(const MatrixFinding &finding)
+QString adviceFor(const MatrixFinding &finding, MatrixRole role)
 {
     switch (finding.fault) {
     case MatrixFault::DepthReversed: return MatrixText::tr("The depth range is reversed to match.");
@@ -54,6 +54,11 @@ QString adviceFor(const MatrixFinding &finding)
     case MatrixFault::UnknownForm:
         return MatrixText::tr("The window cannot show it; only the inverted matrix can answer.");
     case MatrixFault::OrderOpen: return MatrixText::tr("Choose the order in which your program prints it.");
+    case MatrixFault::Mirrored:
+        return role == MatrixRole::View
+                   ? MatrixText::tr("The program's world may be left-handed. “Flip x” keeps the coordinates of that "
+                                    "world and mirrors the image; it is then not the program's camera.")
+                   : QString();
     case MatrixFault::Scaled:
         return finding.repair == MatrixRepair::None ? MatrixText::tr("Paste only the view.") : QString();
     default: return {};
@@ -90,7 +95,7 @@ QString findingSentence(const MatrixFinding &finding, MatrixRole role)
 {
     const QString found = QString::fromStdString(findingText(finding, role));
     return joinSentences(
-        {MatrixText::tr("It %1.", "a matrix: what is to be seen of it").arg(found), adviceFor(finding)});
+        {MatrixText::tr("It %1.", "a matrix: what is to be seen of it").arg(found), adviceFor(finding, role)});
 }
 
 QString repairName(const MatrixFinding &finding, NumberOrder order)

@@ -1,5 +1,6 @@
 #include "gui/pipeline/paste_camera_dialog.h"
 
+#include "core/cameras/seen_objects.h"
 #include "core/matrices/matrix_format.h"
 #include "core/text/error_text.h"
 #include "gui/document/scene_document.h"
@@ -13,11 +14,11 @@
 #include "gui/widgets/file_dialogs.h"
 #include "gui/widgets/segmented_switch.h"
 
+#include <QBoxLayout>
 #include <QDialogButtonBox>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFile>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMimeData>
 #include <QPushButton>
@@ -53,10 +54,13 @@ PasteCameraDialog::PasteCameraDialog(SceneDocument &document, QWidget *parent)
     auto *boxes = new QWidget;
     auto *columns = new QHBoxLayout(boxes);
     columns->setContentsMargins(0, 0, 0, 0);
-    columns->setSpacing(2 * fontMetrics().horizontalAdvance(u'0'));
+    m_texts = new QBoxLayout(QBoxLayout::LeftToRight);
+    for (QBoxLayout *layout : {static_cast<QBoxLayout *>(columns), m_texts})
+        layout->setSpacing(2 * fontMetrics().horizontalAdvance(u'0'));
+    columns->addLayout(m_texts, 1);
     for (const MatrixRole role : kRoles) {
         m_boxes[std::size_t(role)] = new PastedMatrixBox(role);
-        columns->addWidget(box(role), 1);
+        m_texts->addWidget(box(role), 1);
         connectBox(role);
     }
     columns->addWidget(m_foreign, 1);
@@ -178,7 +182,7 @@ void PasteCameraDialog::readFiles(const std::vector<std::filesystem::path> &file
         texts.push_back({pathText(path.filename()).toStdString(), file.readAll().toStdString()});
     }
     m_kind->setChoice(0);
-    m_files = std::move(texts);
+    m_files = withEarlier(std::move(texts));
     readForeign();
     if (!isForeign() && m_files.size() == 1) {
         const QString text = QString::fromStdString(m_files.front().text);
@@ -186,6 +190,19 @@ void PasteCameraDialog::readFiles(const std::vector<std::filesystem::path> &file
         setText(MatrixRole::Projection, text);
     }
     refresh();
+}
+
+std::vector<NamedText> PasteCameraDialog::withEarlier(std::vector<NamedText> texts) const
+{
+    const auto isCamera = [](const std::vector<NamedText> &all) {
+        const auto camera = readCamera(all, {});
+        return camera && *camera;
+    };
+    if (m_files.empty() || isCamera(m_files) || isCamera(texts))
+        return texts;
+    std::vector<NamedText> all = m_files;
+    all.insert(all.end(), texts.begin(), texts.end());
+    return isCamera(all) ? all : texts;
 }
 
 void PasteCameraDialog::dropFiles()
@@ -209,8 +226,12 @@ std::vector<NamedText> PasteCameraDialog::cameraTexts() const
 
 void PasteCameraDialog::readForeign()
 {
+    std::vector<NamedText> texts = cameraTexts();
+    // A camera may be divided between the fields, as Unity's two matrices.
+    if (m_files.empty() && texts.size() == 2 && !readCamera(texts, {}))
+        texts = {{{}, texts[0].text + '\n' + texts[1].text}};
     const bool hasObjects = !m_document.objects().empty();
-    m_foreign->read(cameraTexts(), hasObjects ? std::optional(m_document.bounds()) : std::nullopt);
+    m_foreign->read(texts, hasObjects ? std::optional(m_document.bounds()) : std::nullopt);
 }
 
 bool PasteCameraDialog::isForeign() const
@@ -218,10 +239,11 @@ bool PasteCameraDialog::isForeign() const
     const auto &camera = m_foreign->camera();
     if (!camera)
         return false;
-    // Matrices that can be read count more than a camera that cannot.
+    // Matrices that can be read count more than a camera that cannot. A camera that is read may
+    // still lack its image's size.
     const bool haveMatrices = m_files.empty() && m_paste.camera().isAnything() && !m_paste.error(MatrixRole::Projection)
                               && !m_paste.error(MatrixRole::View);
-    return bool(*camera) || !haveMatrices;
+    return m_foreign->isRead() || !haveMatrices;
 }
 
 std::optional<Surface> PasteCameraDialog::viewSize() const
@@ -289,6 +311,21 @@ MatrixPaste::Camera PasteCameraDialog::camera() const
     return camera;
 }
 
+QString PasteCameraDialog::emptyText(const Setup &setup) const
+{
+    const auto view = eyeFromWorld(setup);
+    if (m_document.objects().empty() || !view)
+        return {};
+    const DepthExtent depths = depthExtent(*view, m_document.bounds());
+    const ProjectionWindow w = projectionWindow(setup.projection());
+    const bool isEmpty = depths.farthest > 0.0
+                         && (depths.farthest <= std::min(w.nearDistance, w.farDistance)
+                             || depths.nearest >= std::max(w.nearDistance, w.farDistance));
+    return isEmpty ? tr("Nothing will be seen: the objects are %1 to %2 in front of the eye, not between near and far.")
+                         .arg(writtenText(depths.nearest, 4), writtenText(depths.farthest, 4))
+                   : QString();
+}
+
 QString PasteCameraDialog::meaning(const MatrixPaste::Camera &camera, bool &isUsable) const
 {
     isUsable = false;
@@ -311,7 +348,7 @@ QString PasteCameraDialog::meaning(const MatrixPaste::Camera &camera, bool &isUs
     if (!shown)
         return notACamera(shown.error());
     isUsable = true;
-    QStringList said{cameraText(*shown, camera.projection)};
+    QStringList said{cameraText(*shown, camera.projection), emptyText(*shown)};
     if (const auto size = viewSize())
         said << tr("The view gets the image's size, %1 × %2.").arg(size->widthPixels).arg(size->heightPixels);
     if (isProduct())
@@ -329,11 +366,16 @@ QString PasteCameraDialog::meaning(const MatrixPaste::Camera &camera, bool &isUs
 void PasteCameraDialog::refresh()
 {
     readForeign();
+    const bool isHalf = isForeign() && cameraTexts().size() == 2;
+    m_texts->setDirection(isForeign() ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     for (const MatrixRole role : kRoles) {
         const bool isOfKind = (role == MatrixRole::Product) == isProduct() && m_files.empty();
         const bool isSecond = isForeign() && role == MatrixRole::View && box(role)->text().trimmed().isEmpty();
         box(role)->setVisible(isOfKind && !isSecond);
-        box(role)->setTextOnly(isForeign());
+        if (isForeign())
+            box(role)->showTextOnly(isHalf);
+        else
+            box(role)->showMatrix();
         box(role)->showPaste(m_paste);
     }
     m_foreign->setVisible(isForeign());

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <vector>
 
+class QBoxLayout;
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
@@ -32,7 +33,8 @@ public:
     /// Sets the text of a matrix, and shows its field.
     void setText(matrices::MatrixRole role, const QString &text);
 
-    /// Reads the camera in these files. A single file that is no known program's is read as matrices.
+    /// Reads the camera in these files, with those read before if only both together are a camera.
+    /// A single file that is no known program's is read as matrices.
     void readFiles(const std::vector<std::filesystem::path> &files);
 
     /// Shows the dialog over a window; it deletes itself.
@@ -52,6 +54,8 @@ private:
     QHBoxLayout *createHead();
     void connectBox(matrices::MatrixRole role);
     void askForFiles();
+    /// These texts, and the earlier files if only both together are a camera (COLMAP).
+    std::vector<cameras::NamedText> withEarlier(std::vector<cameras::NamedText> texts) const;
     /// Reads the typed texts again instead of the files.
     void dropFiles();
     /// The texts in which another program's camera may be: the files, else the typed ones.
@@ -69,6 +73,8 @@ private:
     void growToContent();
     /// The camera that OK would apply.
     matrices::MatrixPaste::Camera camera() const;
+    /// Says that near and far hide all objects; empty if they don't.
+    QString emptyText(const geometry::Setup &setup) const;
     /// Describes the camera, or why it cannot be used.
     QString meaning(const matrices::MatrixPaste::Camera &camera, bool &isUsable) const;
     /// The size that the view gets from the camera's image.
@@ -83,6 +89,7 @@ private:
     ForeignCameraBox *m_foreign;
     std::array<PastedMatrixBox *, 3> m_boxes{};
     QScrollArea *m_scrolled;
+    QBoxLayout *m_texts; ///< matrices side by side, or a camera's texts above each other
     QLabel *m_meaning;
     QPushButton *m_ok;
 };

@@ -146,11 +146,20 @@ void PastedMatrixBox::setText(const QString &text)
     m_text->setPlainText(text);
 }
 
-void PastedMatrixBox::setTextOnly(bool isTextOnly)
+void PastedMatrixBox::showMatrix()
 {
-    m_title->setText(isTextOnly ? tr("Camera") : QStringLiteral("%1   %2").arg(roleName(m_role), variableName(m_role)));
-    m_read->setVisible(!isTextOnly);
-    setTextLines(isTextOnly ? kLinesOfCamera : kTextLines);
+    m_title->setText(QStringLiteral("%1   %2").arg(roleName(m_role), variableName(m_role)));
+    m_read->show();
+    setTextLines(kTextLines);
+}
+
+void PastedMatrixBox::showTextOnly(bool isHalf)
+{
+    m_title->setText(!isHalf                            ? tr("Camera")
+                     : m_role == MatrixRole::Projection ? tr("Camera, first text")
+                                                        : tr("Camera, second text"));
+    m_read->hide();
+    setTextLines(isHalf ? kLinesOfCamera / 2 - 1 : kLinesOfCamera);
 }
 
 void PastedMatrixBox::setTextLines(int lines)
@@ -198,6 +207,9 @@ void PastedMatrixBox::showPaste(const MatrixPaste &paste)
     }
     m_ndcDepth->setEnabled(pasted != nullptr);
     QStringList said = saidOf(paste);
+    if (text().contains(QStringLiteral("<Matrix 4x4")))
+        said << tr("Blender prints this. If it is the camera's pose, write “matrix_world =” before it, and add the "
+                   "lens in a line below: “lens = 50”.");
     if (pasted && pasted->isInverse)
         said << sentence(inverseText(*pasted));
     if (paste.leavesInverseOut(m_role))

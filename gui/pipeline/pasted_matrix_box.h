@@ -26,8 +26,11 @@ public:
 
     QString text() const;
     void setText(const QString &text);
+    /// Shows the text and what it was read as.
+    void showMatrix();
     /// Shows only the text, which has no matrix but another program's camera.
-    void setTextOnly(bool isTextOnly);
+    /// @param isHalf  the other half of the camera is in another box
+    void showTextOnly(bool isHalf);
     /// Shows the result of parsing the texts.
     void showPaste(const matrices::MatrixPaste &paste);
 

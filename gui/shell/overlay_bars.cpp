@@ -2,9 +2,12 @@
 
 #include "gui/document/recovery_file.h"
 #include "gui/text/error_text.h"
+#include "gui/widgets/contrast.h"
 
 #include <QAccessible>
+#include <QApplication>
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPlainTextEdit>
@@ -24,17 +27,52 @@ QString dateText(const QDateTime &time)
     return time.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")); // the same in every language
 }
 
+/// The colours of a bar over the view, with light and dark window colours.
+class OverlayColours : public QObject {
+public:
+    OverlayColours(QFrame &frame, const QColor &background, const QColor &border)
+        : QObject(&frame), m_frame(frame), m_background(background), m_border(border)
+    {
+        frame.installEventFilter(this);
+        colour();
+    }
+
+    bool eventFilter(QObject *watched, QEvent *event) override
+    {
+        if (event->type() == QEvent::PaletteChange)
+            colour();
+        return QObject::eventFilter(watched, event);
+    }
+
+private:
+    void colour()
+    {
+        constexpr double kShare = 0.2; // of the border's colour in a dark bar
+        const QPalette colors = QApplication::palette();
+        const QColor window = colors.color(QPalette::Window);
+        const bool isDark = window.lightnessF() < 0.5F;
+        const QColor background = isDark ? mixed(window, m_border, kShare) : m_background;
+        const QColor ink = isDark ? colors.color(QPalette::WindowText) : QColor(0x2b, 0x2b, 0x2b);
+        const QString style =
+            QStringLiteral("#overlay { background: %1; border: 1px solid %2; border-radius: 4px; } "
+                           "#overlay QLabel, #overlay QPlainTextEdit, #overlay QToolButton { color: %3; } "
+                           "#overlay QPlainTextEdit { background: transparent; border: none; }")
+                .arg(background.name(), m_border.name(), ink.name());
+        if (style != m_frame.styleSheet()) // our own change comes back as an event
+            m_frame.setStyleSheet(style);
+    }
+
+    QFrame &m_frame;
+    QColor m_background, m_border;
+};
+
 } // namespace
 
 void makeOverlay(QFrame &frame, const char *background, const char *border)
 {
     frame.setObjectName(QStringLiteral("overlay"));
     frame.setAttribute(Qt::WA_StyledBackground);
-    frame.setStyleSheet(
-        QStringLiteral("#overlay { background: %1; border: 1px solid %2; border-radius: 4px; } "
-                       "#overlay QLabel, #overlay QPlainTextEdit, #overlay QToolButton { color: #2b2b2b; } "
-                       "#overlay QPlainTextEdit { background: transparent; border: none; }")
-            .arg(QLatin1String(background), QLatin1String(border)));
+    new OverlayColours(frame, QColor(QLatin1String(background)), QColor(QLatin1String(border)));
     frame.hide();
 }
 

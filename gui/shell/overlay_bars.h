@@ -16,9 +16,10 @@ namespace unprojector::gui {
 
 struct RecoveryInfo;
 
-/// Makes a frame a bar over the view, hidden at first. Its background is light with any window
-/// colours.
-/// @param background, border  as in style sheets: "#f4f6f8"
+/// Makes a frame a bar over the view, hidden at first. It is dark where the window's colours
+/// are dark.
+/// @param background  with light window colours, "#f4f6f8"
+/// @param border      "#a9b3bd"; it tints a dark background
 void makeOverlay(QFrame &frame, const char *background, const char *border);
 
 /// A message over the top of the view that stays until it is closed: it reports an error without

@@ -29,11 +29,22 @@ double viewportAspect(const Setup &setup)
     return setup.viewport.width / setup.viewport.height;
 }
 
+/// Returns whether the view has the size that came with a camera's matrix. Its pixels need not be
+/// square.
+bool hasCamerasSize(const SceneDocument &document)
+{
+    const Scene &scene = document.scene();
+    return scene.projection.matrix() && scene.windowSize && scene.viewport.kind == ViewportRule::Kind::WholeWindow
+           && *scene.windowSize == document.setup().surface;
+}
+
 } // namespace
 
 bool isPictureStretched(const SceneDocument &document)
 {
     const Setup &setup = document.setup();
+    if (hasCamerasSize(document))
+        return false;
     if (document.objects().empty() || !isDistorted(circleAspect(setup)))
         return false;
     // No rectangle of whole pixels is closer in a small window.

@@ -180,6 +180,8 @@ void TestCameraReaders::faultsAreNamed_data()
     row("a short extrinsic", "Open3D, parameters", "\"extrinsic\": [", "\"extrinsic\": [0.5, ",
         "extrinsic needs 16 numbers; it has 17");
     row("an angle of 180", "MuJoCo, data", "45.5", "180", "the field of view is 180 degrees");
+    row("16 numbers", "Unity, matrices", "worldToCameraMatrix", "cam.worldToCameraMatrix = 1\nrest",
+        "cam.worldToCameraMatrix needs 16 numbers; it has 1");
     row("no position", "Unity, transform", "position: (1.50, 2.25, -6.00)", "position: (1.50, 2.25)",
         "the camera's position is missing");
     row("no lens", "Blender", "lens = 50.0", "", "the focal length is missing");

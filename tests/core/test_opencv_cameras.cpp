@@ -508,15 +508,15 @@ void TestOpenCvCameras::faultsNameValueAndLine_data()
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("reason");
     QTest::newRow("eight numbers") << "\nK = 800 0 320 0 800 240 0 0\n"
-                                   << "k: it has 8 numbers; a camera matrix has nine, by rows @2";
+                                   << "K: it has 8 numbers; a camera matrix has nine, by rows @2";
     QTest::newRow("no camera matrix")
         << "K = 800 0 320 5 800 240 0 0 1\n"
-        << "k: this is no camera matrix; it must have the rows fx skew cx, 0 fy cy, 0 0 1 @1";
+        << "K: this is no camera matrix; it must have the rows fx skew cx, 0 fy cy, 0 0 1 @1";
     QTest::newRow("R mirrors") << "K = 800 0 320 0 800 240 0 0 1\nR = 1 0 0 0 1 0 0 0 -1\nt = 0 0 5\n"
-                               << "r: its determinant is -1: it mirrors. Check the sign of a row or a column @2";
+                               << "R: its determinant is -1: it mirrors. Check the sign of a row or a column @2";
     QTest::newRow("R has seven")
         << "K = 800 0 320 0 800 240 0 0 1\nR = 1 0 0 0 1 0 0\n"
-        << "r: it has 7 numbers; a rotation has nine, by rows, or three of a rotation vector @2";
+        << "R: it has 7 numbers; a rotation has nine, by rows, or three of a rotation vector @2";
     QTest::newRow("t has two") << "K = 800 0 320 0 800 240 0 0 1\nt = 1 0\n"
                                << "t: it has 2 numbers; a translation has three @2";
     QTest::newRow("no rotation") << "K = 800 0 320 0 800 240 0 0 1\nR = 1 0.5 0 0 1 0 0 0 1\nt = 0 0 5\n"
@@ -525,7 +525,7 @@ void TestOpenCvCameras::faultsNameValueAndLine_data()
     QTest::newRow("no K") << "rvec = 0 0 0\ntvec = 0 0 5\n"
                           << "there is a pose, but no camera matrix; give K, nine numbers by rows @0";
     QTest::newRow("P is flat") << "P = 1 0 0 0 0 1 0 0 1 1 0 0\n"
-                               << "p: its first three columns have no inverse; a camera's P has one @1";
+                               << "P: its first three columns have no inverse; a camera's P has one @1";
     QTest::newRow("fx alone") << "fx = 800\nfy = 800\n"
                               << "fx and fy are given without cx and cy; give all four @0";
     QTest::newRow("two K, one R")

@@ -283,6 +283,21 @@ void TestPastedMatrices::inversesAreReadAsSuch_data()
     for (const char *name : {"camera.matrixWorldInverse", "worldToCameraMatrix", "viewMatrix", "involved view",
                              "inventor view", "inverse(worldFromEye)"})
         QTest::newRow(name) << QString::fromLatin1(name) << View << false;
+    // The name of its object doesn't change the meaning of a name.
+    for (const char *object :
+         {"cam.", "camera.", "Camera.main.", "self.cam_", "mainCam.", "world.", "modelCam.", "Matrix4x4 cam."}) {
+        for (const char *name :
+             {"worldToCameraMatrix", "worldToCamera", "world_to_camera", "world2cam", "cameraFromWorld", "worldToView"})
+            QTest::addRow("%s%s", object, name) << QString::fromLatin1(object) + name << View << false;
+        for (const char *name :
+             {"cameraToWorldMatrix", "cameraToWorld", "camera_to_world", "cam2world", "worldFromCamera", "viewToWorld"})
+            QTest::addRow("%s%s", object, name) << QString::fromLatin1(object) + name << View << true;
+    }
+    QTest::newRow("cam_world") << QStringLiteral("cam_world") << View << true;
+    for (const char *name : {"cam.viewProj", "self.viewProjection", "cam.clipFromWorld", "camera.mvp"})
+        QTest::newRow(name) << QString::fromLatin1(name) << Product << false;
+    for (const char *name : {"cam.proj", "self.projectionMatrix", "viewCamera.projection"})
+        QTest::newRow(name) << QString::fromLatin1(name) << Projection << false;
     for (const char *name : {"inverse depth projection", "inverse-z projection", "invDepthProjection", "clipFromView",
                              "viewToClip", "clipFromEye", "eyeToClip"})
         QTest::newRow(name) << QString::fromLatin1(name) << Projection << false;

@@ -198,6 +198,14 @@ private slots:
     void filesAreDropped();
     void strangeFilesAreRefused();
     void matricesStayMatrices();
+    void unitysMatricesAreUnitys_data();
+    void unitysMatricesAreUnitys();
+    void mirroringIsSaid();
+    void filesOpenedOneByOneJoin();
+    void choicesThatDontApplyAreDisabled();
+    void blendersMatrixNeedsItsName();
+    void planesBeyondTheObjectsAreSaid();
+    void bothTextsLeaveRoomForTheFields();
     void nothingIsCut();
 };
 
@@ -323,7 +331,8 @@ void TestPasteCamera::theObjectsDecideThePose()
     Pasting pasting;
     pasting.paste(
         QStringLiteral("K = [[500, 0, 319.5], [0, 510, 239.5], [0, 0, 1]]\npose = [%1]").arg(rows.join(", ")));
-    QVERIFY2(pasting.said().contains("camera-to-world"), qPrintable(pasting.said()));
+    QVERIFY2(pasting.said().contains("“Camera to world”") && !pasting.said().contains("camera-to-world"),
+             qPrintable(pasting.said()));
     pasting.ok()->click();
     QVERIFY(areClose(pasting.pixelOf(kPoint), projectedByKrt(kPoint) + kHalfPixels));
 }
@@ -453,6 +462,136 @@ void TestPasteCamera::matricesStayMatrices()
     QVERIFY(pasting.box(MatrixRole::View)->isVisible());
     pasting.ok()->click();
     QVERIFY(pasting.document.scene().projection.matrix() && !pasting.document.scene().windowSize);
+}
+
+namespace {
+
+const QString kUnityView = QStringLiteral("worldToCameraMatrix\n1 0 0 -0.15\n0 1 0 -0.25\n0 0 -1 -0.45\n0 0 0 1\n");
+const QString kUnityLens = QStringLiteral("projectionMatrix\n1.5 0 0 0\n0 2 0 0\n0 0 -1.0006 -0.60018\n0 0 -1 0\n");
+
+} // namespace
+
+void TestPasteCamera::unitysMatricesAreUnitys_data()
+{
+    QTest::addColumn<QString>("first");
+    QTest::addColumn<QString>("second");
+    QTest::addColumn<bool>("isFile");
+    QTest::newRow("one text") << kUnityView + kUnityLens << QString() << false;
+    QTest::newRow("a field each") << kUnityLens << kUnityView << false;
+    QTest::newRow("exchanged fields") << kUnityView << kUnityLens << false;
+    QTest::newRow("a file") << kUnityView + kUnityLens << QString() << true;
+}
+
+/// Without a size they are not taken as plain matrices: the dialog asks for the size.
+void TestPasteCamera::unitysMatricesAreUnitys()
+{
+    QFETCH(QString, first);
+    QFETCH(QString, second);
+    QFETCH(bool, isFile);
+    const QTemporaryDir folder;
+    Pasting pasting;
+    if (isFile)
+        pasting.dialog.readFiles({written(folder, QStringLiteral("u.txt"), first.toUtf8())});
+    else
+        pasting.paste(first);
+    if (!second.isEmpty())
+        pasting.paste(second, MatrixRole::View);
+    QVERIFY2(pasting.said().contains("Camera of Unity"), qPrintable(pasting.said()));
+    QVERIFY(!pasting.ok()->isEnabled());
+    QVERIFY2(pasting.said().contains("size of the image is not given"), qPrintable(pasting.said()));
+    pasting.type("Image size", "640 x 480");
+    QVERIFY2(pasting.ok()->isEnabled(), qPrintable(pasting.said()));
+    pasting.ok()->click();
+    const glm::dvec3 eye = pasting.document.setup().camera().eye.coordinates();
+    QVERIFY2(glm::distance(eye, {0.15, 0.25, 0.45}) < 1e-9, qPrintable(pasting.said()));
+}
+
+void TestPasteCamera::mirroringIsSaid()
+{
+    Pasting pasting;
+    pasting.paste(QString(kUnityView).replace("worldToCameraMatrix", "view"), MatrixRole::View);
+    QVERIFY2(pasting.said().contains("“Flip x” keeps the coordinates of that world and mirrors the image"),
+             qPrintable(pasting.said()));
+}
+
+void TestPasteCamera::filesOpenedOneByOneJoin()
+{
+    const QTemporaryDir folder;
+    const auto images = written(folder, QStringLiteral("images.txt"), "1 1 0 0 0 0 0 5 1 a.png\n\n"),
+               cameras = written(folder, QStringLiteral("cameras.txt"), "1 PINHOLE 640 480 500 510 320 240\n"),
+               other = written(folder, QStringLiteral("other.txt"), krt().toUtf8());
+    for (const bool areImagesFirst : {true, false}) {
+        Pasting pasting;
+        pasting.dialog.readFiles({areImagesFirst ? images : cameras});
+        QVERIFY(!pasting.ok()->isEnabled());
+        QVERIFY2(pasting.said().contains(areImagesFirst ? "give cameras.txt too" : "give images.txt too"),
+                 qPrintable(pasting.said()));
+        pasting.dialog.readFiles({areImagesFirst ? cameras : images});
+        QVERIFY2(pasting.ok()->isEnabled() && pasting.said().contains("Camera of COLMAP"), qPrintable(pasting.said()));
+        QVERIFY(pasting.said().contains("images.txt") && pasting.said().contains("cameras.txt"));
+        // A whole camera replaces them.
+        pasting.dialog.readFiles({other});
+        QVERIFY(pasting.said().contains("other.txt") && !pasting.said().contains("images.txt"));
+    }
+}
+
+void TestPasteCamera::choicesThatDontApplyAreDisabled()
+{
+    Pasting pasting;
+    pasting.paste(krt());
+    pasting.paste("K = [[500, 0, 319.5], [0, 510, 239.5], [0, 0, 1, 7]]\n");
+    QVERIFY(!pasting.ok()->isEnabled());
+    QVERIFY(pasting.named<QLineEdit>("Image size")->isEnabled());
+    for (const char *name : {"Near", "Far"})
+        QVERIFY2(!pasting.named<QLineEdit>(name)->isEnabled(), name);
+    for (const char *name : {"Axes of the camera", "Pose", "Pixel centres"})
+        QVERIFY2(!pasting.named<QComboBox>(name)->isEnabled(), name);
+    pasting.paste(krt());
+    QVERIFY(pasting.named<QLineEdit>("Near")->isEnabled() && pasting.named<QComboBox>("Pose")->isEnabled());
+}
+
+void TestPasteCamera::blendersMatrixNeedsItsName()
+{
+    Pasting pasting;
+    const QString matrix = QStringLiteral("<Matrix 4x4 (1.0, 0.0, 0.0, 0.5)\n            (0.0, 1.0, 0.0, 0.7)\n"
+                                          "            (0.0, 0.0, 1.0, 9.0)\n            (0.0, 0.0, 0.0, 1.0)>");
+    pasting.paste(matrix, MatrixRole::View);
+    QVERIFY2(pasting.said().contains("write “matrix_world =” before it"), qPrintable(pasting.said()));
+    // What it says is right.
+    pasting.paste({}, MatrixRole::View);
+    pasting.paste("matrix_world = " + matrix + "\nlens = 50\n");
+    QVERIFY2(pasting.said().contains("Camera of Blender"), qPrintable(pasting.said()));
+}
+
+void TestPasteCamera::planesBeyondTheObjectsAreSaid()
+{
+    Pasting pasting;
+    pasting.paste(krt());
+    QVERIFY(!pasting.said().contains("Nothing will be seen"));
+    pasting.type("Far", "5000");
+    pasting.type("Near", "1000");
+    QVERIFY2(pasting.said().contains("Nothing will be seen"), qPrintable(pasting.said()));
+    pasting.type("Near", "0.1");
+    pasting.type("Far", "0.2");
+    QVERIFY2(pasting.said().contains("Nothing will be seen"), qPrintable(pasting.said()));
+}
+
+void TestPasteCamera::bothTextsLeaveRoomForTheFields()
+{
+    Pasting pasting;
+    pasting.paste(kUnityLens);
+    pasting.paste(kUnityView, MatrixRole::View);
+    QCoreApplication::processEvents();
+    const auto *size = pasting.named<QLineEdit>("Image size");
+    QVERIFY(size);
+    const int wanted = size->fontMetrics().horizontalAdvance(QStringLiteral("00000 x 00000"));
+    QVERIFY2(size->width() > wanted, qPrintable(QString::number(size->width())));
+    QVERIFY(pasting.said().contains("Camera, first text") && pasting.said().contains("Camera, second text"));
+    // One above the other.
+    QVERIFY(pasting.box(MatrixRole::View)->y() > pasting.box(MatrixRole::Projection)->y());
+    QCOMPARE(pasting.box(MatrixRole::View)->x(), pasting.box(MatrixRole::Projection)->x());
+    QTRY_VERIFY2_WITH_TIMEOUT(cutTexts(pasting.dialog).isEmpty(), qPrintable(cutTexts(pasting.dialog).join('\n')),
+                              kPatienceMilliseconds);
 }
 
 void TestPasteCamera::nothingIsCut()

@@ -53,6 +53,8 @@ private slots:
     void itSaysBothAspects();
     void textsDifferWhereAspectsDo();
     void theButtonLetterboxes();
+    void aCamerasOwnSizeIsRight();
+    void itIsDarkAmongDarkColours();
     void closedItStaysAway();
     void lessonsSayItThemselves();
 };
@@ -116,6 +118,51 @@ void TestStretchBar::theButtonLetterboxes()
     letterbox(document);
     document.setSurface({20, 31, 1.0});
     QVERIFY(bar.isHidden());
+}
+
+void TestStretchBar::aCamerasOwnSizeIsRight()
+{
+    // fx 700, fy 705: its pixels are not square.
+    SceneDocument document;
+    QWidget view;
+    const StretchBar bar(document, &view);
+    openCube(document, wide(400.0 / 360.0));
+    glm::dmat4 clip(0.0);
+    clip[0][0] = 2.0 * 700.0 / 640.0;
+    clip[1][1] = 2.0 * 705.0 / 480.0;
+    clip[2][2] = -1.1;
+    clip[3][2] = -2.1;
+    clip[2][3] = -1.0;
+    const MatrixProjection lens{clip, NdcDepth::MinusOneToOne};
+    QVERIFY(editMatrices(document, lens, {}, kLabel, {}, Surface{640, 480, 1.0}));
+    QVERIFY2(bar.isHidden(), qPrintable(textOf(bar)));
+    // In another size it is stretched.
+    QVERIFY(document.edit(kLabel, [](Scene &scene) { scene.windowSize = Surface{640, 400, 1.0}; }));
+    document.undoStack().undo();
+    document.undoStack().undo();
+    QVERIFY(editMatrices(document, lens, {}, kLabel));
+    QVERIFY(!bar.isHidden());
+}
+
+void TestStretchBar::itIsDarkAmongDarkColours()
+{
+    SceneDocument document;
+    QWidget view;
+    StretchBar bar(document, &view);
+    openCube(document, wide(2.0));
+    view.resize(500, 100);
+    bar.resize(500, 60);
+    const auto ground = [&bar] { return bar.grab().toImage().pixelColor(4, 30).lightness(); };
+    QVERIFY2(ground() > 200, qPrintable(QString::number(ground())));
+    const QPalette before = QApplication::palette();
+    QPalette dark = before;
+    dark.setColor(QPalette::Window, QColor(0x20, 0x22, 0x24));
+    dark.setColor(QPalette::WindowText, Qt::white);
+    QApplication::setPalette(dark);
+    const int found = ground();
+    QApplication::setPalette(before);
+    QVERIFY2(found < 90, qPrintable(QString::number(found)));
+    QVERIFY(ground() > 200);
 }
 
 void TestStretchBar::closedItStaysAway()
