@@ -3,6 +3,7 @@
 #include "core/geometry/angle.h"
 #include "core/geometry/projection.h"
 #include "core/text/error_text.h"
+#include "core/text/number_text.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
@@ -115,6 +116,8 @@ private:
         const auto scale = m_values.number({"orthoscale"});
         if (hasType("ORTHO"))
             return readParallel(*size, scale, scale.value_or(0.0) / side, tall, {shiftX, shiftY});
+        if (const auto lens = m_values.number({"lens"}); lens && !(*lens > 0.0))
+            return fault("lens", tr("%1 is %2; it must be greater than 0", "lens", text::shortestText(*lens)));
         const std::optional<double> focal = focalLength(fit, isVertical, side);
         if (!focal)
             return fault("lens", tr("the focal length is missing; give lens in millimetres or angle in radians"));

@@ -1,8 +1,17 @@
 #include "core/cameras/camera_reader.h"
 
+#include "core/cameras/reader_parts.h"
+#include "core/text/number_text.h"
+#include "core/text/translation.h"
+
+#include <glm/mat4x4.hpp>
+
 #include <array>
+#include <cmath>
+#include <utility>
 
 namespace unprojector::cameras {
+using text::tr;
 
 std::span<const CameraReader> cameraReaders()
 {
@@ -22,13 +31,95 @@ std::span<const CameraReader> cameraReaders()
     return kReaders;
 }
 
-CameraRead readCamera(std::span<const NamedText> texts, const CameraChoices &choices)
+namespace {
+
+/// The reader that recognises the texts, with what it reads.
+std::pair<const CameraReader *, CameraRead> firstRead(std::span<const NamedText> texts, const CameraChoices &choices)
 {
     for (const CameraReader &reader : cameraReaders()) {
         if (CameraRead read = reader.read(texts, choices))
-            return read;
+            return {&reader, std::move(read)};
     }
+    return {nullptr, std::nullopt};
+}
+
+/// The error of files of several programs, of which all but one would be ignored.
+std::optional<CameraError> mixedError(std::span<const NamedText> texts, const CameraChoices &choices,
+                                      const CameraReader *reader)
+{
+    std::string list;
+    bool hasSame = false, hasOther = false;
+    for (const NamedText &text : texts) {
+        const CameraReader *alone = firstRead({&text, 1}, choices).first;
+        hasSame = hasSame || alone == reader;
+        hasOther = hasOther || (alone && alone != reader);
+        if (alone)
+            list += (list.empty() ? "" : ", ") + text.name + " (" + alone->program + ')';
+    }
+    if (!hasSame || !hasOther)
+        return std::nullopt;
+    return CameraError{texts.front().name, 0,
+                       tr("the files are of several programs: %1. Give those of one program", list)};
+}
+
+bool isFinite(const glm::dmat4 &m)
+{
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            if (!std::isfinite(m[column][row]))
+                return false;
+        }
+    }
+    return true;
+}
+
+/// The error of a camera with numbers that no camera has.
+std::optional<std::string> reasonAgainst(const ForeignCamera &camera, const CameraChoices &choices)
+{
+    if ((camera.pose && !isFinite(*camera.pose)) || (camera.projection && !isFinite(camera.projection->clipFromEye)))
+        return tr("a number is not finite");
+    if (!camera.intrinsics)
+        return std::nullopt;
+    const Intrinsics &k = *camera.intrinsics;
+    if (!std::isfinite(k.fx + k.fy + k.cx + k.cy + k.skew))
+        return tr("a number is not finite");
+    for (const auto &[name, value] : {std::pair("fx", k.fx), std::pair("fy", k.fy)}) {
+        if (value < 0.0)
+            return tr("the focal length %1 is %2; it must be greater than 0", name, text::shortestText(value));
+    }
+    const std::optional<ImageSize> size = sizeOf(camera, choices);
+    constexpr double kLargest = 20.0; // in image widths; an angle of 3 degrees
+    const bool isNormalized =
+        k.cx > 0.0 && k.cx < 1.0 && k.cy > 0.0 && k.cy < 1.0 && k.fx < kLargest && k.fy < kLargest;
+    if (isNormalized && !(size && size->width <= 2 && size->height <= 2))
+        return tr("fx %1, fy %2, cx %3, cy %4 are no pixels; they look normalized. Multiply fx and cx by the image's "
+                  "width, fy and cy by its height",
+                  text::shortestText(k.fx), text::shortestText(k.fy), text::shortestText(k.cx),
+                  text::shortestText(k.cy));
     return std::nullopt;
+}
+
+} // namespace
+
+CameraRead readCamera(std::span<const NamedText> texts, const CameraChoices &choices)
+{
+    auto [reader, read] = firstRead(texts, choices);
+    if (!read)
+        return std::nullopt;
+    if (texts.size() > 1) {
+        if (auto error = mixedError(texts, choices, reader))
+            return *error;
+    }
+    if (!*read)
+        return std::move(read);
+    ForeignCamera camera = **read;
+    if (auto reason = reasonAgainst(camera, choices))
+        return CameraError{texts.size() == 1 ? texts.front().name : std::string(), 0, std::move(*reason)};
+    for (std::optional<double> *distance : {&camera.nearDistance, &camera.farDistance}) {
+        if (*distance && !std::isfinite(**distance))
+            distance->reset(); // "far: inf", as if it were missing
+    }
+    return camera;
 }
 
 } // namespace unprojector::cameras

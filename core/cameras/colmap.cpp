@@ -1,11 +1,13 @@
 #include "core/cameras/camera_reader.h"
 #include "core/cameras/reader_parts.h"
+#include "core/text/number_text.h"
 #include "core/text/text_scanner.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -74,20 +76,42 @@ bool isCameraLine(const Line &line)
            && text::integerFromWord(line.words[2]) && text::integerFromWord(line.words[3]);
 }
 
+/// Returns whether a line is of 2-D points: triples of numbers.
+bool isPointsLine(const Line &line)
+{
+    return line.words.size() % 3 == 0 && std::all_of(line.words.begin(), line.words.end(), [](std::string_view word) {
+               return text::doubleFromWord(word).has_value();
+           });
+}
+
+/// The quaternion and translation of an image's line. Words that are no numbers become NaN.
+std::array<double, 7> poseIn(const Line &line)
+{
+    std::array<double, 7> pose{};
+    for (std::size_t i = 0; i < pose.size(); ++i)
+        pose[i] = text::doubleFromWord(line.words[i + 1]).value_or(std::numeric_limits<double>::quiet_NaN());
+    return pose;
+}
+
+double quaternionLength(const std::array<double, 7> &pose)
+{
+    return std::sqrt(pose[0] * pose[0] + pose[1] * pose[1] + pose[2] * pose[2] + pose[3] * pose[3]);
+}
+
+/// How far a quaternion printed with few digits may be from the length 1.
+constexpr double kUnit = 5e-3;
+
+/// Returns whether a line has an image's form. Its quaternion may be damaged.
 bool isImageLine(const Line &line)
 {
-    if (line.words.size() < 10 || !text::integerFromWord(line.words[0]) || !text::integerFromWord(line.words[8]))
-        return false;
-    double squares = 0.0;
-    for (std::size_t i = 1; i < 8; ++i) {
-        const auto number = text::doubleFromWord(line.words[i]);
-        if (!number || !std::isfinite(*number))
-            return false;
-        if (i < 5)
-            squares += *number * *number;
-    }
-    constexpr double kUnit = 1e-2; // a quaternion printed with few digits
-    return std::abs(squares - 1.0) < kUnit;
+    return line.words.size() >= 10 && text::integerFromWord(line.words[0]) && text::integerFromWord(line.words[8])
+           && !isPointsLine(line);
+}
+
+/// Returns whether a line is an image's without doubt: a table of numbers is none.
+bool isWholeImageLine(const Line &line)
+{
+    return isImageLine(line) && std::abs(quaternionLength(poseIn(line)) - 1.0) < kUnit;
 }
 
 /// A camera or an image: its line and the file that has it.
@@ -100,6 +124,7 @@ struct Found {
 struct Reconstruction {
     std::map<long long, Found> cameras;
     std::vector<Found> images;
+    bool hasWholeImage = false;
 };
 
 Reconstruction reconstructionOf(std::span<const NamedText> texts)
@@ -113,12 +138,15 @@ Reconstruction reconstructionOf(std::span<const NamedText> texts)
                 found.cameras.emplace(*text::integerFromWord(line.words[0]), Found{&file, line});
             } else if (isImageLine(line)) {
                 found.images.push_back({&file, line});
+                found.hasWholeImage = found.hasWholeImage || isWholeImageLine(line);
                 const bool hasPoints =
                     i + 1 < lines.size() && !isImageLine(lines[i + 1]) && !isCameraLine(lines[i + 1]);
                 i += hasPoints ? 1 : 0; // the line of its points
             }
         }
     }
+    if (found.cameras.empty() && !found.hasWholeImage)
+        found.images.clear();
     return found;
 }
 
@@ -198,10 +226,18 @@ CameraRead readColmap(std::span<const NamedText> texts, const CameraChoices &cho
     if (auto error = chooseImage(camera, choices, file))
         return *error;
     const Line &image = found.images[camera.image].line;
-    std::array<double, 7> v{};
-    for (std::size_t i = 0; i < v.size(); ++i)
-        v[i] = *text::doubleFromWord(image.words[i + 1]);
-    camera.pose = rigid(*rotationOf(v[0], v[1], v[2], v[3]), {v[4], v[5], v[6]});
+    const std::array<double, 7> v = poseIn(image);
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        if (!std::isfinite(v[i]))
+            return CameraError{file, image.number, tr("%1 is not a finite number", text::quoted(image.words[i + 1]))};
+    }
+    const auto rotation = rotationOf(v[0], v[1], v[2], v[3]);
+    if (!rotation)
+        return CameraError{file, image.number, tr("the image's quaternion is 0; a rotation has the length 1")};
+    if (const double length = quaternionLength(v); std::abs(length - 1.0) >= kUnit)
+        camera.assumed.push_back(tr("The quaternion of %1 has the length %2 instead of 1; it is divided by it.",
+                                    camera.images[camera.image], text::significantText(length, 4)));
+    camera.pose = rigid(*rotation, {v[4], v[5], v[6]});
     const auto lens = found.cameras.find(*text::integerFromWord(image.words[8]));
     if (lens == found.cameras.end())
         return CameraError{file, image.number, tr("there is no camera %1 in cameras.txt", image.words[8])};

@@ -78,7 +78,9 @@ private:
         std::optional<glm::dmat3> rotation;
         if (q.size() == 4)
             rotation = rotationOf(q[3], q[0], q[1], q[2]);
-        else if (angles.size() == 3)
+        if (q.size() == 4 && !rotation)
+            return fault("rotation", tr("the quaternion is 0 or not finite; give a rotation's, of the length 1"));
+        if (!rotation && angles.size() == 3)
             rotation = aboutByDegrees(1, angles[1]) * aboutByDegrees(0, angles[0]) * aboutByDegrees(2, angles[2]);
         if (!rotation)
             return fault("rotation", tr("the camera's rotation is missing; give the quaternion (x, y, z, w) or "

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <system_error>
 #include <utility>
 
@@ -54,7 +55,8 @@ private:
     void readOne()
     {
         const char c = m_text[m_at];
-        const bool isQuote = c == '"' || (c == '\'' && (m_at == 0 || !isLetter(m_text[m_at - 1])));
+        const bool isQuote =
+            c == '"' || (c == '\'' && (m_at == 0 || (!isLetter(m_text[m_at - 1]) && !isBehindBracket())));
         if (c == '\n')
             endLine();
         else if (c == '#' || m_text.substr(m_at).starts_with("//"))
@@ -72,8 +74,9 @@ private:
     void endLine()
     {
         // A name alone on its line may be the name of the numbers below.
-        const std::size_t next = m_text.find_first_not_of(" \t\r\n", m_at);
-        const bool isAlone = !m_words.empty() && m_areWordsFirst && next != m_text.npos
+        const bool isName = !m_words.empty() && m_areWordsFirst;
+        const std::size_t next = isName ? m_text.find_first_not_of(" \t\r\n", m_at) : m_text.npos;
+        const bool isAlone = next != m_text.npos
                              && (isDigit(m_text[next]) || std::string_view("-+.[(<").find(m_text[next]) != m_text.npos);
         if (isAlone)
             begin();
@@ -87,7 +90,10 @@ private:
     /// Reads a mark that is no part of a name or number.
     void readMark(char c)
     {
+        if (readArithmetic(c))
+            return;
         if (c == '=' || c == ':') {
+            m_behindEquals = m_at + 1;
             if (!m_words.empty() && !m_text.substr(m_at).starts_with("=="))
                 begin();
         } else if (c == ',' || c == ';' || c == ')' || c == ']' || c == '}') {
@@ -95,8 +101,80 @@ private:
         } else if ((c == '(' || c == '[' || c == '<') && !m_words.empty()) {
             begin(); // "position (1, 2, 3)"
         }
+        if (c == ')' || c == ']')
+            m_operandLine = m_line;
         m_isLineBlank = m_isLineBlank && isBlank(c);
         ++m_at;
+    }
+
+    bool isBehindBracket() const { return m_at > 0 && (m_text[m_at - 1] == ']' || m_text[m_at - 1] == ')'); }
+
+    /// The rest of the line behind `at`, without blanks around it.
+    std::string_view restOfLine(std::size_t at) const
+    {
+        constexpr std::size_t kMost = 40;
+        std::string_view rest = m_text.substr(at, kMost);
+        rest = rest.substr(0, rest.find_first_of("\r\n;#"));
+        rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+        return rest.substr(0, rest.find_last_not_of(" \t") + 1);
+    }
+
+    /// Reads an operator that changes the numbers of a value: MATLAB's factor is applied, others are
+    /// noted. Returns whether there is one.
+    bool readArithmetic(char c)
+    {
+        if (std::string_view("*/@+-'.").find(c) == std::string_view::npos)
+            return false;
+        NamedValue &value = m_values.back();
+        const char next = m_at + 1 < m_text.size() ? m_text[m_at + 1] : '\0';
+        const bool isBehindOperand = !value.numbers.empty() && m_operandLine == m_line && m_words.empty();
+        const std::string_view rest = restOfLine(m_at + 1);
+        if (c == '*' && isBehindOperand && value.numbers.size() == 1 && (rest.empty() || rest.front() == '[')) {
+            m_factor = value.numbers.front();
+            value.numbers.clear();
+            m_at += 1;
+            return true;
+        }
+        const bool isComment = (c == '/' && next == '*') || (c == '*' && (next == '/' || m_text[m_at - 1] == '/'));
+        const bool isProduct = (c == '*' || c == '/' || c == '@') && !isComment;
+        const bool isSum = (c == '+' || c == '-') && next == ' ' && !rest.empty()
+                           && (isDigit(rest.front()) || rest.front() == '[') && isBehindClosed();
+        const bool isTransposed = isBehindBracket() && (c == '\'' || (c == '.' && next == 'T'));
+        // "scale * np.array(…)", "-np.array(…)"
+        const std::optional<std::string_view> before = operandBefore();
+        const bool isFirst = value.numbers.empty() && before
+                             && ((isProduct && !before->empty()) || (c == '-' && before->empty() && isLetter(next)));
+        if (!(isBehindOperand && (isProduct || isSum || isTransposed)) && !isFirst)
+            return false;
+        if (value.arithmetic.empty())
+            value.arithmetic = isTransposed ? ".T" : isFirst ? std::string(*before) + c : c + (' ' + std::string(rest));
+        m_at += isTransposed && c == '.' ? 2 : 1;
+        m_isLineBlank = false;
+        return true;
+    }
+
+    /// The name between the last equals sign or colon and here, perhaps empty; nothing for another
+    /// text.
+    std::optional<std::string_view> operandBefore() const
+    {
+        constexpr std::size_t kMost = 40;
+        if (m_behindEquals == 0 || m_at - m_behindEquals > kMost)
+            return std::nullopt;
+        std::string_view before = m_text.substr(m_behindEquals, m_at - m_behindEquals);
+        before.remove_prefix(std::min(before.find_first_not_of(" \t"), before.size()));
+        const bool isName = std::all_of(before.begin(), before.end(), [](char one) {
+            return isLetter(one) || isDigit(one) || one == '.' || one == ' ';
+        });
+        return isName ? std::optional(before) : std::nullopt;
+    }
+
+    /// Returns whether the last character before the blanks here closes a bracket.
+    bool isBehindClosed() const
+    {
+        std::size_t at = m_at;
+        while (at > 0 && isBlank(m_text[at - 1]))
+            --at;
+        return at > 0 && (m_text[at - 1] == ']' || m_text[at - 1] == ')');
     }
 
     /// Reads a quoted name or value. Returns whether the quote ends in its line.
@@ -137,8 +215,14 @@ private:
         const std::string word = plain(lastPart(name));
         if (word == "pi" && readPi(start))
             return;
+        if (m_words.empty() && readNotFinite(word))
+            return;
         skipSubscript();
         if (m_at < m_text.size() && m_text[m_at] == '(') { // a type or a function
+            const bool isChange = word == "inv" || word == "inverse" || word == "transpose";
+            NamedValue &value = m_values.back();
+            if (isChange && (value.numbers.empty() || m_operandLine == m_line) && value.arithmetic.empty())
+                value.arithmetic = word;
             m_areDegrees = word == "radians" || word == "deg2rad" || word == "degtorad";
             m_words.clear();
             ++m_at;
@@ -155,6 +239,18 @@ private:
             m_whole = {m_whole.data(), std::size_t(name.data() + name.size() - m_whole.data())};
         }
         m_isLineBlank = false;
+    }
+
+    /// Reads nan, inf and infinity. Returns whether the word is one behind a name.
+    bool readNotFinite(std::string_view word)
+    {
+        const bool isNan = word == "nan";
+        if (m_values.size() == 1 || !(isNan || word == "inf" || word == "infinity"))
+            return false;
+        m_values.back().numbers.push_back(isNan ? std::numeric_limits<double>::quiet_NaN()
+                                                : std::numeric_limits<double>::infinity());
+        m_isLineBlank = false;
+        return true;
     }
 
     /// Reads the value of "np.pi / 3". Returns whether it is one.
@@ -184,8 +280,8 @@ private:
     {
         if (m_at >= m_text.size() || m_text[m_at] != '[')
             return;
-        const std::size_t close = m_text.find(']', m_at);
-        if (close == m_text.npos || m_text.substr(m_at, close - m_at).find_first_of(",. \n") != m_text.npos)
+        const std::size_t close = m_text.find_first_of("],. \n", m_at);
+        if (close == m_text.npos || m_text[close] != ']')
             return;
         m_at = close + 1;
     }
@@ -204,7 +300,9 @@ private:
     {
         if (!m_words.empty())
             begin(); // "lens 50"
-        m_values.back().numbers.push_back(m_areDegrees ? geometry::radiansFromDegrees(m_number) : m_number);
+        m_values.back().numbers.push_back(m_factor
+                                          * (m_areDegrees ? geometry::radiansFromDegrees(m_number) : m_number));
+        m_operandLine = m_line;
         m_areDegrees = false;
         m_at += length;
         m_isLineBlank = false;
@@ -221,6 +319,7 @@ private:
         if (m_values.back().numbers.empty() && m_values.back().word.empty())
             m_parent = m_values.back().words.back();
         NamedValue value;
+        m_factor = 1.0;
         value.words = std::exchange(m_words, {});
         value.written = m_whole;
         if (value.words.size() > 1 && value.words.back().size() == 1) { // "Location X=1 Y=2 Z=3"
@@ -256,7 +355,9 @@ private:
     bool m_areWordsFirst = false, m_isLineBlank = true;
     bool m_areDegrees = false; ///< of the next number: "np.radians(60)"
     std::string m_parent;
-    double m_number = 0.0;
+    double m_number = 0.0, m_factor = 1.0;
+    std::size_t m_operandLine = 0;  ///< the line of the last number or closing bracket
+    std::size_t m_behindEquals = 0; ///< the position behind the last equals sign or colon
     std::vector<NamedValue> m_values;
 };
 
@@ -274,10 +375,9 @@ std::string plain(std::string_view name)
 
 bool NamedValue::isNamed(std::string_view name) const
 {
-    std::string joined;
-    for (auto last = words.rbegin(); last != words.rend() && joined.size() < name.size(); ++last) {
-        joined = *last + joined;
-        if (joined == name)
+    for (auto last = words.rbegin(); last != words.rend() && !name.empty() && name.ends_with(*last); ++last) {
+        name.remove_suffix(last->size());
+        if (name.empty())
             return true;
     }
     return false;

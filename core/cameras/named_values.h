@@ -20,12 +20,14 @@ struct NamedValue {
     std::string word;               ///< the value, if it is a word: "HORIZONTAL"
     std::vector<double> numbers;    ///< the values up to the next name
     std::size_t line = 0;           ///< of the name, from 1
+    std::string arithmetic{};       ///< what the text computes with the values: "/ 1000", ".T"; empty: nothing
     bool isNamed(std::string_view name) const; ///< by all its words or by its last ones
 };
 
 /// The names and values of a printed text: "fov = 60", "near clip plane: 0.3", "lens 50 mm",
 /// "Location X=1 Y=2 Z=3", "matrix_world = Matrix(((…), (…)))", JSON and YAML of one level. Skips
-/// comments, and names of types before brackets.
+/// comments, and names of types before brackets. Applies MATLAB's common factor, "1.0e+03 *", to
+/// the numbers behind it. nan and inf count as numbers, so no other number takes their position.
 class NamedValues {
 public:
     explicit NamedValues(std::string_view text);

@@ -55,6 +55,8 @@ public:
         if (auto error = refuseModel())
             return *error;
         m_camera.size = sizeOf(value("w"), value("h"));
+        if (auto error = refuseSize())
+            return *error;
         if (auto error = readLens())
             return *error;
         readDistortion();
@@ -102,6 +104,17 @@ private:
                     key,
                     tr("%1 is of a distortion that is not read; undistort the images first, then give --undistorted",
                        key));
+        }
+        return std::nullopt;
+    }
+
+    /// The error of a width or height that is given, but is no image's; nothing if both are missing.
+    std::optional<CameraError> refuseSize() const
+    {
+        for (const char *key : {"w", "h"}) {
+            const Json *own = memberOf(*m_frame, key), *side = own ? own : memberOf(m_file, key);
+            if (side && !m_choices.size && !sizeOf(numberOf(Json{{key, *side}}, key), 1.0))
+                return fault(key, tr("%1 is %2; it must be a whole number from 1 to 1000000", key, side->dump()));
         }
         return std::nullopt;
     }
@@ -193,8 +206,14 @@ CameraRead readNerf(std::span<const NamedText> texts, const CameraChoices &choic
 {
     const NamedText *text =
         firstWith(texts, [](const std::string &one) { return one.find("transform_matrix") != one.npos; });
-    if (text == nullptr)
-        return std::nullopt;
+    if (text == nullptr) {
+        const NamedText *lens = firstWith(texts, [](const std::string &one) {
+            return isJson(one) && (lineOfKey(one, "fl_x") > 0 || lineOfKey(one, "camera_angle_x") > 0);
+        });
+        if (lens == nullptr)
+            return std::nullopt;
+        return CameraError{lens->name, 0, tr("there are no poses; give the frames, each with its transform_matrix")};
+    }
     // A part of a file, as people paste it, is no object yet.
     NamedText whole = *text;
     if (!isJson(whole.text)) {

@@ -68,6 +68,24 @@ Intrinsics intrinsicsOf(const OpenCvValue &value, std::vector<std::string> &assu
     return {k[0], k[4], k[2], k[5], k[1], PixelCentres::AtIntegers};
 }
 
+/// The rows of a P whose numbers are by columns.
+std::vector<double> transposedP(const std::vector<double> &p)
+{
+    std::vector<double> rows;
+    for (std::size_t row = 0; row < 3; ++row) {
+        for (std::size_t column = 0; column < 4; ++column)
+            rows.push_back(p[3 * column + row]);
+    }
+    return rows;
+}
+
+/// Returns whether only the transposed P is a camera's: its pixels are rectangles, without a skew.
+bool isTurned(const std::optional<CameraParts> &asWritten, const CameraParts &turned)
+{
+    const auto slant = [](const Intrinsics &k) { return std::abs(k.skew) / k.fx; };
+    return slant(turned.intrinsics) < 1e-3 && (!asWritten || slant(asWritten->intrinsics) > 1e-2);
+}
+
 class Reader {
 public:
     Reader(std::span<const NamedText> texts, const CameraChoices &choices)
@@ -112,15 +130,32 @@ private:
         const std::vector<OpenCvValue> &values = m_values.all(part);
         if (values.empty())
             return nullptr;
-        return &values[std::min(m_camera.image, values.size() - 1)];
+        const OpenCvValue &value = values[std::min(m_camera.image, values.size() - 1)];
+        refuseComputed(part, value);
+        return &value;
+    }
+
+    /// Fails if a value's numbers are not those that it stands for: the text computes with them, or
+    /// one is not finite.
+    static void refuseComputed(OpenCvPart part, const OpenCvValue &value)
+    {
+        const bool isVector = part == OpenCvPart::Distortion || part == OpenCvPart::Size || value.numbers.size() == 3;
+        if (!value.arithmetic.empty() && !(isVector && value.arithmetic == ".T"))
+            fail(value,
+                 tr("the text computes with it (%1), and only numbers are read; write the result", value.arithmetic));
+        if (!std::all_of(value.numbers.begin(), value.numbers.end(),
+                         [](double number) { return std::isfinite(number); }))
+            fail(value, tr("a number is not finite"));
     }
 
     /// Fails if the only values of a part have another count of numbers.
     void refuseUnfit(OpenCvPart part, const std::string &wanted) const
     {
         const auto &unfit = m_values.unfit(part);
-        if (unfit && m_values.all(part).empty())
-            fail(*unfit, tr("it has %1 numbers; %2", unfit->numbers.size(), wanted));
+        if (!unfit || !m_values.all(part).empty())
+            return;
+        refuseComputed(part, *unfit);
+        fail(*unfit, tr("it has %1 numbers; %2", unfit->numbers.size(), wanted));
     }
 
     void countImages()
@@ -187,6 +222,13 @@ private:
                     throw Failure{{m_file, m_values.find(name)->line,
                                    tr("%1 has several values. Give the text of one camera", name)}};
             }
+            for (const char *name : {"fx", "fy", "cx", "cy", "ppx", "ppy"}) {
+                const NamedValue *value = m_values.find(name);
+                if (value && !value->arithmetic.empty())
+                    throw Failure{{m_file, value->line,
+                                   tr("%1: the text computes with it (%2), and only numbers are read; write the result",
+                                      name, value->arithmetic)}};
+            }
             const auto cx = m_values.number({"cx", "ppx"}), cy = m_values.number({"cy", "ppy"});
             if (!cx || !cy)
                 throw Failure{{m_file, 0, tr("fx and fy are given without cx and cy; give all four")}};
@@ -213,7 +255,12 @@ private:
     /// P = K [R t].
     void readCameraMatrix(const OpenCvValue &value)
     {
-        const std::optional<CameraParts> parts = partsOf(value.numbers);
+        std::optional<CameraParts> parts = partsOf(value.numbers);
+        if (const auto turned = partsOf(transposedP(value.numbers)); turned && isTurned(parts, *turned)) {
+            parts = turned;
+            m_camera.assumed.push_back(
+                tr("%1 is transposed, as MATLAB's cameraMatrix is: its columns are read as rows.", value.name));
+        }
         if (!parts)
             fail(value, tr("its first three columns have no inverse; a camera's P has one"));
         const bool hasOthers = m_camera.intrinsics || !m_values.all(OpenCvPart::Rotation).empty()
@@ -417,13 +464,28 @@ private:
     ForeignCamera m_camera;
 };
 
+/// The error of a text with the two camera matrices of a stereo pair and no other.
+CameraRead stereoError(std::span<const NamedText> texts)
+{
+    for (const NamedText &text : texts) {
+        const NamedValues named(text.text);
+        for (const char *name : {"k1", "k2", "cameramatrix1", "cameramatrix2", "mtx1", "mtx2", "m1", "m2"}) {
+            const NamedValue *value = named.find({name});
+            if (value && value->numbers.size() == 9)
+                return CameraError{text.name, value->line,
+                                   tr("%1 is of a stereo pair; give one camera, its matrix under the name K", name)};
+        }
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 CameraRead readOpenCv(std::span<const NamedText> texts, const CameraChoices &choices)
 {
     Reader reader(texts, choices);
     if (!reader.isRecognised())
-        return std::nullopt;
+        return stereoError(texts);
     try {
         return reader.read();
     } catch (Failure &failure) {

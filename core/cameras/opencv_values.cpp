@@ -117,20 +117,6 @@ bool fits(OpenCvPart part, std::size_t count)
     return false;
 }
 
-/// Applies the common factor that MATLAB prints before a matrix, "1.0e+03 *".
-void applyFactor(OpenCvPart part, std::vector<double> &numbers)
-{
-    if (fits(part, numbers.size()) || numbers.size() < 2 || !fits(part, numbers.size() - 1))
-        return;
-    const double power = std::log10(numbers[0]);
-    if (!(numbers[0] > 0.0) || power != std::round(power))
-        return;
-    const double factor = numbers[0];
-    numbers.erase(numbers.begin());
-    for (double &number : numbers)
-        number *= factor;
-}
-
 /// The name as in the text, without its object's: "cameraMatrix" of "calib.cameraMatrix".
 std::string nameOf(const NamedValue &value)
 {
@@ -161,7 +147,9 @@ OpenCvValues::OpenCvValues(std::span<const NamedText> texts)
             }
             if (value.numbers.size() == 1)
                 m_numbers.push_back(value);
-            values.push_back({{nameOf(value), value.word, value.numbers, value.line, text.name}, partOf(value), 0});
+            values.push_back({{nameOf(value), value.word, value.numbers, value.line, text.name, value.arithmetic},
+                              partOf(value),
+                              0});
         }
         addComponents(named, text.name);
         for (Owned &owned : values) {
@@ -190,7 +178,6 @@ void OpenCvValues::add(OpenCvPart part, OpenCvValue value)
     if (part == OpenCvPart::Quaternion && value.numbers.size() != 4)
         return;
     std::vector<OpenCvValue> &values = m_parts[std::size_t(part)];
-    applyFactor(part, value.numbers);
     // The vectors of several images: rvecs, tvecs.
     const std::size_t count = value.numbers.size();
     const bool isVectors = (part == OpenCvPart::Rotation || part == OpenCvPart::Translation) && count > 3

@@ -34,6 +34,7 @@ struct OpenCvValue {
     std::vector<double> numbers;
     std::size_t line = 0;
     std::string file;
+    std::string arithmetic{}; ///< as in NamedValue
 };
 
 /// The parts that some texts have: printed text, JSON, and the YAML and XML of cv::FileStorage and

@@ -403,8 +403,10 @@ private:
     bool isFactor() const
     {
         const std::size_t star = m_text.find_first_not_of(" \t", m_at);
-        return star != m_text.npos && m_text[star] == '*'
-               && m_text.find_first_not_of(" \t\r", star + 1) == m_text.find('\n', star);
+        if (star == m_text.npos || m_text[star] != '*')
+            return false;
+        const std::size_t next = m_text.find_first_not_of(" \t\r", star + 1);
+        return next == m_text.npos || m_text[next] == '\n';
     }
 
     /// Takes a number that belongs to no matrix. Returns whether it is one.
@@ -444,8 +446,10 @@ private:
     {
         constexpr std::string_view kTimes = "\\cdot 10^{";
         const std::string_view rest = m_text.substr(m_at);
+        if (m_numbers.empty() || !rest.starts_with(kTimes))
+            return false;
         const std::size_t close = rest.find('}');
-        if (m_numbers.empty() || !rest.starts_with(kTimes) || close == rest.npos)
+        if (close == rest.npos)
             return false;
         const std::string exponent(rest.substr(kTimes.size(), close - kTimes.size()));
         const auto value = numberOf(m_lastWord + 'e' + exponent);
@@ -572,7 +576,9 @@ private:
     void name(const std::string &word, std::size_t start)
     {
         const std::string_view between = m_text.substr(m_nameEnd, start - m_nameEnd);
-        const bool isJoined = !m_name.empty()
+        // Names are short. Prose, as one name, would be searched again at each of its words.
+        constexpr std::size_t kLongestName = 80;
+        const bool isJoined = !m_name.empty() && m_name.size() < kLongestName
                               && (between.find_first_not_of(" *\t") == between.npos
                                   || (between == "(" && inSmallLetters(m_name).ends_with("inverse")));
         m_name = isJoined ? m_name + ' ' + word : word;

@@ -84,4 +84,13 @@ std::string utf8FromUtf16(std::span<const std::uint8_t> bytes, std::endian order
     return text;
 }
 
+std::string utf8FromFile(std::string text)
+{
+    const bool isLittle = text.starts_with("\xff\xfe");
+    if (!isLittle && !text.starts_with("\xfe\xff"))
+        return text;
+    const auto *bytes = reinterpret_cast<const std::uint8_t *>(text.data());
+    return utf8FromUtf16({bytes + 2, text.size() - 2}, isLittle ? std::endian::little : std::endian::big);
+}
+
 } // namespace unprojector::text

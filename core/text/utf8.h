@@ -23,4 +23,8 @@ std::string_view firstCharacters(std::string_view text, std::size_t count);
 /// @param bytes  without a byte order mark
 std::string utf8FromUtf16(std::span<const std::uint8_t> bytes, std::endian order);
 
+/// A file's text in UTF-8: converts UTF-16 that begins with a byte order mark, as PowerShell's >
+/// writes it. Returns any other text as it is.
+std::string utf8FromFile(std::string text);
+
 } // namespace unprojector::text

@@ -100,6 +100,9 @@ private slots:
     void assumptionsAreSaid();
     void imagesAreChosen();
     void imagesMayStandBeforeTheirCameras();
+    void everyImageCounts();
+    void filesOfSeveralProgramsAreRefused();
+    void nerfsSizeIsNamed();
     void colmapsModelsAreRead();
     void posesInAParentAreSaid();
     void blendersSizeIsAWholePercentage();
@@ -185,6 +188,7 @@ void TestCameraReaders::faultsAreNamed_data()
     row("no position", "Unity, transform", "position: (1.50, 2.25, -6.00)", "position: (1.50, 2.25)",
         "the camera's position is missing");
     row("no lens", "Blender", "lens = 50.0", "", "the focal length is missing");
+    row("a focal length below 0", "Blender", "lens = 50.0", "lens = -50.0", "lens is -50; it must be greater than 0");
     row("a panorama", "Blender", "lens = 50.0", "type = 'PANO'\nlens = 50.0", "a panoramic camera has no projection");
     row("cx alone", "NeRF", "\"cy\"", "\"y\"", "cx is given without cy; give both");
     row("another order", "Blender", "matrix_world", "rotation_euler = Euler((1, 2, 3), 'ZXY')\nlocation = 1, 2, 3\nm",
@@ -267,6 +271,55 @@ void TestCameraReaders::imagesAreChosen()
     QCOMPARE(reasonOf(turned, choices), QStringLiteral("read"));
     const NamedText binary{"sparse/0/cameras.bin", std::string("\1\0\0\0", 4)};
     QVERIFY(reasonOf({binary}, {}).contains("--output_type TXT"));
+}
+
+/// An image with a damaged quaternion keeps its position.
+void TestCameraReaders::everyImageCounts()
+{
+    const auto with = [](const char *quaternion) {
+        return std::vector<NamedText>{
+            {"cameras.txt", "1 PINHOLE 640 480 500 510 320 240\n"},
+            {"images.txt", std::string("1 1 0 0 0 0 0 0 1 a.png\n\n2 ") + quaternion
+                               + " 0 0 0 1 b.png\n10.5 20.5 -1 1 2 3 4 5 6 7 8 9\n3 1 0 0 0 0 0 0 1 c.png\n\n"}};
+    };
+    CameraChoices second;
+    second.image = "1";
+    const auto read = readCamera(with("0.7 0 0.7 0"), second);
+    QVERIFY(read && *read);
+    QCOMPARE((*read)->images.size(), std::size_t{3});
+    QVERIFY(assumedOf(with("0.7 0 0.7 0"), second).contains("The quaternion of b.png has the length 0.9899"));
+    QVERIFY(reasonOf(with("0 0 0 0"), second).contains("the image's quaternion is 0"));
+    QVERIFY(reasonOf(with("nan 0 0 0"), second).contains("\"nan\" is not a finite number"));
+    second.image = "c.png";
+    QCOMPARE(reasonOf(with("nan 0 0 0"), second), QStringLiteral("read"));
+}
+
+void TestCameraReaders::filesOfSeveralProgramsAreRefused()
+{
+    std::vector<NamedText> texts = textsOf(exampleOf("COLMAP"));
+    texts.push_back({"k.txt", "K = 800 0 320 0 800 240 0 0 1\n"});
+    const QString reason = reasonOf(texts, {});
+    QVERIFY2(reason.contains("the files are of several programs: ") && reason.contains("k.txt (OpenCV)"),
+             qPrintable(reason));
+    const std::vector<NamedText> parts{{"k.txt", "K = 800 0 320 0 800 240 0 0 1\n"},
+                                       {"pose.txt", "R = 1 0 0 0 1 0 0 0 1\nt = 0 0 5\n"}};
+    QCOMPARE(reasonOf(parts, {}), QStringLiteral("read"));
+}
+
+void TestCameraReaders::nerfsSizeIsNamed()
+{
+    const auto reasonWith = [](const char *w) {
+        return reasonOf(
+            {{"transforms.json", std::string("{\"fl_x\": 500, \"cx\": 320, \"cy\": 240, \"h\": 480, \"w\": ") + w
+                                     + ", \"frames\": [{\"transform_matrix\": [[1,0,0,0],[0,1,0,0],"
+                                       "[0,0,1,0],[0,0,0,1]]}]}"}},
+            {});
+    };
+    QCOMPARE(reasonWith("640"), QStringLiteral("read"));
+    for (const char *w : {"1080.5", "0", "\"1080\"", "1e9"})
+        QVERIFY2(reasonWith(w).contains("w is ") && reasonWith(w).contains("whole number from 1 to 1000000"),
+                 qPrintable(reasonWith(w)));
+    QVERIFY(reasonOf({{"transforms.json", "{\"fl_x\": 500, \"w\": 640}"}}, {}).contains("there are no poses"));
 }
 
 /// The last image has no line of points; the line below is a camera's.

@@ -113,6 +113,9 @@ private slots:
     void pixelsAreThoseOfProjectPoints_data();
     void pixelsAreThoseOfProjectPoints();
     void pAloneIsSplit();
+    void pMayBeTransposed();
+    void factorsAreMatlabs();
+    void manyValuesAreRead();
     void poseDirectionIsDecidedByTheObjects();
     void axesAreDecidedByTheObjects();
     void ambiguousPosesAreReported();
@@ -191,6 +194,38 @@ void TestOpenCvCameras::pAloneIsSplit()
 
 /// R and t alone do not tell their direction: a camera at (0, 0, -5) looks along z either way only
 /// if the pose is read right.
+void TestOpenCvCameras::pMayBeTransposed()
+{
+    const std::string rows = "P = [800 0 320 40; 0 800 240 -30; 0 0 1 5]\n",
+                      columns = "P = [800 0 0; 0 800 0; 320 240 1; 40 -30 5]\n";
+    const SceneCamera asRows = sceneOf(rows + kSize), asColumns = sceneOf(columns + kSize);
+    QVERIFY(glm::length(pixelOf(asRows, {1, 2, 4}) - pixelOf(asColumns, {1, 2, 4})) <= 1e-9);
+    QVERIFY(join(asRows.assumed).find("transposed") == std::string::npos);
+    QVERIFY(join(asColumns.assumed).find("p is transposed, as MATLAB's cameraMatrix is") != std::string::npos);
+}
+
+/// Only a number with a star is a factor.
+void TestOpenCvCameras::factorsAreMatlabs()
+{
+    const std::string k = "K = 800 0 320 0 800 240 0 0 1\nR = 1 0 0 0 1 0 0 0 1\n";
+    const auto shift = [&](const char *t) { return read(k + t).value().pose.value()[3]; };
+    QCOMPARE(shift("t =\n\n   1.0e+03 *\n\n   0.0010 0.0020 0.0050\n"), glm::dvec4(1, 2, 5, 1));
+    QCOMPARE(shift("t = 0.001 * [1000 2000 5000]'\n"), glm::dvec4(1, 2, 5, 1));
+    QCOMPARE(shift("t = [1, 2, 5] # in m / s\n"), glm::dvec4(1, 2, 5, 1));
+}
+
+/// A megabyte of one line, and of values, is read in linear time.
+void TestOpenCvCameras::manyValuesAreRead()
+{
+    std::string line, values;
+    for (int i = 0; i < 100000; ++i) {
+        line += "abc [a[";
+        values += "K = 1\n";
+    }
+    QVERIFY(!readCamera(std::vector<NamedText>{{"a.txt", line}}, {}));
+    QVERIFY(!readCamera(std::vector<NamedText>{{"a.txt", values}}, {}));
+}
+
 void TestOpenCvCameras::poseDirectionIsDecidedByTheObjects()
 {
     const std::string toCamera = kPlainK + kSize + "R = [[1,0,0],[0,1,0],[0,0,1]]\nt = [0, 0, 5]\n",
@@ -544,6 +579,40 @@ void TestOpenCvCameras::faultsNameValueAndLine_data()
     QTest::newRow("a quaternion of 0")
         << "K = 800 0 320 0 800 240 0 0 1\nrotation: {x: 0, y: 0, z: 0, w: 0}\ntranslation: {x: 0, y: 0, z: 5}\n"
         << "rotation: x, y, z and w are 0; give a quaternion @2";
+    QTest::newRow("t has four, the first a power of ten") << "K = 800 0 320 0 800 240 0 0 1\nt = [10, 2, 5, 1]\n"
+                                                          << "t: it has 4 numbers; a translation has three @2";
+    QTest::newRow("a quaternion as rotation")
+        << "K = 800 0 320 0 800 240 0 0 1\nrotation = [1, .1, .2, .3]\nt = 0 0 5\n"
+        << "rotation: the order of a quaternion's four numbers is not known; name them, {x: 0, y: 0, z: 0, w: 1}, or "
+           "give R @2";
+    const auto computed = [](const char *name, const char *line, const char *what) {
+        QTest::newRow(line) << QStringLiteral("K = 800 0 320 0 800 240 0 0 1\n%1\n").arg(QLatin1String(line))
+                            << QStringLiteral("%1: the text computes with it (%2), and only numbers are read; write "
+                                              "the result @2")
+                                   .arg(QLatin1String(name), QLatin1String(what));
+    };
+    computed("t", "t = np.array([1000, 2000, 5000]) / 1000", "/ 1000");
+    computed("t", "t = np.array([1000, 2000, 5000]) * 0.001", "* 0.001");
+    computed("t", "t = [1, 2, 5] + [1, 1, 1]", "+ [1, 1, 1]");
+    computed("t", "t = -np.array([1, 2, 5])", "-");
+    computed("t", "t = scale * np.array([1, 2, 5])", "scale *");
+    computed("t", "t = -R @ np.array([1, 2, 5])", "-");
+    computed("r", "R = np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 1]]).T", ".T");
+    computed("r", "R = np.linalg.inv(np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 1]]))", "inv");
+    QTest::newRow("nan") << "K = 800 0 320 0 nan 240 0 0 1\n"
+                         << "k: a number is not finite @1";
+    QTest::newRow("YAML's nan") << "K: [800, 0, 320, 0, 800, 240, 0, 0, 1]\nD: [.Nan, 0.1, 0, 0, 0]\n"
+                                << "d: a number is not finite @2";
+    QTest::newRow("one coefficient") << "K = 800 0 320 0 800 240 0 0 1\nD: [0.1]\n"
+                                     << "d: there is 1 distortion coefficient; give four or five: k1, k2, p1, p2, k3 "
+                                        "@2";
+    QTest::newRow("a focal length below 0") << "K = 800 0 320 0 -800 240 0 0 1\n"
+                                            << "the focal length fy is -800; it must be greater than 0 @0";
+    QTest::newRow("normalized") << "K = 1.2 0 0.5 0 1.6 0.5 0 0 1\nsize = 640x480\n"
+                                << "fx 1.2, fy 1.6, cx 0.5, cy 0.5 are no pixels; they look normalized. Multiply fx "
+                                   "and cx by the image's width, fy and cy by its height @0";
+    QTest::newRow("a stereo pair") << "K1 = 800 0 320 0 800 240 0 0 1\nK2 = 800 0 320 0 800 240 0 0 1\n"
+                                   << "k1 is of a stereo pair; give one camera, its matrix under the name K @1";
     QTest::newRow("focal length 0") << "fx = 0, fy = 800, cx = 320, cy = 240\n"
                                     << "the focal lengths are 0 and 800; they must be finite and not 0";
 }

@@ -100,6 +100,7 @@ class TestPastedMatrices : public QObject {
 private slots:
     void everyFormIsRead_data();
     void everyFormIsRead();
+    void longLinesEnd();
     void whatIsNoMatrixIsRefused_data();
     void whatIsNoMatrixIsRefused();
     void aSceneIsSortedByNames_data();
@@ -534,6 +535,15 @@ void TestPastedMatrices::everyFindingIsASentence()
         QVERIFY(!idOf(finding.fault).empty());
     }
     QVERIFY(std::all_of(sentences.begin(), sentences.end(), [](const QString &s) { return s.size() > 8; }));
+}
+
+/// A megabyte of prose on one line is read in linear time.
+void TestPastedMatrices::longLinesEnd()
+{
+    std::string text;
+    while (text.size() < 1000000)
+        text += "abc ";
+    QVERIFY(!pastedScene(text));
 }
 
 QTEST_GUILESS_MAIN(TestPastedMatrices)

@@ -2,6 +2,7 @@
 
 #include "core/files/path_text.h"
 #include "core/text/translation.h"
+#include "core/text/utf8.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -38,6 +39,7 @@ std::optional<cameras::NamedText> textOf(const std::string &file)
                                     : tr("%1: longer than 256 MiB; give the file of one camera", source.name()));
         return std::nullopt;
     }
+    text.text = text::utf8FromFile(std::move(text.text));
     return text;
 }
 

@@ -260,13 +260,30 @@ Result<PastedScene, PasteError> partsOf(const SceneOptions &options, const std::
     return isWhole ? Result<PastedScene, PasteError>(parts) : Result<PastedScene, PasteError>(missing);
 }
 
+/// The first given option that is only about matrices.
+std::string optionAboutMatrices(const SceneOptions &options)
+{
+    return options.conventions  ? "--conventions"
+           : options.order      ? "--order"
+           : options.depth      ? "--depth"
+           : options.isYDown    ? "--y-down"
+           : options.isReversed ? "--reversed"
+                                : "--orthonormal";
+}
+
 ExitCode sceneFromMatrices(const SceneOptions &options, const GivenTexts &given)
 {
     Result<PastedScene, PasteError> read = partsOf(options, joined(given));
     if (!read) {
         const PasteError &error = read.error();
         const std::vector<std::string> &words = options.fromMatrices.empty() ? options.from : options.fromMatrices;
-        if (error.word.empty() && error.all == 0 && given.files.empty() && words.size() == 1)
+        const auto camera = options.isAboutMatrices() && options.fromMatrices.empty()
+                                ? cameras::readCamera(given.texts, options.camera)
+                                : std::nullopt;
+        if (camera)
+            complain(tr("%1: the text is of a camera, and %2 is only about matrices; leave it out", given.name,
+                        optionAboutMatrices(options)));
+        else if (error.word.empty() && error.all == 0 && given.files.empty() && words.size() == 1)
             complain(words[0] + ": " + tr("there is no such file"));
         else if (options.fromMatrices.empty())
             complain(tr("%1: no camera of a known program, and no matrices (%2); the manual lists the programs under "
