@@ -267,9 +267,6 @@ Result<WrittenSeries, QString> writeSeries(const std::filesystem::path &file, Se
     const auto text = specimenTable(specimens.sets, formOf(table), protocol, content.names);
     if (!text)
         return reasonOf(text.error(), file);
-    std::vector<LandmarkNote> notes = text->notes;
-    if (const std::size_t others = hasRows ? 0 : otherPlacings(content); others > 0)
-        notes.insert(notes.begin(), LandmarkNote{LandmarkNote::Kind::RepeatsLeftOut, others, {}});
     if (QString reason = writtenTo(file, text->text); !reason.isEmpty())
         return reason;
     const std::size_t without = content.scans.size() - specimens.scanCount;
@@ -282,8 +279,10 @@ Result<WrittenSeries, QString> writeSeries(const std::filesystem::path &file, Se
     QStringList remarks = remarksOn(*text, hasRows ? protocol : ProtocolColumns(), content);
     const SlidersReport sliders = writeSliders(file, text->sliders);
     QStringList warnings = sliders.lost;
-    if (const QString warning = warningOf(file, problems, notes); !warning.isEmpty())
+    if (const QString warning = warningOf(file, problems, text->notes); !warning.isEmpty())
         warnings.prepend(warning);
+    if (const std::size_t others = hasRows ? 0 : otherPlacings(content); others > 0) // first: a message may be folded
+        warnings.prepend(landmarkNotesText(name, {LandmarkNote{LandmarkNote::Kind::RepeatsLeftOut, others, {}}}));
     return WrittenSeries{warnings.join(u'\n'), joinSentences(QStringList{written} + remarks + sliders.said)};
 }
 

@@ -315,6 +315,8 @@ void TestScanSeries::aDamagedFileOfPointsIsNotWrittenOver()
     connect(m_series.get(), &ScanSeries::failed, this, [&failure](const QString &text) { failure = text; });
     QVERIFY(m_series->open(file(QString())));
     QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
+    m_series->previous();
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QVERIFY2(failure.endsWith(QStringLiteral("Press Ctrl+PgDown for the next scan.")), qPrintable(failure));
     QFile::remove(path(QStringLiteral("t.obj")));
     QVERIFY(m_series->open(file(QString()))); // there is no next one

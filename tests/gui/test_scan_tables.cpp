@@ -245,7 +245,7 @@ void TestScanTables::whatATableLacksIsSaid()
             return line.contains(QStringLiteral("1 repeated placing is left out"));
         });
         QCOMPARE(repeats != lines.end(), table == ScanSeries::Table::Tps);
-        QVERIFY2(repeats == lines.end() || repeats - lines.begin() < 3, "the message shows three lines at first");
+        QVERIFY2(repeats == lines.end() || repeats == lines.begin(), "the message shows three lines at first");
     }
     QVERIFY2(read(QStringLiteral("all.csv")).contains("other,a,2,3,4.5,0,"),
              read(QStringLiteral("all.csv")).constData());
