@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/cameras/foreign_camera.h"
+#include "core/geometry/setup.h"
 #include "core/matrices/matrix_paste.h"
 
 #include <QDialog>
