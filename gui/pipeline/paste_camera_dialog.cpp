@@ -3,6 +3,7 @@
 #include "core/cameras/seen_objects.h"
 #include "core/matrices/matrix_format.h"
 #include "core/text/error_text.h"
+#include "core/text/utf8.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"
 #include "gui/pipeline/foreign_camera_box.h"
@@ -179,7 +180,7 @@ void PasteCameraDialog::readFiles(const std::vector<std::filesystem::path> &file
             m_ok->setEnabled(false);
             return;
         }
-        texts.push_back({pathText(path.filename()).toStdString(), file.readAll().toStdString()});
+        texts.push_back({pathText(path.filename()).toStdString(), text::utf8FromFile(file.readAll().toStdString())});
     }
     m_kind->setChoice(0);
     m_files = withEarlier(std::move(texts));

@@ -74,6 +74,10 @@ void TestCameraScenes::filesAreRecognisedByTheirContents_data()
     QTest::addColumn<QByteArray>("input");
     const QString yaml = m_folder.write("a.dat", opencv_camera::kYaml), xml = m_folder.write("b", opencv_camera::kXml);
     QTest::newRow("a file") << QStringList{yaml} << QByteArray();
+    QByteArray wide("\xff\xfe");
+    for (const char c : QByteArray(opencv_camera::kYaml))
+        wide += QByteArray(1, c) + '\0';
+    QTest::newRow("UTF-16") << QStringList{m_folder.write("wide.yml", wide)} << QByteArray();
     QTest::newRow("--from") << QStringList{"--from", xml} << QByteArray();
     QTest::newRow("stdin") << QStringList{"-"} << QByteArray(opencv_camera::kNumPy);
     QTest::newRow("the text itself") << QStringList{"--from", opencv_camera::kReprs} << QByteArray();
@@ -308,6 +312,12 @@ void TestCameraScenes::badArgumentsAreNamed_data()
                                                    "than far. Give --near and --far\n");
     QTest::newRow("no such model") << inScene({file, "--objects", m_folder.path("none.ply")})
                                    << QByteArray("none.ply: there is no such file");
+    QTest::newRow("a model beside a camera") << inScene({file, m_folder.write("unit.off", kUnit)})
+                                             << QByteArray("unit.off: this is a model, not a camera; give it with "
+                                                           "--objects\n");
+    QTest::newRow("an option about matrices")
+        << inScene({file, "--orthonormal"})
+        << QByteArray("the text is of a camera, and --orthonormal is only about matrices; leave it out\n");
     QTest::newRow("over its input") << inScene({file, "-o", file}) << QByteArray("this is the input");
     QTest::newRow("lens: no numbers") << QStringList{"points", scene, "-", "--distortion", "1,a"}
                                       << QByteArray("--distortion 1,a: this is neither a file of a camera nor a list");

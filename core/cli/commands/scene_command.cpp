@@ -14,6 +14,7 @@
 #include "core/text/translation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -313,6 +314,17 @@ ExitCode sceneFromMatrices(const SceneOptions &options, const GivenTexts &given)
     return writeScene(options, inputs, scene);
 }
 
+/// A file among several that is a model by its name; nothing if there is none.
+std::optional<std::string> modelAmong(const GivenTexts &given)
+{
+    static constexpr std::array kModels{".obj", ".ply", ".stl", ".off"};
+    const auto isModel = [](const std::string &file) {
+        return std::any_of(kModels.begin(), kModels.end(), [&](const char *suffix) { return file.ends_with(suffix); });
+    };
+    const auto found = std::find_if(given.files.begin(), given.files.end(), isModel);
+    return given.files.size() < 2 || found == given.files.end() ? std::nullopt : std::optional<std::string>(*found);
+}
+
 } // namespace
 
 ExitCode runScene(const SceneOptions &options)
@@ -322,6 +334,10 @@ ExitCode runScene(const SceneOptions &options)
         isFromMatrices ? givenTexts(options.fromMatrices, "--from-matrices") : givenTexts(options.from, "--from");
     if (!given)
         return ExitCode::UnusableInput;
+    if (const auto model = modelAmong(*given)) {
+        complain(tr("%1: this is a model, not a camera; give it with --objects", *model));
+        return ExitCode::UnusableInput;
+    }
     if (!options.isAboutMatrices()) {
         if (const std::optional<ExitCode> made = runCameraScene(options, *given))
             return *made;

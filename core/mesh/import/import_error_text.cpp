@@ -23,9 +23,11 @@ std::string reasonText(const ImportError &error)
                   error.detail);
     case ImportErrorCode::EmptyFile: return tr("the file is empty");
     case ImportErrorCode::UnknownFormat:
-        return tr(isPlain ? "this is not a model that can be read here; give OBJ, STL, PLY, OFF, glTF or GLB"
-                          : "this is not a model that can be read here; give OBJ, STL, PLY, OFF, glTF or GLB; %1",
-                  error.detail);
+        return tr(
+            isPlain ? "this is not a model that can be read here; give OBJ, STL, PLY, OFF, glTF or GLB. For a camera, "
+                      "use 'unproject scene' or Paste Camera"
+                    : "this is not a model that can be read here; give OBJ, STL, PLY, OFF, glTF or GLB; %1",
+            error.detail);
     case ImportErrorCode::Malformed: return tr("the file is damaged: %1", error.detail);
     case ImportErrorCode::Unsupported: return tr("the file cannot be shown: %1", error.detail);
     case ImportErrorCode::NoTriangles:
