@@ -232,7 +232,7 @@ void addCameraAxes(VariantList &list)
         variant.stage = Stage::Eye;
         variant.apply = [](Run &run, const Variant &v) { run.eye = glm::dmat3(v.matrix) * run.eye; };
         variant.matrix = glm::dmat4(permutation.matrix);
-        variant.name = VariantName(nullptr, axes);
+        variant.name = VariantName(nullptr, axes, {}, marked("Your program's camera has the axes %1."));
         variant.values = {{"axes", {}, axes}};
         variant.isAlone = true;
         list.add("camera-axes-differ", std::move(variant));

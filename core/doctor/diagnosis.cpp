@@ -239,6 +239,16 @@ int agreeing(std::span<const Prepared> points, std::span<const ErrorKind> wrongs
     return sum;
 }
 
+/// The mean over the points of the greatest coordinate, units of the last digit. Few digits near the
+/// origin are explained by chance more often than their distance from the right point tells.
+double sizeOf(std::span<const Target> points)
+{
+    double sum = 0.0;
+    for (const Target &point : points)
+        sum += greatestOf(point.got / point.lastDigit);
+    return std::max(1.0, sum / double(points.size()));
+}
+
 /// What the chance of an explanation follows from.
 struct Evidence {
     std::span<const Hypothesis> all;
@@ -398,7 +408,7 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
     std::vector<Hypothesis> all = hypotheses(*input, targets, list);
     all.push_back(right);
     std::vector<Hypothesis> best = ranked(all);
-    Evidence evidence{all, right.distance, agreeing(points, wrongs)};
+    Evidence evidence{all, std::min(right.distance, sizeOf(targets)), agreeing(points, wrongs)};
     orderSolvedAndPair(best, evidence);
     putDepthFirst(best, *input, points);
     std::erase_if(best, [&, first = best.front()](const Hypothesis &other) {

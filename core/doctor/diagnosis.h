@@ -82,10 +82,12 @@ struct VariantName {
     /// Marked for text::tr, %1 and %2 are the values: "ratio %1"; null: the first value alone.
     const char *words = nullptr;
     std::string value, second;
+    /// Marked, with the same values: "Your program scales the depth by %1."; null: has no values.
+    const char *sentence = nullptr;
 
     VariantName() = default;
-    VariantName(const char *marked, std::string ofIt = {}, std::string other = {})
-        : words(marked), value(std::move(ofIt)), second(std::move(other))
+    VariantName(const char *marked, std::string ofIt = {}, std::string other = {}, const char *asSentence = nullptr)
+        : words(marked), value(std::move(ofIt)), second(std::move(other)), sentence(asSentence)
     {
     }
     bool isEmpty() const { return words == nullptr && value.empty(); } ///< the mistake has no other variant

@@ -66,13 +66,27 @@ void setClipDistances(Run &run, double nearDistance, double farDistance)
     }
 }
 
+Variant withOtherPlanes(double nearDistance, double farDistance)
+{
+    Variant variant;
+    variant.stage = Stage::Lens;
+    variant.apply = [](Run &run, const Variant &v) { setClipDistances(run, v.parameter, v.second); };
+    variant.parameter = nearDistance;
+    variant.second = farDistance;
+    variant.name = {marked("near is %1, far is %2"), valueText(nearDistance), valueText(farDistance),
+                    marked("Your program's near plane is at %1, its far plane at %2.")};
+    variant.values = {{"near", {nearDistance}, {}}, {"far", {farDistance}, {}}};
+    return variant;
+}
+
 Variant withOtherNear(const Given &given, double nearDistance)
 {
     Variant variant;
     variant.stage = Stage::Lens;
     variant.apply = [](Run &run, const Variant &v) { setClipDistances(run, v.parameter, run.farDistance); };
     variant.parameter = nearDistance;
-    variant.name = {marked("near is %1, the scene has %2"), valueText(nearDistance), valueText(given.nearDistance)};
+    variant.name = {marked("near is %1, the scene has %2"), valueText(nearDistance), valueText(given.nearDistance),
+                    marked("Your program's near plane is at %1, the scene's at %2.")};
     variant.values = {{"near", {nearDistance}, {}}};
     return variant;
 }
@@ -85,6 +99,8 @@ Variant withOtherNearOfFrustum(const Given &given, double nearDistance)
         setClipDistances(run, v.parameter, run.farDistance);
     };
     variant.name.words = marked("near is %1, the scene has %2; the window of glFrustum is as it was");
+    variant.name.sentence =
+        marked("Your program's near plane is at %1, the scene's at %2; the window of its glFrustum is the scene's.");
     return variant;
 }
 
@@ -94,7 +110,8 @@ Variant withOtherFar(const Given &given, double farDistance)
     variant.stage = Stage::Lens;
     variant.apply = [](Run &run, const Variant &v) { setClipDistances(run, run.nearDistance, v.parameter); };
     variant.parameter = farDistance;
-    variant.name = {marked("far is %1, the scene has %2"), valueText(farDistance), valueText(given.farDistance)};
+    variant.name = {marked("far is %1, the scene has %2"), valueText(farDistance), valueText(given.farDistance),
+                    marked("Your program's far plane is at %1, the scene's at %2.")};
     variant.values = {{"far", {farDistance}, {}}};
     return variant;
 }

@@ -22,6 +22,7 @@ void setClipDistances(Run &run, double nearDistance, double farDistance);
 
 // Variants with another near or far plane, their value included.
 
+Variant withOtherPlanes(double nearDistance, double farDistance);
 Variant withOtherNear(const Given &given, double nearDistance);
 /// The numbers of glFrustum's window stay, so that x and y are scaled with near.
 Variant withOtherNearOfFrustum(const Given &given, double nearDistance);

@@ -23,15 +23,23 @@ VariantName nameOf(const AxisPermutation &permutation)
 {
     const std::string &axes = permutation.axes;
     if (axes == "x,-z,y")
-        return {marked("%1: z up given for y up"), axes};
+        return {
+            marked("%1: z up given for y up"), axes, {}, marked("Your program's axes are %1: z is up in place of y.")};
     if (axes == "x,z,-y")
-        return {marked("%1: y up given for z up"), axes};
+        return {
+            marked("%1: y up given for z up"), axes, {}, marked("Your program's axes are %1: y is up in place of z.")};
     if (axes == "x,z,y")
-        return {marked("%1: y and z exchanged"), axes};
+        return {
+            marked("%1: y and z exchanged"), axes, {}, marked("Your program's axes are %1: y and z are exchanged.")};
     if (axes == "x,-y,-z")
-        return {marked("%1: OpenCV's axes for OpenGL's, or the reverse"), axes};
+        return {marked("%1: OpenCV's axes for OpenGL's, or the reverse"),
+                axes,
+                {},
+                marked("Your program's axes are %1: OpenCV's in place of OpenGL's, or the reverse.")};
     const bool isMirrored = glm::determinant(permutation.matrix) < 0.0;
-    return isMirrored ? VariantName(marked("%1, mirrored"), axes) : VariantName(nullptr, axes);
+    return isMirrored
+               ? VariantName(marked("%1, mirrored"), axes, {}, marked("Your program's axes are %1: a mirror image."))
+               : VariantName(nullptr, axes, {}, marked("Your program's axes are %1."));
 }
 
 void addAxes(VariantList &list)

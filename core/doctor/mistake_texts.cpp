@@ -90,10 +90,15 @@ std::string mistakeSentence(std::string_view id)
 
 std::string candidateSentence(const Candidate &candidate)
 {
+    std::string sentences;
+    for (const VariantName &way : candidate.ways) {
+        if (way.sentence != nullptr) {
+            const std::string next = tr(way.sentence, way.value, way.second);
+            sentences = sentences.empty() ? next : tr("%1 %2|sentences", sentences, next);
+        }
+    }
     const std::string sentence = mistakeSentence(candidate.id);
-    return candidate.values.empty() || candidate.ways.empty()
-               ? sentence
-               : tr("Your program: %1. %2|values and sentence", waysText(candidate.ways), sentence);
+    return sentences.empty() ? sentence : tr("%1 %2|sentences", sentences, sentence);
 }
 
 std::string waysText(const std::vector<VariantName> &ways)

@@ -17,7 +17,7 @@ std::vector<std::string> partsOf(std::string_view id);
 std::string mistakeName(std::string_view id);
 /// The program's behaviour, one sentence for each of its mistakes.
 std::string mistakeSentence(std::string_view id);
-/// The same for a candidate, after its solved values: "Your program: far is 50, the scene has 100."
+/// The same for a candidate, after its solved values: "Your program's far plane is at 50, the scene's at 100."
 std::string candidateSentence(const Candidate &candidate);
 /// The variants of the mistakes: "ratio 1.5; x only"; empty for none.
 std::string waysText(const std::vector<VariantName> &ways);

@@ -127,21 +127,31 @@ VariantName nameOf(const FrameFit &frame, const AxisPermutation *permutation)
     const bool isMoved = frame.translation != glm::dvec3(0.0);
     if (permutation && permutation != &axisPermutations().front()) {
         if (!isMoved)
-            return {marked("%1, scaled by %2"), permutation->axes, scale};
+            return {marked("%1, scaled by %2"), permutation->axes, scale,
+                    marked("Your program's axes are %1, scaled by %2.")};
         return frame.scale == 1.0
-                   ? VariantName(marked("%1, then moved by %2"), permutation->axes, moved)
-                   : VariantName(marked("%1, then scaled and moved: %2"), permutation->axes, scale + "; " + moved);
+                   ? VariantName(marked("%1, then moved by %2"), permutation->axes, moved,
+                                 marked("Your program's axes are %1; then it moves its points by %2."))
+                   : VariantName(marked("%1, then scaled and moved: %2"), permutation->axes, scale + "; " + moved,
+                                 marked("Your program's axes are %1; then it scales and moves its points: %2."));
     }
     if (permutation)
-        return frame.scale == 1.0 ? VariantName(marked("moved by %1"), moved)
-                                  : VariantName(marked("scaled by %1, then moved by %2"), scale, moved);
+        return frame.scale == 1.0
+                   ? VariantName(marked("moved by %1"), moved, {}, marked("Your program moves its points by %1."))
+                   : VariantName(marked("scaled by %1, then moved by %2"), scale, moved,
+                                 marked("Your program scales its points by %1, then moves them by %2."));
     const std::string angle = text::significantText(angleOf(frame), 4);
     if (!frame.isHandednessKnown)
         return {
             marked("turned by %1 degrees, scaled by %2; the points lie in a plane, so that a mirror image fits too"),
-            angle, scale};
-    return frame.isMirrored() ? VariantName(marked("mirrored, turned by %1 degrees, scaled by %2"), angle, scale)
-                              : VariantName(marked("turned by %1 degrees, scaled by %2"), angle, scale);
+            angle, scale,
+            marked("Your program turns its points by %1 degrees and scales them by %2; the points lie in a plane, so "
+                   "that a mirror image fits too.")};
+    return frame.isMirrored()
+               ? VariantName(marked("mirrored, turned by %1 degrees, scaled by %2"), angle, scale,
+                             marked("Your program mirrors its points, turns them by %1 degrees and scales them by %2."))
+               : VariantName(marked("turned by %1 degrees, scaled by %2"), angle, scale,
+                             marked("Your program turns its points by %1 degrees and scales them by %2."));
 }
 
 /// The units in 1 of a rotation's last digit that the points determine: a power of ten.

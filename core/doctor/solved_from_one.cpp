@@ -21,18 +21,10 @@ bool isAhead(double distance)
     return std::isfinite(distance) && distance > 0.0;
 }
 
-/// Another far plane: 1/z is linear in the depth in a perspective, z in a box.
 void addFar(VariantList &list, const Given &given, std::span<const Target> points)
 {
-    const double n = given.nearDistance;
-    const std::optional<Solution> solved =
-        solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
-            const double share = shareFromNear(given, click), z = given.side * eyeFromGot(given, click, got).z;
-            if (share == 0.0)
-                return std::nullopt;
-            return given.isPerspective ? share / (1.0 / z - (1.0 - share) / n) : n + (z - n) / share;
-        });
-    if (!solved || !(solved->value > n))
+    const std::optional<Solution> solved = solvedFar(given, points, given.nearDistance);
+    if (!solved)
         return;
     const std::array known{given.nearDistance, given.farDistance};
     addSolvedNumber(list, "far-differs", given, points, *solved, known,
@@ -41,17 +33,10 @@ void addFar(VariantList &list, const Given &given, std::span<const Target> point
 
 void addNear(VariantList &list, const Given &given, std::span<const Target> points)
 {
-    const double f = given.farDistance;
-    const std::optional<Solution> solved =
-        solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
-            const double share = shareFromNear(given, click), z = given.side * eyeFromGot(given, click, got).z;
-            if (share == 1.0)
-                return std::nullopt;
-            return given.isPerspective ? (1.0 - share) / (1.0 / z - share / f) : (z - share * f) / (1.0 - share);
-        });
-    const std::array known{given.nearDistance, given.farDistance};
-    if (!solved || !(solved->value < f) || (given.isPerspective && !isAhead(solved->value)))
+    const std::optional<Solution> solved = solvedNear(given, points, given.farDistance);
+    if (!solved)
         return;
+    const std::array known{given.nearDistance, given.farDistance};
     addSolvedNumber(list, "near-differs", given, points, *solved, known,
                     [&](double value) { return withOtherNear(given, value); });
     if (given.isFrustum)
@@ -84,7 +69,8 @@ void addFovy(VariantList &list, const Given &given, std::span<const Target> poin
         };
         variant.parameter = value;
         variant.name = {marked("fovy is %1 degrees, the scene has %2"), valueText(value),
-                        text::significantText(fovy, 6)};
+                        text::significantText(fovy, 6),
+                        marked("Your program's field of view is %1 degrees, the scene's is %2.")};
         variant.values = {{"fovy", {value}, {}}};
         return variant;
     });
@@ -104,7 +90,8 @@ void addShift(VariantList &list, const Given &given, std::span<const Target> poi
         variant.apply = [](Run &run, const Variant &v) { run.position += glm::dvec2(v.parameter, v.second); };
         variant.parameter = values[0];
         variant.second = values[1];
-        variant.name = {marked("%1 to the right, %2 down"), valueText(values[0]), valueText(values[1])};
+        variant.name = {marked("%1 to the right, %2 down"), valueText(values[0]), valueText(values[1]),
+                        marked("Your program's pixel is %1 to the right and %2 down.")};
         variant.values = {{"dx", {values[0]}, {}}, {"dy", {values[1]}, {}}};
         return variant;
     });
@@ -129,9 +116,15 @@ void useSize(Run &run, const Variant &v, const UseOfSize &use)
         setAspect(run, v.parameter / v.second);
 }
 
+std::string sizeText(double width, double height)
+{
+    return valueText(width) + " x " + valueText(height);
+}
+
 /// A viewport of another size, its origin the scene's.
 void addViewportSize(VariantList &list, const Given &given, std::span<const Target> points,
-                     std::span<const double> known, const UseOfSize &use, VariantList::Apply apply, const char *words)
+                     std::span<const double> known, const UseOfSize &use, VariantList::Apply apply, const char *words,
+                     const char *sentence)
 {
     const Viewport &v = given.viewport;
     const auto ndcOf = [&](const Click &click, const glm::dvec3 &got) -> std::optional<glm::dvec2> {
@@ -171,7 +164,7 @@ void addViewportSize(VariantList &list, const Given &given, std::span<const Targ
             variant.apply = apply;
             variant.parameter = values[0];
             variant.second = values[1];
-            variant.name = {words, valueText(values[0]), valueText(values[1])};
+            variant.name = {words, sizeText(values[0], values[1]), sizeText(v.width, v.height), sentence};
             variant.values = {{"width", {values[0]}, {}}, {"height", {values[1]}, {}}};
             return variant;
         },
@@ -198,14 +191,15 @@ void addViewportSizes(VariantList &list, const Given &given, const Case &scene, 
 {
     const std::vector<double> known = usualSizes(given, scene);
     addViewportSize(
-        list, given, points, known, {}, [](Run &run, const Variant &v) { useSize(run, v, {}); },
-        marked("%1 x %2 pixels"));
+        list, given, points, known, {}, [](Run &run, const Variant &v) { useSize(run, v, {}); }, marked("%1 pixels"),
+        marked("Your program's viewport has %1 pixels; the scene's has %2."));
     addViewportSize(
         list, given, points, known, {true, false},
         [](Run &run, const Variant &v) {
             useSize(run, v, {true, false});
         },
-        marked("%1 x %2 pixels, y flipped with this height"));
+        marked("%1 pixels, y flipped with this height"),
+        marked("Your program's viewport has %1 pixels, and its height flips y; the scene's has %2."));
     // The entries of a projection's centre belong to its own aspect.
     if (given.clipFromEye[2][0] != 0.0 || given.clipFromEye[3][0] != 0.0)
         return;
@@ -214,13 +208,15 @@ void addViewportSizes(VariantList &list, const Given &given, const Case &scene, 
         [](Run &run, const Variant &v) {
             useSize(run, v, {false, true});
         },
-        marked("%1 x %2 pixels, with their aspect"));
+        marked("%1 pixels, with their aspect"),
+        marked("Your program's viewport has %1 pixels and their aspect; the scene's has %2."));
     addViewportSize(
         list, given, points, known, {true, true},
         [](Run &run, const Variant &v) {
             useSize(run, v, {true, true});
         },
-        marked("%1 x %2 pixels, with their aspect, y flipped with this height"));
+        marked("%1 pixels, with their aspect, y flipped with this height"),
+        marked("Your program's viewport has %1 pixels and their aspect, and its height flips y; the scene's has %2."));
 }
 
 /// A pixel ratio: the position is scaled from the window's top-left or bottom-left corner.
@@ -264,7 +260,13 @@ void addRatio(VariantList &list, const Given &given, const Case &scene, std::spa
                                                                "in logical pixels")
                               : isLogical ? marked("ratio %1, pixel and flip in logical pixels")
                                         : marked("ratio %1, device pixels in a logical viewport");
-        variant.name = {words, valueText(value)};
+        const char *sentence =
+            isFromTop   ? isLogical ? marked("Your program has logical pixels in a device viewport; the ratio is %1.")
+                                    : marked("Your program has device pixels in a logical viewport, and flips y in "
+                                               "logical pixels; the ratio is %1.")
+              : isLogical ? marked("Your program has the pixel and the flip in logical pixels; the ratio is %1.")
+                        : marked("Your program has device pixels in a logical viewport; the ratio is %1.");
+        variant.name = {words, valueText(value), {}, sentence};
         const char *fixedForm = !isLogical  ? "ratio-device-in-logical"
                                 : isFromTop ? "ratio-logical-in-device"
                                             : "ratio-logical-both";
@@ -319,8 +321,25 @@ void addScale(VariantList &list, const Given &given, std::span<const Target> poi
         else
             variant.apply = [](Run &run, const Variant &v) { run.point *= v.parameter; };
         variant.parameter = value;
-        variant.name = {isAboutEye ? marked("by %1 from the eye") : marked("by %1 from the origin"), valueText(value)};
+        variant.name = {isAboutEye ? marked("by %1 from the eye") : marked("by %1 from the origin"),
+                        valueText(value),
+                        {},
+                        isAboutEye ? marked("Your program scales its points by %1 about the eye.")
+                                   : marked("Your program scales its points by %1 about the origin.")};
         variant.values = {{"factor", {value}, {}}, {"about", {}, isAboutEye ? "eye" : "origin"}};
+        return variant;
+    });
+    // In a perspective, both planes at a multiple of their distances give the same points. At one
+    // depth there is always such a multiple, so it says something only if it is round.
+    const std::vector<Lack> lacks = lackOf(given, points);
+    const bool isOneDepth = points.size() == 1 || std::count(lacks.begin(), lacks.end(), Lack::OtherDepth) > 0;
+    if (!isAboutEye || !given.isPerspective || !std::isfinite(given.nearDistance) || !(solved->value > 0.0)
+        || (isOneDepth && written(*solved, known).coincidence > kRoundByChance))
+        return;
+    addSolvedNumber(list, "near-far-differ", given, points, *solved, known, [&](double value) {
+        Variant variant =
+            withOtherPlanes(withoutNoise(value * given.nearDistance), withoutNoise(value * given.farDistance));
+        variant.coincidence = 2.0; // it takes two planes
         return variant;
     });
 }
@@ -344,13 +363,42 @@ void addDepthScale(VariantList &list, const Given &given, std::span<const Target
             run.depth = (v.parameter * run.click.depth - atNear) / (atFar - atNear);
         };
         variant.parameter = value;
-        variant.name = {marked("by %1"), valueText(value)};
+        variant.name = {marked("by %1"), valueText(value), {}, marked("Your program scales the depth by %1.")};
         variant.values = {{"factor", {value}, {}}};
         return variant;
     });
 }
 
 } // namespace
+
+// 1/z is linear in the depth in a perspective, z in a box.
+
+std::optional<Solution> solvedFar(const Given &given, std::span<const Target> points, double nearDistance)
+{
+    const double n = nearDistance;
+    const std::optional<Solution> solved =
+        solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
+            const double share = shareFromNear(given, click), z = given.side * eyeFromGot(given, click, got).z;
+            if (share == 0.0)
+                return std::nullopt;
+            return given.isPerspective ? share / (1.0 / z - (1.0 - share) / n) : n + (z - n) / share;
+        });
+    return solved && solved->value > n ? solved : std::nullopt;
+}
+
+std::optional<Solution> solvedNear(const Given &given, std::span<const Target> points, double farDistance)
+{
+    const double f = farDistance;
+    const std::optional<Solution> solved =
+        solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
+            const double share = shareFromNear(given, click), z = given.side * eyeFromGot(given, click, got).z;
+            if (share == 1.0)
+                return std::nullopt;
+            return given.isPerspective ? (1.0 - share) / (1.0 / z - share / f) : (z - share * f) / (1.0 - share);
+        });
+    const bool isPossible = solved && solved->value < f && (!given.isPerspective || isAhead(solved->value));
+    return isPossible ? solved : std::nullopt;
+}
 
 void addSolvedFromOne(VariantList &list, const Given &given, const Case &scene, std::span<const Target> points)
 {

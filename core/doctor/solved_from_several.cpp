@@ -113,25 +113,44 @@ std::optional<std::vector<double>> nearAndFar(const Given &given, const Pairs &p
     return given.isPerspective ? std::vector{1.0 / ends->x, 1.0 / ends->y} : std::vector{ends->x, ends->y};
 }
 
+/// Adds the pairs of round numbers that explain all points together. The errors of near and far
+/// belong together: one plane is rounded, then the other is solved with it and rounded.
+void addRoundPlanes(VariantList &list, const Given &given, std::span<const Target> points,
+                    std::span<const Solution> planes, std::span<const double> known)
+{
+    constexpr double kOrders = 2.0;
+    for (const bool isNearFirst : {true, false}) {
+        for (const WrittenValue &first : roundValues(planes[isNearFirst ? 0 : 1], known)) {
+            const std::optional<Solution> other =
+                isNearFirst ? solvedFar(given, points, first.value) : solvedNear(given, points, first.value);
+            if (!other)
+                continue;
+            for (const WrittenValue &second : roundValues(*other, known)) {
+                Variant variant = isNearFirst ? withOtherPlanes(first.value, second.value)
+                                              : withOtherPlanes(second.value, first.value);
+                variant.unknowns = 2;
+                variant.coincidence = kOrders * first.coincidence * second.coincidence;
+                variant.isExpected = variant.coincidence <= kRoundByChance;
+                list.add("near-far-differ", std::move(variant));
+            }
+        }
+    }
+}
+
 void addNearAndFar(VariantList &list, const Given &given, std::span<const Target> points)
 {
     const std::vector<Solution> planes =
         solved(given, points, [&](const Pairs &pairs) { return nearAndFar(given, pairs); });
     if (planes.empty() || !(planes[0].value < planes[1].value) || (given.isPerspective && !(planes[0].value > 0.0)))
         return;
-    if (mayBe(planes[0], given.nearDistance) || mayBe(planes[1], given.farDistance))
+    // Then one plane alone explains the points.
+    if ((mayBe(planes[0], given.nearDistance) && solvedFar(given, points, given.nearDistance))
+        || (mayBe(planes[1], given.farDistance) && solvedNear(given, points, given.farDistance)))
         return;
     const std::array known{given.nearDistance, given.farDistance};
-    addSolved(list, "near-far-differ", planes, known, [&](std::span<const double> values) {
-        Variant variant;
-        variant.stage = Stage::Lens;
-        variant.apply = [](Run &run, const Variant &v) { setClipDistances(run, v.parameter, v.second); };
-        variant.parameter = values[0];
-        variant.second = values[1];
-        variant.name = {marked("near is %1, far is %2"), valueText(values[0]), valueText(values[1])};
-        variant.values = {{"near", {values[0]}, {}}, {"far", {values[1]}, {}}};
-        return variant;
-    });
+    addRoundPlanes(list, given, points, planes, known);
+    addSolved(list, "near-far-differ", planes, known,
+              [](std::span<const double> values) { return withOtherPlanes(values[0], values[1]); });
 }
 
 // Pixels: the position (x, y) that the program uses is a linear function of the right one
@@ -193,7 +212,8 @@ void addShiftAndScale(VariantList &list, const Given &given, std::span<const Tar
         variant.second = solved[1];
         variant.matrix = glm::dmat4(solved[2]);
         variant.name = {marked("scaled by %1, then %2"), valueText(solved[2]),
-                        valueText(solved[0]) + ", " + valueText(solved[1])};
+                        valueText(solved[0]) + ", " + valueText(solved[1]),
+                        marked("Your program scales its pixel by %1, then moves it by %2.")};
         variant.values = {{"dx", {solved[0]}, {}}, {"dy", {solved[1]}, {}}, {"scale", {solved[2]}, {}}};
         return variant;
     });
@@ -216,7 +236,10 @@ void addCentre(VariantList &list, const Given &given, std::span<const Target> po
         variant.parameter = values[0];
         variant.second = values[1];
         const double cx = k.cx - values[0], cy = k.cy - values[1];
-        variant.name = {marked("the centre is %1"), valueText(cx) + ", " + valueText(cy)};
+        variant.name = {marked("the centre is %1"),
+                        valueText(cx) + ", " + valueText(cy),
+                        {},
+                        marked("Your program has the centre of K at %1.")};
         variant.values = {{"cx", {cx}, {}}, {"cy", {cy}, {}}};
         return variant;
     });
@@ -256,7 +279,8 @@ void addFocalLengths(VariantList &list, const Given &given, std::span<const Targ
         };
         variant.parameter = values[0] / focalOfView.x;
         variant.second = values[1] / focalOfView.y;
-        variant.name = {marked("fx is %1, fy is %2"), valueText(values[0]), valueText(values[1])};
+        variant.name = {marked("fx is %1, fy is %2"), valueText(values[0]), valueText(values[1]),
+                        marked("Your program has fx %1 and fy %2.")};
         variant.values = {{"fx", {values[0]}, {}}, {"fy", {values[1]}, {}}};
         return variant;
     });
@@ -316,7 +340,8 @@ void addRectangle(VariantList &list, const Given &given, std::span<const Target>
         };
         variant.matrix[0] = {values[0], values[1], values[2], values[3]};
         variant.name = {marked("%1 pixels at %2"), valueText(values[2]) + " x " + valueText(values[3]),
-                        valueText(values[0]) + ", " + valueText(values[1])};
+                        valueText(values[0]) + ", " + valueText(values[1]),
+                        marked("Your program's viewport has %1 pixels and is at %2.")};
         variant.values = {
             {"width", {values[2]}, {}}, {"height", {values[3]}, {}}, {"x", {values[0]}, {}}, {"y", {values[1]}, {}}};
         return variant;

@@ -144,18 +144,21 @@ void addSolved(VariantList &list, std::string_view id, std::span<const Solution>
         round.push_back(writtenValues.back().value);
         coincidence *= writtenValues.back().coincidence;
     }
-    const auto add = [&](std::span<const double> values, bool isExpected) {
-        Variant variant = made(values);
-        variant.unknowns = int(values.size());
+    const auto add = [&](Variant variant, bool isExpected, double chance) {
+        variant.unknowns = int(solutions.size());
         variant.isExpected = isExpected;
-        variant.coincidence = isExpected ? coincidence : 1.0;
+        variant.coincidence *= chance;
         list.add(id, std::move(variant));
     };
-    if (areRound(solutions, writtenValues, coincidence))
-        add(round, true);
-    add(determined, false);
-    // Several points may leave less than a digit.
-    add(exact, false);
+    const bool isExpected = areRound(solutions, writtenValues, coincidence);
+    add(made(round), isExpected, isExpected || solutions.size() == 1 ? coincidence : 1.0);
+    const Variant asDigits = made(determined);
+    add(asDigits, false, 1.0);
+    // Several points may leave less than a digit. Digits that they do not determine are not written.
+    Variant asSolved = made(exact);
+    asSolved.name = asDigits.name;
+    asSolved.values = asDigits.values;
+    add(std::move(asSolved), false, 1.0);
 }
 
 void addSolvedNumber(VariantList &list, std::string_view id, const Given &given, std::span<const Target> points,
@@ -167,6 +170,7 @@ void addSolvedNumber(VariantList &list, std::string_view id, const Given &given,
     best.value = leastOf(solution.value - solution.unsure, solution.value + solution.unsure, distance);
     if (distance(solution.value) <= distance(best.value))
         best.value = solution.value;
+    best.unsure += std::abs(best.value - solution.value); // a round value stays within the bound
     addSolved(list, id, {&best, 1}, known, [&](std::span<const double> values) { return made(values[0]); });
 }
 

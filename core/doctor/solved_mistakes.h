@@ -41,9 +41,13 @@ std::optional<Solution> solvedFrom(const Given &given, std::span<const Target> p
 /// @return empty if the points do not have one
 std::optional<std::array<Solution, 2>> solvedShift(const Given &given, std::span<const Target> points);
 
+/// The far plane if near is at `nearDistance`, and the near plane if far is at `farDistance`.
+std::optional<Solution> solvedFar(const Given &given, std::span<const Target> points, double nearDistance);
+std::optional<Solution> solvedNear(const Given &given, std::span<const Target> points, double farDistance);
+
 /// Adds a solved mistake: with the round values if they are round, and with the values as they are
 /// determined. ranked() takes the first that explains the points. `made` builds the variant from
-/// the values; `unknowns`, `isExpected` and `coincidence` are set here.
+/// the values; `unknowns` and `isExpected` are set here, and `coincidence` is multiplied.
 void addSolved(VariantList &list, std::string_view id, std::span<const Solution> solutions,
                std::span<const double> known, const std::function<Variant(std::span<const double>)> &made,
                int ways = 1);

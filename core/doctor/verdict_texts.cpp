@@ -48,11 +48,16 @@ std::string valuesSentence(const Diagnosis &diagnosis)
 {
     constexpr std::size_t kMostNamed = 4;
     std::string names;
+    int count = 0;
     for (std::size_t i = 0; i < std::min(kMostNamed, diagnosis.candidates.size()); ++i) {
         const Candidate &candidate = diagnosis.candidates[i];
         if (candidate.explains)
-            names = names.empty() ? candidateName(candidate) : tr("%1 or %2|names", names, candidateName(candidate));
+            names = ++count == 1 ? candidateName(candidate) : tr("%1 or %2|names", names, candidateName(candidate));
     }
+    if (count == 1)
+        return tr("A value would explain the point, but that may be chance: %1. Another wrong point shows whether it "
+                  "is.",
+                  names);
     return diagnosis.wrong == ErrorKind::Depth
                ? tr("A value would explain the point: %1. Another wrong point at another depth separates them.", names)
                : tr("A value would explain the point: %1. Another wrong point separates them.", names);

@@ -47,16 +47,13 @@ WrittenValue asDetermined(const Solution &solution)
     return {multiple(solution.value, int(std::floor(std::log10(solution.unsure / 2.0))), 1.0), 1.0};
 }
 
-WrittenValue written(const Solution &solution, std::span<const double> known)
+std::vector<WrittenValue> roundValues(const Solution &solution, std::span<const double> known)
 {
-    const double size = std::abs(solution.value), width = 2.0 * solution.unsure;
-    WrittenValue best = asDetermined(solution);
-    if (std::abs(solution.ofScene - solution.value) <= solution.unsure)
-        return {solution.ofScene, 1.0};
-    const double density = densityOf(known);
+    const double size = std::abs(solution.value), width = 2.0 * solution.unsure, density = densityOf(known);
+    std::vector<WrittenValue> values;
     const auto offer = [&](double value, double chance) {
-        if (std::abs(value - solution.value) <= solution.unsure && chance < best.coincidence)
-            best = {value, chance};
+        if (std::abs(value - solution.value) <= solution.unsure && chance < 1.0)
+            values.push_back({value, chance});
     };
     if (size > 0.0) {
         const int first = int(std::floor(std::log10(size)));
@@ -69,7 +66,18 @@ WrittenValue written(const Solution &solution, std::span<const double> known)
         for (const double value : known)
             offer(value, width / size * density);
     }
-    return best;
+    return values;
+}
+
+WrittenValue written(const Solution &solution, std::span<const double> known)
+{
+    if (std::abs(solution.ofScene - solution.value) <= solution.unsure)
+        return {solution.ofScene, 1.0};
+    const std::vector<WrittenValue> values = roundValues(solution, known);
+    const auto best = std::min_element(values.begin(), values.end(), [](const WrittenValue &a, const WrittenValue &b) {
+        return a.coincidence < b.coincidence;
+    });
+    return best == values.end() ? asDetermined(solution) : *best;
 }
 
 double withoutNoise(double value)

@@ -3,6 +3,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace unprojector::doctor {
 
@@ -24,7 +25,10 @@ struct WrittenValue {
     double coincidence = 1.0;
 };
 
+/// The round numbers within the bound, and the known values there.
 /// @param known  values that stand in the scene, or are usual
+std::vector<WrittenValue> roundValues(const Solution &solution, std::span<const double> known = {});
+/// The roundest of roundValues(), the scene's right value, or the value as it is determined.
 WrittenValue written(const Solution &solution, std::span<const double> known = {});
 /// The value rounded to the digits that are determined.
 WrittenValue asDetermined(const Solution &solution);

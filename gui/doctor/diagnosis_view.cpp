@@ -26,8 +26,6 @@ DiagnosisView::DiagnosisView(QWidget *parent)
     m_facts->setAccessibleName(tr("Evidence"));
     for (QLabel *label : {m_verdict, m_facts})
         label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    m_click->setToolTip(
-        tr("Pick that pixel and type your program's result there; it separates the first mistake from the others"));
     m_layout = new QVBoxLayout(this);
     m_layout->setContentsMargins(0, 0, 0, 0);
     m_layout->setSpacing(6);
@@ -154,9 +152,19 @@ void DiagnosisView::showAnswer(const Shown &shown)
         const QString pixel =
             QStringLiteral("%1, %2").arg(writtenText(diagnosis.next->x, 9), writtenText(diagnosis.next->y, 9));
         addPlain(tr("To be sure"), QString::fromStdString(nextClickText(diagnosis)));
-        const bool areSeveral = !alike.empty() || !open.empty();
-        m_click->setText(areSeveral ? tr("Click &there to tell them apart: %1").arg(pixel)
-                                    : tr("Click &there to be sure: %1").arg(pixel));
+        // Mistakes that are alike everywhere stay so: the click only rules out the next best.
+        const bool isOfNextBest = diagnosis.isNextFromRunnerUp();
+        const bool areSeveral = !isOfNextBest && (!alike.empty() || open.size() > 1);
+        m_click->setText((isOfNextBest ? tr("Click &there to rule out the next best: %1")
+                          : areSeveral ? tr("Click &there to tell them apart: %1")
+                                       : tr("Click &there to be sure: %1"))
+                             .arg(pixel));
+        m_click->setToolTip(
+            isOfNextBest
+                ? tr("Pick that pixel and type your program's result there; it separates the named mistakes, which "
+                     "cannot be told apart, from the next best")
+                : tr("Pick that pixel and type your program's result there; it separates the first mistake from the "
+                     "others"));
         placeClick(areSeveral);
     }
     m_click->setVisible(asks);

@@ -100,6 +100,13 @@ private slots:
     void aValueIsWrittenAsPeopleWriteIt_data();
     void aValueIsWrittenAsPeopleWriteIt();
     void theScenesValueIsNoEvidence();
+    void twoPointsGiveRoundPlanes_data();
+    void twoPointsGiveRoundPlanes();
+    void onlyDeterminedDigitsAreWritten();
+    void aRoundUnitShowsInFewDigits();
+    void bothPlanesByOneFactorCannotBeToldApart();
+    void theValueIsASentence_data();
+    void theValueIsASentence();
 };
 
 void TestDoctorSolved::aRoundValueIsTheVerdict_data()
@@ -343,6 +350,114 @@ void TestDoctorSolved::theScenesValueIsNoEvidence()
     const WrittenValue written = doctor::written({1024.003, 0.02, 1024.0});
     QCOMPARE(written.value, 1024.0);
     QCOMPARE(written.coincidence, 1.0);
+}
+
+void TestDoctorSolved::twoPointsGiveRoundPlanes_data()
+{
+    QTest::addColumn<double>("nearPlane");
+    QTest::addColumn<double>("farPlane");
+    QTest::newRow("0.5, 60") << 0.5 << 60.0;
+    QTest::newRow("0.2, 50") << 0.2 << 50.0;
+    QTest::newRow("0.05, 20") << 0.05 << 20.0;
+}
+
+/// The bounds of near and far belong together: each alone leaves other round numbers.
+void TestDoctorSolved::twoPointsGiveRoundPlanes()
+{
+    QFETCH(double, nearPlane);
+    QFETCH(double, farPlane);
+    const WrongValue wrong{"near-far-differ", {{"near", {nearPlane}}, {"far", {farPlane}}}, "", 0};
+    oracle::Random random(41);
+    int named = 0;
+    constexpr int kRuns = 30;
+    for (int i = 0; i < kRuns; ++i) {
+        const auto shot = [&](double low, double high) {
+            const double s = random.uniform(low, high);
+            return testShot({s + random.uniform(-1.0, 1.0), s + random.uniform(-1.0, 1.0), s});
+        };
+        const doctor_bar::Shot front = shot(0.0, 1.0), back = shot(-4.0, -1.0);
+        const std::array points{pointOf(front, wrong), pointOf(back, wrong)};
+        const Diagnosis diagnosis = diagnose(doctor_bar::caseOf(front), points).value();
+        const std::vector<SolvedValue> &values = diagnosis.candidates.front().values;
+        named += diagnosis.verdict == "near-far-differ" && values[0].numbers.front() == nearPlane
+                         && values[1].numbers.front() == farPlane
+                     ? 1
+                     : 0;
+    }
+    QVERIFY2(10 * named >= 9 * kRuns, std::to_string(named).c_str());
+}
+
+void TestDoctorSolved::onlyDeterminedDigitsAreWritten()
+{
+    const WrongValue wrong{"near-far-differ", {{"near", {0.4618394}}, {"far", {63.71294}}}, "", 0};
+    const doctor_bar::Shot first = testShot(), second = testShot({-1.0, -0.5, -3.0});
+    const std::array points{pointOf(first, wrong), pointOf(second, wrong)};
+    const Diagnosis diagnosis = diagnose(doctor_bar::caseOf(first), points).value();
+    const Candidate *candidate = named(diagnosis, "near-far-differ");
+    QVERIFY(candidate);
+    for (const SolvedValue &value : candidate->values) {
+        const double shown = value.numbers.front();
+        QVERIFY2(std::abs(shown * 1e5 - std::round(shown * 1e5)) < 1e-6, valueText(shown).c_str());
+    }
+}
+
+void TestDoctorSolved::aRoundUnitShowsInFewDigits()
+{
+    const WrongValue wrong{"scaled", {{"factor", {0.001}}}, "origin", 0};
+    oracle::Random random(42);
+    for (int i = 0; i < 20; ++i) {
+        const doctor_bar::Shot shot =
+            testShot({random.uniform(1.0, 2.0), random.uniform(0.2, 1.0), random.uniform(-1.0, 1.0)});
+        const Diagnosis diagnosis = diagnosed(shot, pointOf(shot, wrong));
+        const Candidate *candidate = named(diagnosis, "scaled");
+        QVERIFY(candidate);
+        QCOMPARE(candidate->values.front().numbers.front(), 0.001);
+        if (candidate == &diagnosis.candidates.front())
+            QVERIFY(diagnosis.chance > 1e-5); // a handful of digits
+    }
+}
+
+void TestDoctorSolved::bothPlanesByOneFactorCannotBeToldApart()
+{
+    const WrongValue wrong{"near-far-differ", {{"near", {0.2}}, {"far", {200}}}, "", 0};
+    const doctor_bar::Shot first = testShot(), second = testShot({-1.0, -0.5, -3.0});
+    const std::array points{pointOf(first, wrong), pointOf(second, wrong)};
+    const Diagnosis diagnosis = diagnose(doctor_bar::caseOf(first), points).value();
+    QCOMPARE(diagnosis.verdict, std::string("scaled"));
+    const std::vector<Candidate> alike = diagnosis.alike();
+    QVERIFY(!alike.empty());
+    QCOMPARE(alike.front().id, std::string("near-far-differ"));
+    QVERIFY(alike.front().alike == Alike::Always);
+    QCOMPARE(alike.front().values[0].numbers, std::vector<double>{0.2});
+    QCOMPARE(alike.front().values[1].numbers, std::vector<double>{200.0});
+}
+
+void TestDoctorSolved::theValueIsASentence_data()
+{
+    QTest::addColumn<WrongValue>("wrong");
+    QTest::addColumn<QString>("sentence");
+    const auto row = [](const char *title, const WrongValue &wrong, const char *sentence) {
+        QTest::newRow(title) << wrong << QString(sentence);
+    };
+    row("far", {"far-differs", {{"far", {50}}}, "", 0}, "Your program's far plane is at 50, the scene's at 100. ");
+    row("scaled", {"scaled", {{"factor", {1000}}}, "origin", 0},
+        "Your program scales its points by 1000 about the origin. ");
+    row("shift", {"pixel-shifted", {{"dx", {8}}, {"dy", {31}}}, "", 0},
+        "Your program's pixel is 8 to the right and 31 down. ");
+    row("viewport", {"viewport-size-differs", {{"width", {800}}, {"height", {600}}}, "", 0},
+        "Your program's viewport has 800 x 600 pixels; the scene's has 814 x 723. ");
+    row("axes", {"axes-differ", {}, "x,z,y", 0}, "Your program's axes are x,z,y: y and z are exchanged. ");
+}
+
+void TestDoctorSolved::theValueIsASentence()
+{
+    QFETCH(WrongValue, wrong);
+    QFETCH(QString, sentence);
+    const doctor_bar::Shot shot = testShot();
+    const Diagnosis diagnosis = diagnosed(shot, pointOf(shot, wrong));
+    const QString said = QString::fromStdString(candidateSentence(diagnosis.candidates.front()));
+    QVERIFY2(said.startsWith(sentence), qPrintable(said));
+    QCOMPARE(said.count(QStringLiteral(". ")), 1);
 }
 
 QTEST_GUILESS_MAIN(TestDoctorSolved)

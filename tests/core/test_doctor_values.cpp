@@ -28,6 +28,7 @@ class TestDoctorValues : public QObject {
 private slots:
     void onePointFindsTheValueAmongThree();
     void threePointsNameTheValue();
+    void twoPointsNameRoundPlanes();
     void fourPointsTellAMirroredFrame();
     void randomPointsAreNotExplained();
 };
@@ -59,6 +60,15 @@ void TestDoctorValues::threePointsNameTheValue()
     }
     QVERIFY(asked >= 120);
     QVERIFY2(named >= 0.97 * asked, missedIn(tally));
+}
+
+void TestDoctorValues::twoPointsNameRoundPlanes()
+{
+    Random random(25);
+    const Count count = roundPlanesFromTwo(random, 50);
+    QVERIFY(count.asked >= 20);
+    const std::string text = std::to_string(count.verdicts) + " of " + std::to_string(count.asked);
+    QVERIFY2(count.verdicts >= 0.9 * count.asked, text.c_str());
 }
 
 void TestDoctorValues::fourPointsTellAMirroredFrame()

@@ -267,6 +267,28 @@ Tally tested(Random &random, int shots, int points)
     return tally;
 }
 
+Count roundPlanesFromTwo(Random &random, int shots)
+{
+    Count count;
+    for (int i = 0; i < shots; ++i) {
+        const Shots shot = randomShots(random, 2);
+        const WrongValue wrong{
+            "near-far-differ", {{"near", {oneOf(random, kNears)}}, {"far", {oneOf(random, kFars)}}}, {}, 0};
+        const auto points = pointsOf(shot, wrong);
+        const auto right = pointsOf(shot, WrongValue{});
+        if (!points || !right || isNearly(*points, *right, 4.0 * kStep))
+            continue;
+        if (!isDetermined(shot, wrong, *points)) {
+            ++count.undetermined;
+            continue;
+        }
+        ++count.asked;
+        const doctor::Diagnosis diagnosis = diagnosed(shot, *points);
+        count.verdicts += diagnosis.verdict == wrong.id && isFound(diagnosis.candidates.front(), wrong) ? 1 : 0;
+    }
+    return count;
+}
+
 int garbageExplained(Random &random, int shots)
 {
     int explained = 0;

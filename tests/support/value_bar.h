@@ -28,6 +28,9 @@ struct Tally {
 /// @param points  clicks of each program
 Tally tested(oracle::Random &random, int shots, int points);
 
+/// Tests near and far of round numbers from two points of different depths.
+Count roundPlanesFromTwo(oracle::Random &random, int shots);
+
 /// @return the number of triples of random points, within 10 of the origin on each axis, that are
 ///         explained
 int garbageExplained(oracle::Random &random, int shots);
