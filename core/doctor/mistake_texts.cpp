@@ -100,7 +100,8 @@ std::string waysText(const std::vector<VariantName> &ways)
 {
     std::string text;
     for (const VariantName &way : ways) {
-        const std::string next = way.words == nullptr ? way.value : tr(way.words, way.value, way.second);
+        const std::string next =
+            way.words == nullptr ? way.value : tr(way.words, way.value, way.second, way.third, way.fourth);
         text = text.empty() ? next : tr("%1; %2|ways", text, next);
     }
     return text;
