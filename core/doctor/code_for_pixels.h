@@ -253,6 +253,17 @@ inline constexpr CodeChange kFovyDiffers[] = {
      "camera.fov = fovy; camera.updateProjectionMatrix(); // zoom changes it too"},
     {"NumPy", "focal = h / 2 / np.tan(np.radians(otherFovy) / 2)", "focal = h / 2 / np.tan(np.radians(fovy) / 2)"},
 };
+inline constexpr CodeChange kBoxSizeDiffers[] = {
+    {"GLU", "top = otherHeight / 2; right = top * aspect; glOrtho(-right, right, -top, top, n, f);",
+     "top = height / 2; right = top * aspect; glOrtho(-right, right, -top, top, n, f); // as the view was drawn"},
+    {"GLM", "top = otherHeight / 2; glm::ortho(-top * aspect, top * aspect, -top, top, n, f)",
+     "top = height / 2; glm::ortho(-top * aspect, top * aspect, -top, top, n, f) // as the view was drawn"},
+    {"Qt", "top = otherHeight / 2; projection.ortho(-top * aspect, top * aspect, -top, top, n, f);",
+     "top = height / 2; projection.ortho(-top * aspect, top * aspect, -top, top, n, f); // as the view was drawn"},
+    {"three.js", "camera.top = otherHeight / 2;",
+     "camera.top = height / 2; camera.updateProjectionMatrix(); // zoom changes it too"},
+    {"NumPy", "top = otherHeight / 2", "top = height / 2"},
+};
 inline constexpr CodeChange kPixelShifted[] = {
     {"GLU", "GetCursorPos(&at); // in the screen, off by otherDx, otherDy",
      "GetCursorPos(&at); ScreenToClient(window, &at);"},

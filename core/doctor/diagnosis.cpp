@@ -12,9 +12,14 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace unprojector::doctor {
 using namespace geometry;
@@ -25,6 +30,8 @@ namespace {
 /// points come from one mistake. Two mistakes are rare, and there are thousands of pairs.
 constexpr double kChanceOfOne = 0.2;
 constexpr double kChanceOfTwo = 0.02;
+/// The same for a point of the scene: people click round numbers, which such points are too.
+constexpr double kChanceOfKnown = 0.01;
 
 constexpr std::size_t kFewestCandidates = 5;
 constexpr std::size_t kMostCandidates = 10;
@@ -112,9 +119,11 @@ glm::dvec3 roundingOf(const Given &given, const Click &click, double epsilon)
 }
 
 /// The units of the last significant digits.
-glm::dvec3 countedDigit(const Given &given, const Click &click, const glm::dvec3 &lastDigit, double epsilon)
+glm::dvec3 countedDigit(const Given &given, const Click &click, const WrongPoint &point, double epsilon)
 {
-    const glm::dvec3 counted = glm::max(lastDigit, roundingOf(given, click, epsilon));
+    // The coordinates themselves are rounded too: 4500000 has a step of 0.5 in single precision.
+    const glm::dvec3 step = epsilon * glm::abs(point.got);
+    const glm::dvec3 counted = glm::max(glm::max(point.lastDigit, step), roundingOf(given, click, epsilon));
     const double distance = glm::length(click.eye);
     return distance > 0.0 ? glm::min(counted, glm::dvec3(distance)) : counted;
 }
@@ -151,7 +160,7 @@ Prepared prepared(const Case &scene, const Given &given, const WrongPoint &point
     for (const double each : depths)
         result.target.clicks.push_back(clickOf(scene, given, point, each));
     result.click = clickOf(scene, given, point, *depth);
-    result.target.lastDigit = countedDigit(given, result.click, point.lastDigit, epsilon);
+    result.target.lastDigit = countedDigit(given, result.click, point, epsilon);
     result.right = result.target;
     if (result.target.isLine) {
         result.right.isLine = false;
@@ -188,7 +197,7 @@ Hypothesis rightHypothesis(const Given &given, std::span<const Prepared> points)
         if (i == 0 && found)
             right.point = found->point;
         right.distance += distance / double(points.size());
-        right.worst = std::max(right.worst, distance);
+        right.add(i, distance);
     }
     return right;
 }
@@ -295,6 +304,12 @@ void orderSolvedAndPair(std::vector<Hypothesis> &best, const Evidence &evidence)
     best.insert(best.begin() + std::min<std::ptrdiff_t>(place, count), two);
 }
 
+/// False if the unit of a coordinate's last digit exceeds the distance from the eye.
+bool countsIn(const Target &target, int axis)
+{
+    return target.lastDigit[axis] >= target.writtenDigit[axis];
+}
+
 Candidate candidateOf(const Hypothesis &hypothesis, const Given &given, std::span<const Prepared> points)
 {
     Candidate candidate;
@@ -309,6 +324,8 @@ Candidate candidateOf(const Hypothesis &hypothesis, const Given &given, std::spa
         const Target &target = hypothesis.count == 0 ? point.right : point.target;
         const std::optional<Nearest> found = hypothesis.nearest(given, target);
         for (int axis = 0; found && axis < 3; ++axis) {
+            if (!countsIn(target, axis))
+                continue;
             const int digits =
                 digitsExplained(target.got[axis], target.lastDigit[axis], unitsOff(target, axis, found->point));
             candidate.digits += digits;
@@ -374,8 +391,11 @@ void lookAtKnown(Diagnosis &diagnosis, const Hypothesis &best, const Given &give
 {
     if (diagnosis.verdict == "right")
         return;
-    diagnosis.known = knownPoints(given, scene, targets);
-    if (explainsAsWell(best, diagnosis))
+    KnownPoints found = knownPoints(given, scene, targets);
+    const bool isSure = found.chance <= kChanceOfKnown;
+    if (isSure || diagnosis.verdict == "unknown")
+        diagnosis.known = std::move(found.points);
+    if ((!isSure && !diagnosis.known.empty()) || explainsAsWell(best, diagnosis))
         return;
     if (diagnosis.known.empty())
         diagnosis.known = knownVertices(given, scene, targets);
@@ -383,7 +403,22 @@ void lookAtKnown(Diagnosis &diagnosis, const Hypothesis &best, const Given &give
         diagnosis.verdict = "known-point";
 }
 
-Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given, double epsilon)
+/// The points that a hypothesis of fixed form leaves unexplained as the only ones.
+std::vector<std::size_t> onlyMissed(std::span<const Hypothesis> all)
+{
+    std::vector<std::size_t> missed;
+    for (const Hypothesis &each : all) {
+        if (each.missed == 1 && !each.isSolved())
+            missed.push_back(each.lastMissed);
+    }
+    std::sort(missed.begin(), missed.end());
+    missed.erase(std::unique(missed.begin(), missed.end()), missed.end());
+    return missed;
+}
+
+/// @param missed  receives onlyMissed() of the hypotheses
+Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given, double epsilon,
+                            std::vector<std::size_t> &missed)
 {
     if (scene.otherSize) {
         if (const Check valid = check(*scene.otherSize); !valid)
@@ -407,6 +442,7 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
     const std::vector<Variant> list = variants(*input, scene, isRight ? std::span<const Target>() : targets);
     std::vector<Hypothesis> all = hypotheses(*input, targets, list);
     all.push_back(right);
+    missed = onlyMissed(all);
     std::vector<Hypothesis> best = ranked(all);
     Evidence evidence{all, std::min(right.distance, sizeOf(targets)), agreeing(points, wrongs)};
     orderSolvedAndPair(best, evidence);
@@ -431,7 +467,8 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
     for (const Prepared &point : points) {
         diagnosis.depthKnown = std::max(diagnosis.depthKnown, point.depthKnown);
         for (int axis = 0; axis < 3; ++axis)
-            diagnosis.digitsGiven += digitsOf(point.target.got[axis], point.target.lastDigit[axis]);
+            diagnosis.digitsGiven +=
+                countsIn(point.target, axis) ? digitsOf(point.target.got[axis], point.target.lastDigit[axis]) : 0;
     }
     for (const WrongPoint &point : given) {
         for (int axis = 0; axis < 3; ++axis)
@@ -496,15 +533,93 @@ bool isSame(const WrongPoint &a, const WrongPoint &b)
            && a.space == b.space && a.model == b.model;
 }
 
-/// The points without repetitions, which are no further evidence.
-std::vector<WrongPoint> withoutRepetitions(std::span<const WrongPoint> points)
+/// Points without repetitions, which are no further evidence.
+struct Different {
+    std::vector<WrongPoint> points;
+    std::vector<std::size_t> places; ///< the index of each among the given ones
+};
+
+Different withoutRepetitions(std::span<const WrongPoint> points)
 {
-    std::vector<WrongPoint> different;
-    for (const WrongPoint &point : points) {
-        if (std::none_of(different.begin(), different.end(), [&](const WrongPoint &p) { return isSame(p, point); }))
-            different.push_back(point);
+    Different different;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (std::any_of(different.points.begin(), different.points.end(),
+                        [&](const WrongPoint &p) { return isSame(p, points[i]); }))
+            continue;
+        different.points.push_back(points[i]);
+        different.places.push_back(i);
     }
     return different;
+}
+
+/// Two answers to one click, whose digits differ.
+bool doContradict(const WrongPoint &a, const WrongPoint &b, bool hasMesh)
+{
+    const bool isSameClick = a.pixel.x == b.pixel.x && a.pixel.y == b.pixel.y && a.depth == b.depth
+                             && a.space == b.space && a.model == b.model && (a.depth || hasMesh);
+    const glm::dvec3 off = glm::abs(a.got - b.got) / (a.lastDigit + b.lastDigit);
+    return isSameClick && std::max({off.x, off.y, off.z}) > kCutOff;
+}
+
+std::optional<std::array<std::size_t, 2>> contradictionOf(const Case &scene, std::span<const WrongPoint> points)
+{
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        for (std::size_t j = i + 1; j < points.size(); ++j) {
+            if (doContradict(points[i], points[j], scene.depthOnMesh != nullptr))
+                return std::array{i, j};
+        }
+    }
+    return std::nullopt;
+}
+
+/// The diagnosis with the digits of double precision, or else with those of single precision.
+Result<Diagnosis> inEitherPrecision(const Case &scene, std::span<const WrongPoint> points,
+                                    std::vector<std::size_t> &missed)
+{
+    Result<Diagnosis> exact = diagnosed(scene, points, std::numeric_limits<double>::epsilon(), missed);
+    if (!exact || exact->verdict != "unknown")
+        return exact;
+    std::vector<std::size_t> missedInSingle;
+    Result<Diagnosis> single = diagnosed(scene, points, double(std::numeric_limits<float>::epsilon()), missedInSingle);
+    if (!single || single->digitsGiven == exact->digitsGiven)
+        return exact;
+    if (missed.empty())
+        missed = std::move(missedInSingle);
+    if (single->verdict == "unknown")
+        return exact;
+    Diagnosis found = std::move(single).value();
+    found.isSinglePrecision = true;
+    return found;
+}
+
+/// The verdict on all points but one, where a single one of them can be left out for it.
+std::optional<Diagnosis> allButOne(const Case &scene, std::span<const WrongPoint> points,
+                                   std::vector<std::size_t> missed)
+{
+    constexpr std::size_t kFewest = 3, kMostTriedInTurn = 8;
+    if (points.size() < kFewest)
+        return std::nullopt;
+    // Solved values are those of all points, so each point is left out in turn.
+    if (missed.empty() && points.size() <= kMostTriedInTurn) {
+        missed.resize(points.size());
+        std::iota(missed.begin(), missed.end(), std::size_t{0});
+    }
+    std::optional<Diagnosis> found;
+    for (const std::size_t left : missed) {
+        std::vector<WrongPoint> others(points.begin(), points.end());
+        others.erase(others.begin() + std::ptrdiff_t(left));
+        std::vector<std::size_t> ignored;
+        Result<Diagnosis> one = inEitherPrecision(scene, others, ignored);
+        // Any of the points might have been the one.
+        const bool isChance = one && one->namesMistake() && one->chance * double(points.size()) > kChanceOfTwo;
+        if (!one || one->verdict == "unknown" || isChance)
+            continue;
+        if (found)
+            return std::nullopt;
+        found = std::move(one).value();
+        found->except = Except{left, points[left].pixel};
+    }
+    return found;
 }
 
 } // namespace
@@ -544,16 +659,19 @@ bool Diagnosis::isNextFromRunnerUp() const
 
 Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> given)
 {
-    const std::vector<WrongPoint> points = withoutRepetitions(given);
-    Result<Diagnosis> exact = diagnosed(scene, points, std::numeric_limits<double>::epsilon());
-    if (!exact || exact->verdict != "unknown")
-        return exact;
-    Result<Diagnosis> single = diagnosed(scene, points, double(std::numeric_limits<float>::epsilon()));
-    if (!single || single->verdict == "unknown" || single->digitsGiven == exact->digitsGiven)
-        return exact;
-    Diagnosis found = std::move(single).value();
-    found.isSinglePrecision = true;
-    return found;
+    const auto [points, places] = withoutRepetitions(given);
+    std::vector<std::size_t> missed;
+    Result<Diagnosis> ofAll = inEitherPrecision(scene, points, missed);
+    if (!ofAll || ofAll->verdict != "unknown")
+        return ofAll;
+    if (std::optional<Diagnosis> found = allButOne(scene, points, missed)) {
+        found->except->point = places[found->except->point];
+        return std::move(*found);
+    }
+    Diagnosis unknown = std::move(ofAll).value();
+    if (const auto two = contradictionOf(scene, points))
+        unknown.contradiction = {places[(*two)[0]], places[(*two)[1]]};
+    return unknown;
 }
 
 std::vector<std::string> mistakeIds()

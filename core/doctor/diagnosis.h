@@ -79,7 +79,7 @@ struct WrongPoint {
 
 /// The variant of a mistake that has several.
 struct VariantName {
-    /// Marked for text::tr, %1 and %2 are the values: "ratio %1"; null: the first value alone.
+    /// Marked for text::tr, %1 to %4 are the values: "ratio %1"; null: the first value alone.
     const char *words = nullptr;
     std::string value, second;
     /// Marked, with the same values: "Your program scales the depth by %1."; null: has no values.
@@ -91,6 +91,7 @@ struct VariantName {
     {
     }
     bool isEmpty() const { return words == nullptr && value.empty(); } ///< the mistake has no other variant
+    std::string third, fourth;                                         ///< of a frame, which has more values
 };
 
 /// A value that was solved for: {"far", {50}}, {"rotation", nine numbers by rows}, {"about", {},
@@ -153,12 +154,19 @@ enum class DepthKnown {
     ByRay,    ///< unknown: answers are rays, and depth mistakes cannot be distinguished
 };
 
+/// The one point that a verdict does not hold for.
+struct Except {
+    std::size_t point = 0; ///< index among the given points
+    geometry::DevicePoint pixel;
+};
+
 struct Diagnosis {
     /// A mistake's id; "right"; "known-point" if no mistake explains the points as well as a point
     /// of the scene does; "unknown" if nothing explains them, or anything might.
     std::string verdict;
     /// The points of the scene that equal the first point, if all points equal one; several may
-    /// coincide. Contains a vertex only if that is the verdict.
+    /// coincide. Contains a vertex only if that is the verdict. If the verdict is "unknown", the
+    /// digits are too few to be sure.
     std::vector<KnownPoint> known;
     std::vector<Candidate> candidates; ///< the best first, each id once; at least five
     /// x', y' (device pixels from the top-left corner) and depth of the first wrong point, by the
@@ -180,6 +188,10 @@ struct Diagnosis {
     /// True if more digits were given than single precision holds, and the verdict holds only
     /// within that precision.
     bool isSinglePrecision = false;
+    /// The verdict and all else are those of the other points, at least two.
+    std::optional<Except> except;
+    /// The indices of two points of one click with different coordinates, if the verdict is "unknown".
+    std::optional<std::array<std::size_t, 2>> contradiction;
     std::vector<Lack> lacking; ///< of several points, if the verdict is "unknown"
     double chance = 0.0;       ///< chance that an unrelated point is explained as well as by the first candidate
 
@@ -199,7 +211,8 @@ struct Diagnosis {
 };
 
 /// Diagnoses wrong points. Digits beyond the double precision of a click's answer do not count. If
-/// no verdict is found, digits beyond single precision do not count either. No digit counts if its
+/// no verdict is found, digits beyond single precision do not count either. If there is still none,
+/// one of at least three points may be left out, see Diagnosis::except. No digit counts if its
 /// unit exceeds the distance from the eye, as the 1 of 1e9 would.
 /// @param given  at least one point, all of one program; repetitions count once
 /// @return the errors of check(setup), check(otherSize) and clipFromWorld; DepthOutsideRange;

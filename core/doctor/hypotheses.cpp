@@ -28,7 +28,7 @@ std::optional<Hypothesis> tried(const Given &given, std::span<const Target> poin
         if (i == 0)
             hypothesis.point = found->point;
         hypothesis.distance += found->distance / double(points.size());
-        hypothesis.worst = std::max(hypothesis.worst, found->distance);
+        hypothesis.add(i, found->distance);
     }
     return hypothesis;
 }
@@ -73,6 +73,15 @@ double unitsOff(const Target &target, int axis, const glm::dvec3 &answer)
     const bool isAllThatWasGiven = target.lastDigit[axis] == target.writtenDigit[axis];
     const bool isNearerToZero = (got > 0.0 && off < -kRounded) || (got < 0.0 && off > kRounded);
     return isAllThatWasGiven && isNearerToZero ? std::max(2.0, std::abs(off)) : std::abs(off);
+}
+
+void Hypothesis::add(std::size_t index, double ofPoint)
+{
+    worst = std::max(worst, ofPoint);
+    if (ofPoint <= kCutOff)
+        return;
+    ++missed;
+    lastMissed = index;
 }
 
 bool Hypothesis::isSolved() const

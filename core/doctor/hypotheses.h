@@ -45,9 +45,14 @@ struct Hypothesis {
     /// True for the second of two ways to combine both mistakes. In one stage: the second mistake
     /// before the first. For the eye point and the view: see Run::isClosedForm.
     bool isOtherWay = false;
-    glm::dvec3 point{0.0}; ///< the answer to the first point
-    double distance = 0.0; ///< mean over the points
-    double worst = 0.0;    ///< the greatest of the points
+    glm::dvec3 point{0.0};      ///< the answer to the first point
+    double distance = 0.0;      ///< mean over the points
+    double worst = 0.0;         ///< the greatest of the points
+    std::size_t missed = 0;     ///< number of points that it does not explain
+    std::size_t lastMissed = 0; ///< the last of them
+
+    /// Counts a point's distance in `worst` and `missed`.
+    void add(std::size_t index, double ofPoint);
 
     /// True if values were solved from the points.
     bool isSolved() const;

@@ -1,5 +1,7 @@
 #include "core/doctor/known_points.h"
 
+#include "core/doctor/ranking.h"
+
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -28,10 +30,23 @@ glm::dvec3 transformed(const glm::dmat4 &m, const glm::dvec3 &point)
 bool isPoint(const Target &target, const glm::dvec3 &known)
 {
     for (int axis = 0; axis < 3; ++axis) {
-        if (!(unitsOff(target, axis, known) <= kCutOff))
+        // With one digit, truncation would allow numbers a whole unit away: 1 for 1.9.
+        const bool mayBeCutOff = digitsOf(target.got[axis], target.writtenDigit[axis]) > 1;
+        if (!(unitsOff(target, axis, known) <= (mayBeCutOff ? kCutOff : kRounded)))
             return false;
     }
     return true;
+}
+
+/// The chance that an arbitrary point, as far from a known one as the clicked one is from the eye,
+/// equals it in its digits.
+double chanceOf(const Target &target)
+{
+    const double distance = glm::length(target.clicks.front().eye);
+    double chance = 1.0;
+    for (int axis = 0; axis < 3; ++axis)
+        chance *= std::min(1.0, 2.0 * kRounded * target.lastDigit[axis] / distance);
+    return chance;
 }
 
 bool isWithin(const Target &target, const glm::dvec3 &known, double units)
@@ -88,14 +103,18 @@ std::optional<KnownPoint> vertexOf(const Given &given, const Case &scene, const 
 
 } // namespace
 
-std::vector<KnownPoint> knownPoints(const Given &given, const Case &scene, std::span<const Target> points)
+KnownPoints knownPoints(const Given &given, const Case &scene, std::span<const Target> points)
 {
-    if (!std::all_of(points.begin(), points.end(), isFineEnough))
-        return {};
-    std::vector<KnownPoint> known = fixedPoints(given, scene, points.front().clicks.front());
-    std::erase_if(known, [&](const KnownPoint &one) {
+    KnownPoints known{fixedPoints(given, scene, points.front().clicks.front())};
+    known.chance = double(known.points.size());
+    for (const Target &point : points)
+        known.chance *= chanceOf(point);
+    std::erase_if(known.points, [&](const KnownPoint &one) {
         return !std::all_of(points.begin(), points.end(), [&](const Target &p) { return isPoint(p, one.point); });
     });
+    if (std::any_of(known.points.begin(), known.points.end(),
+                    [&](const KnownPoint &one) { return isSameAnswer(points.front().got, one.point); }))
+        known.chance = 0.0;
     return known;
 }
 

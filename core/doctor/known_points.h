@@ -7,11 +7,17 @@
 
 namespace unprojector::doctor {
 
-/// The points of the scene that equal a wrong point, rounded or truncated to its digits: the eye,
-/// the view matrix's translation, the camera's centre, the world's origin and the objects' origins.
-/// Returns the ones of the first point if all points equal such a point. Empty if the given digits
-/// are so few that chance would find one.
-std::vector<KnownPoint> knownPoints(const Given &given, const Case &scene, std::span<const Target> points);
+/// Points of the scene, and the chance that an arbitrary point equals one of them in its digits.
+struct KnownPoints {
+    std::vector<KnownPoint> points;
+    double chance = 1.0; ///< 0 if the given numbers are exactly those of a point of the scene
+};
+
+/// The points of the scene that equal a wrong point, rounded to its digits: the eye, the view
+/// matrix's translation, the camera's centre, the world's origin and the objects' origins. A
+/// coordinate of several digits may also be truncated. Returns the ones of the first point if all
+/// points equal such a point.
+KnownPoints knownPoints(const Given &given, const Case &scene, std::span<const Target> points);
 
 /// The vertex that equals the first wrong point, if all points equal a vertex. It must be the only
 /// one within the given digits, because on a dense mesh every point is close to some vertex.

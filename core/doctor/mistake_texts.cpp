@@ -93,7 +93,7 @@ std::string candidateSentence(const Candidate &candidate)
     std::string sentences;
     for (const VariantName &way : candidate.ways) {
         if (way.sentence != nullptr) {
-            const std::string next = tr(way.sentence, way.value, way.second);
+            const std::string next = tr(way.sentence, way.value, way.second, way.third, way.fourth);
             sentences = sentences.empty() ? next : tr("%1 %2|sentences", sentences, next);
         }
     }
@@ -105,7 +105,8 @@ std::string waysText(const std::vector<VariantName> &ways)
 {
     std::string text;
     for (const VariantName &way : ways) {
-        const std::string next = way.words == nullptr ? way.value : tr(way.words, way.value, way.second);
+        const std::string next =
+            way.words == nullptr ? way.value : tr(way.words, way.value, way.second, way.third, way.fourth);
         text = text.empty() ? next : tr("%1; %2|ways", text, next);
     }
     return text;

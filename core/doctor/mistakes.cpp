@@ -93,6 +93,7 @@ constexpr Mistake kMistakes[] = {
     {"pixel-in-size-minus-one", 1},
     {"focal-length-not-in-pixels", 1},
     {"fovy-differs", 9, true},
+    {"box-size-differs", 9, true},
     {"pixel-shifted", 6, true},
     {"viewport-size-differs", 8, true},
     {"ratio-differs", 18, true},

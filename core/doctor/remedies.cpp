@@ -188,6 +188,8 @@ constexpr Remedy kRemedies[] = {
      marked("An entry of the projection matrix is taken for the focal length in pixels."), kFocalLengthNotInPixels},
     {"fovy-differs", marked("another field of view"), marked("The field of view is not that of the view."),
      kFovyDiffers},
+    {"box-size-differs", marked("another box size"),
+     marked("The orthographic box is not as large as that of the view."), kBoxSizeDiffers},
     {"pixel-shifted", marked("pixel shifted"),
      marked("The pixel is shifted: it is counted from another corner, as that of the screen or of the window's frame."),
      kPixelShifted},

@@ -1,15 +1,16 @@
 #include "core/doctor/frame_fit.h"
 #include "core/doctor/solved_mistakes.h"
+#include "core/geometry/angle.h"
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -112,13 +113,18 @@ std::string textOf(const glm::dvec3 &v)
     return valueText(v.x) + ", " + valueText(v.y) + ", " + valueText(v.z);
 }
 
-/// The angle of a rotation, or of the rotation that follows a reflection through the origin,
-/// degrees.
-double angleOf(const FrameFit &frame)
+/// The rotation, or the one that follows a reflection through the origin, by 180 degrees at most.
+glm::dquat turnOf(const FrameFit &frame)
 {
-    const glm::dmat3 turn = frame.isMirrored() ? -frame.rotation : frame.rotation;
-    const double cosine = (turn[0][0] + turn[1][1] + turn[2][2] - 1.0) / 2.0;
-    return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi;
+    const glm::dquat turn = glm::quat_cast(frame.isMirrored() ? -frame.rotation : frame.rotation);
+    return turn.w < 0.0 ? -turn : turn;
+}
+
+/// A rotation's axis in four digits.
+std::string axisText(const glm::dquat &turn)
+{
+    constexpr double kUnits = 1e4;
+    return textOf(glm::round(glm::axis(turn) * kUnits) / kUnits + 0.0); // no -0
 }
 
 VariantName nameOf(const FrameFit &frame, const AxisPermutation *permutation)
@@ -140,18 +146,27 @@ VariantName nameOf(const FrameFit &frame, const AxisPermutation *permutation)
                    ? VariantName(marked("moved by %1"), moved, {}, marked("Your program moves its points by %1."))
                    : VariantName(marked("scaled by %1, then moved by %2"), scale, moved,
                                  marked("Your program scales its points by %1, then moves them by %2."));
-    const std::string angle = text::significantText(angleOf(frame), 4);
-    if (!frame.isHandednessKnown)
-        return {
-            marked("turned by %1 degrees, scaled by %2; the points lie in a plane, so that a mirror image fits too"),
+    const glm::dquat turn = turnOf(frame);
+    const std::string angle = text::significantText(geometry::degreesFromRadians(glm::angle(turn)), 4);
+    VariantName name =
+        !frame.isHandednessKnown ? VariantName(
+            marked("turned by %1 degrees about %3, scaled by %2, moved by %4; the points lie in a plane, "
+                   "so that a mirror image fits too"),
             angle, scale,
-            marked("Your program turns its points by %1 degrees and scales them by %2; the points lie in a plane, so "
-                   "that a mirror image fits too.")};
-    return frame.isMirrored()
-               ? VariantName(marked("mirrored, turned by %1 degrees, scaled by %2"), angle, scale,
-                             marked("Your program mirrors its points, turns them by %1 degrees and scales them by %2."))
-               : VariantName(marked("turned by %1 degrees, scaled by %2"), angle, scale,
-                             marked("Your program turns its points by %1 degrees and scales them by %2."));
+            marked("Your program turns its points by %1 degrees about %3, scales them by %2 and moves them "
+                   "by %4. The points lie in a plane, so that a mirror image fits too."))
+        : frame.isMirrored()
+            ? VariantName(
+                marked("mirrored, turned by %1 degrees about %3, scaled by %2, moved by %4"), angle, scale,
+                marked("Your program mirrors its points, turns them by %1 degrees about %3, scales them by %2 "
+                       "and moves them by %4."))
+            : VariantName(
+                marked("turned by %1 degrees about %3, scaled by %2, moved by %4"), angle, scale,
+                marked("Your program turns its points by %1 degrees about %3, scales them by %2 and moves them "
+                       "by %4."));
+    name.third = axisText(turn);
+    name.fourth = moved;
+    return name;
 }
 
 /// The units in 1 of a rotation's last digit that the points determine: a power of ten.

@@ -76,6 +76,38 @@ void addFovy(VariantList &list, const Given &given, std::span<const Target> poin
     });
 }
 
+/// Another height of an orthographic box: both axes are widened by the same factor about its middle.
+void addBoxSize(VariantList &list, const Given &given, std::span<const Target> points)
+{
+    const glm::dmat4 &m = given.clipFromEye;
+    const glm::dvec2 middle(-m[3][0] / m[0][0], -m[3][1] / m[1][1]);
+    const double height = 2.0 / std::abs(m[1][1]), width = 2.0 / std::abs(m[0][0]);
+    const std::optional<Solution> solved =
+        solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
+            const glm::dvec2 right = glm::dvec2(click.eye) - middle;
+            const glm::dvec2 wrong = glm::dvec2(eyeFromGot(given, click, got)) - middle;
+            if (glm::length(right) < 1e-9 * height)
+                return std::nullopt;
+            return height * glm::dot(right, wrong) / glm::dot(right, right);
+        });
+    if (!solved || !(solved->value > 0.0))
+        return;
+    const std::array known{height / 2.0, 2.0 * height, width};
+    addSolvedNumber(list, "box-size-differs", given, points, *solved, known, [&](double value) {
+        Variant variant;
+        variant.stage = Stage::Lens;
+        variant.apply = [](Run &run, const Variant &v) {
+            widen(run, v.parameter);
+            run.clipFromEye[3][0] /= v.parameter;
+            run.clipFromEye[3][1] /= v.parameter;
+        };
+        variant.parameter = value / height;
+        variant.name = {marked("the box is %1 high, the scene's %2"), valueText(value), valueText(height)};
+        variant.values = {{"height", {value}, {}}};
+        return variant;
+    });
+}
+
 /// A position in the window that is off by the same number of pixels at every click.
 void addShift(VariantList &list, const Given &given, std::span<const Target> points)
 {
@@ -414,6 +446,8 @@ void addSolvedFromOne(VariantList &list, const Given &given, const Case &scene, 
     }
     if (given.isPerspective)
         addFovy(list, given, points);
+    else
+        addBoxSize(list, given, points);
     addShift(list, given, points);
     addViewportSizes(list, given, scene, points);
     addRatio(list, given, scene, points, true);

@@ -90,6 +90,13 @@ std::string verdictSentence(const Diagnosis &diagnosis)
         return tr(isByRay ? "The point lies on the ray of this pixel, between near and far. Its right depth is not "
                             "known: give the depth."
                           : "The point is right to the digits given.");
+    if (diagnosis.contradiction)
+        return tr("Points %1 and %2 have the same pixel and depth but different coordinates: they contradict each "
+                  "other.",
+                  (*diagnosis.contradiction)[0] + 1, (*diagnosis.contradiction)[1] + 1);
+    if (!diagnosis.known.empty())
+        return tr("The point given may be %1, but that may be chance: give more digits.",
+                  knownPointName(diagnosis.known));
     if (!first.explains)
         return withLacks(
             tr("No known mistake explains this point: %1 mistakes and pairs of them were tried.", diagnosis.tried),
@@ -103,11 +110,20 @@ std::string verdictSentence(const Diagnosis &diagnosis)
               candidateName(first));
 }
 
+std::string exceptSentence(const Diagnosis &diagnosis)
+{
+    return tr("This holds for all points but point %1, at pixel %2 %3: check its digits.", diagnosis.except->point + 1,
+              shortestText(diagnosis.except->pixel.x), shortestText(diagnosis.except->pixel.y));
+}
+
 std::string digitsText(const Candidate &candidate, const Diagnosis &diagnosis)
 {
     // Digits without significance after rounding are part of the point, but no candidate explains
     // them.
     const int counted = diagnosis.digitsGiven;
+    if (counted == 0)
+        return tr("none of the %1 digits given counts: each is coarser than the distance from the eye",
+                  diagnosis.digitsWritten);
     const bool countAll = counted == diagnosis.digitsWritten;
     const bool hasAll = candidate.digits == counted;
     const std::string text =

@@ -19,6 +19,8 @@ std::string verdictName(const Diagnosis &diagnosis);
 /// nor a mistake is certain.
 /// @pre no mistake is named
 std::string verdictSentence(const Diagnosis &diagnosis);
+/// The sentence that names the point which the verdict does not hold for. @pre diagnosis.except
+std::string exceptSentence(const Diagnosis &diagnosis);
 /// The explained digits: "all 11 digits given", "all 9 digits that count of the 12 given, the last
 /// not rounded but cut off".
 std::string digitsText(const Candidate &candidate, const Diagnosis &diagnosis);

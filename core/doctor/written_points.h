@@ -52,6 +52,9 @@ std::string depthOutsideText(const std::string &depth, const geometry::DepthRang
 /// The column names of a table of wrong points.
 constexpr std::array<std::string_view, 6> kPointColumns{"px", "py", "depth", "x", "y", "z"};
 
+/// The largest number of a program's points that are examined; more would add no information.
+constexpr std::size_t kMostWrongPoints = 100;
+
 /// A row of the table, as written.
 struct PointRow {
     std::array<std::string, kPointColumns.size()> cells; ///< in the order of kPointColumns; the depth's may be empty

@@ -211,6 +211,13 @@ WrongPointsForm::~WrongPointsForm()
 
 WrongPointsForm::Row &WrongPointsForm::addRow()
 {
+    Row &row = makeRow();
+    arrange();
+    return row;
+}
+
+WrongPointsForm::Row &WrongPointsForm::makeRow()
+{
     m_rows.push_back(std::make_unique<Row>());
     Row &row = *m_rows.back();
     row.pixel = new QLineEdit;
@@ -244,7 +251,6 @@ WrongPointsForm::Row &WrongPointsForm::addRow()
         });
     }
     connect(row.remove, &QToolButton::clicked, this, [this, added] { removeRow(added); });
-    arrange();
     return row;
 }
 
@@ -287,6 +293,7 @@ void WrongPointsForm::arrange()
     }
     if (last)
         setTabOrder(last, m_add);
+    m_add->setEnabled(m_rows.size() < kMostWrongPoints);
 }
 
 bool WrongPointsForm::takeTable(Row &row, const QString &text)
@@ -307,14 +314,19 @@ bool WrongPointsForm::takeTable(Row &row, const QString &text)
     m_beforeClick.reset();
     Row *place = row.isEmpty() ? &row : nullptr;
     QStringList refused;
+    std::size_t surplus = 0;
     for (const PointRow &each : *rows) {
+        if (!place && m_rows.size() >= kMostWrongPoints) {
+            ++surplus;
+            continue;
+        }
         if (const auto point = pointOf(each); !point) {
             const std::string_view column = kPointColumns[std::min(point.error(), kPointColumns.size() - 1)];
             refused << tr("row %1: %2").arg(each.line).arg(QString::fromUtf8(column.data(), qsizetype(column.size())));
             continue;
         }
         if (!place)
-            place = &addRow();
+            place = &makeRow();
         const auto cell = [&each](std::size_t column) { return QString::fromStdString(each.cells[column]).trimmed(); };
         place->pixel->setText(cell(0) + QStringLiteral(", ") + cell(1));
         place->clickedDepth.reset();
@@ -323,10 +335,16 @@ bool WrongPointsForm::takeTable(Row &row, const QString &text)
         place->got->setCursorPosition(0);
         place = nullptr;
     }
-    m_tableFault =
-        refused.isEmpty()
-            ? QString()
-            : tr("Ignored in the pasted text, because it is not a number: %1.").arg(refused.join(QStringLiteral("; ")));
+    QStringList faults;
+    if (!refused.isEmpty())
+        faults << tr("Ignored in the pasted text, because it is not a number: %1.")
+                      .arg(refused.join(QStringLiteral("; ")));
+    if (surplus > 0)
+        faults << (surplus == 1 ? tr("The first %1 points are used; %2 more is ignored.")
+                                : tr("The first %1 points are used; %2 more are ignored."))
+                      .arg(kMostWrongPoints)
+                      .arg(surplus);
+    m_tableFault = joinSentences(faults);
     arrange();
     markFaults();
     emit changed();

@@ -57,6 +57,8 @@ private:
     };
 
     Row &addRow();
+    /// A row that is not yet in the layout, see arrange().
+    Row &makeRow();
     void removeRow(const Row *row);
     void arrange();
     /// Parses a table instead of a point. @return whether it was one

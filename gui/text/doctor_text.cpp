@@ -35,9 +35,12 @@ QString mistakesText(const Diagnosis &diagnosis)
 
 QString verdictText(const Diagnosis &diagnosis)
 {
+    const QString except = diagnosis.except ? QString::fromStdString(exceptSentence(diagnosis)) : QString();
     if (diagnosis.namesMistake())
-        return mistakesText(diagnosis);
-    const QString said = QString::fromStdString(doctor::verdictSentence(diagnosis));
+        return except.isEmpty() ? mistakesText(diagnosis) : mistakesText(diagnosis) + u'\n' + except;
+    QString said = QString::fromStdString(doctor::verdictSentence(diagnosis));
+    if (!except.isEmpty())
+        said = joinSentences({said, except});
     const bool isOpen =
         diagnosis.verdict == "unknown" || (diagnosis.verdict == "right" && diagnosis.depthKnown == DepthKnown::ByRay);
     return isOpen ? joinSentences({sentence(doctor::verdictName(diagnosis)), said}) : said;

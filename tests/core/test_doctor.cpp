@@ -5,6 +5,7 @@
 #include "core/doctor/mistake_texts.h"
 #include "core/doctor/mistakes.h"
 #include "core/doctor/remedies.h"
+#include "core/doctor/verdict_texts.h"
 #include "core/geometry/transform.h"
 #include "core/text/translation.h"
 #include "core/unproject/unprojector.h"
@@ -101,6 +102,14 @@ private slots:
     void everyMistakeHasItsIdOnce();
     void everyMistakeAndWayIsWordedInBothLanguages();
     void badInputIsRefused();
+    void oneOfSeveralPointsIsTheException_data();
+    void oneOfSeveralPointsIsTheException();
+    void randomPointsHaveNoException();
+    void twoAnswersToOneClickContradict();
+    void coordinatesOfAMapAreRoundedToFloats();
+    void fewDigitsAreNoKnownPoint();
+    void aBoxOfAnotherHeight();
+    void coarseDigitsDoNotCount();
 };
 
 void TestDoctor::aMistakeIsNamed_data()
@@ -548,6 +557,152 @@ void TestDoctor::badInputIsRefused()
     Case empty = of;
     empty.setup.viewport.width = 0;
     QCOMPARE(diagnose(empty, {&point, 1}).error().code, ErrorCode::EmptyViewport);
+}
+
+namespace {
+
+/// Five clicks, and the answers of the right program, or of one that forgets to flip y.
+std::vector<WrongPoint> fiveClicks(bool isFlipped)
+{
+    std::vector<WrongPoint> points;
+    for (int i = 0; i < 5; ++i) {
+        WrongPoint point;
+        point.pixel = DevicePoint(180.5 + 131.0 * i, 150.5 + 83.0 * i);
+        point.depth = 0.8 + 0.03 * i;
+        const glm::dvec3 got =
+            oracleUnder(point.pixel.x, isFlipped ? 700.0 - point.pixel.y : point.pixel.y, *point.depth);
+        point.got = {rounded(got.x, 4), rounded(got.y, 4), rounded(got.z, 4)};
+        points.push_back(point);
+    }
+    return points;
+}
+
+} // namespace
+
+void TestDoctor::oneOfSeveralPointsIsTheException_data()
+{
+    QTest::addColumn<int>("count");
+    QTest::addColumn<int>("place");
+    QTest::addColumn<bool>("isWrong");
+    QTest::newRow("a typo") << 5 << 2 << true;
+    QTest::newRow("a typo in the first") << 5 << 0 << true;
+    QTest::newRow("a typo, three points") << 3 << 1 << true;
+    QTest::newRow("a typo among right ones") << 5 << 3 << false;
+}
+
+void TestDoctor::oneOfSeveralPointsIsTheException()
+{
+    QFETCH(int, count);
+    QFETCH(int, place);
+    QFETCH(bool, isWrong);
+    std::vector<WrongPoint> points = fiveClicks(!isWrong);
+    points.resize(std::size_t(count));
+    const std::string verdict = isWrong ? "y-not-flipped" : "right";
+    QCOMPARE(diagnose(scene(), points).value().verdict, verdict);
+    QVERIFY(!diagnose(scene(), points).value().except);
+    points[std::size_t(place)].got.y += 1.0;
+    points.insert(points.begin(), points.front()); // a repetition counts once, but keeps its number
+    const Diagnosis diagnosis = diagnose(scene(), points).value();
+    QCOMPARE(diagnosis.verdict, verdict);
+    QVERIFY(diagnosis.except);
+    QCOMPARE(diagnosis.except->point, std::size_t(place == 0 ? 0 : place + 1));
+    QVERIFY(exceptSentence(diagnosis).find("but point " + std::to_string(diagnosis.except->point + 1) + ", at pixel")
+            != std::string::npos);
+}
+
+void TestDoctor::randomPointsHaveNoException()
+{
+    oracle::Random random(31);
+    for (int i = 0; i < 10; ++i) {
+        std::vector<WrongPoint> points = fiveClicks(true);
+        points.resize(3 + std::size_t(i % 3));
+        for (WrongPoint &point : points)
+            point.got = {rounded(random.uniform(-5, 5), 4), rounded(random.uniform(-5, 5), 4),
+                         rounded(random.uniform(-5, 5), 4)};
+        QCOMPARE(diagnose(scene(), points).value().verdict, std::string("unknown"));
+    }
+}
+
+void TestDoctor::twoAnswersToOneClickContradict()
+{
+    std::vector<WrongPoint> points = fiveClicks(true);
+    points.resize(2);
+    points[1].pixel = points[0].pixel;
+    points[1].depth = points[0].depth;
+    const Diagnosis diagnosis = diagnose(scene(), points).value();
+    QCOMPARE(diagnosis.verdict, std::string("unknown"));
+    QVERIFY(verdictSentence(diagnosis).starts_with("Points 1 and 2 have the same pixel and depth"));
+    points[1].pixel.x += 1.0;
+    QVERIFY(!diagnose(scene(), points).value().contradiction);
+}
+
+void TestDoctor::coordinatesOfAMapAreRoundedToFloats()
+{
+    Case of = scene();
+    const glm::dvec3 place(500000, 4500000, 100);
+    of.setup.pose = LookAt{WorldPoint(place + glm::dvec3(3, 2, 5)), WorldPoint(place), {0, 1, 0}};
+    for (const bool isWrong : {true, false}) {
+        std::vector<WrongPoint> points = fiveClicks(!isWrong);
+        for (WrongPoint &point : points) {
+            point.got = glm::dvec3(glm::vec3(place + point.got));
+            point.lastDigit = glm::dvec3(1e-4);
+        }
+        const Diagnosis diagnosis = diagnose(of, points).value();
+        QCOMPARE(diagnosis.verdict, std::string(isWrong ? "y-not-flipped" : "right"));
+        QVERIFY(diagnosis.isSinglePrecision);
+    }
+}
+
+void TestDoctor::fewDigitsAreNoKnownPoint()
+{
+    Case of = scene();
+    of.setup.pose = LookAt{WorldPoint(3.3, 2.2, 5.4), WorldPoint(0.4, 0.3, -0.2), {0, 1, 0}};
+    WrongPoint point;
+    point.pixel = DevicePoint(568.647, 274.338);
+    point.depth = 0.838331;
+    const auto ask = [&](const glm::dvec3 &got, double lastDigit) {
+        point.got = got;
+        point.lastDigit = glm::dvec3(lastDigit);
+        return diagnosed(of, point);
+    };
+    QVERIFY(ask({1, 0, 0}, 1.0).known.empty()); // 1 is no rounding of 0.4
+    const Diagnosis eye = ask({3, 2, 5}, 1.0);
+    QCOMPARE(eye.verdict, std::string("unknown"));
+    QCOMPARE(eye.known.size(), std::size_t(1));
+    QVERIFY(verdictSentence(eye).starts_with("The point given may be the eye"));
+    QCOMPARE(ask({3.3, 2.2, 5.4}, 0.1).verdict, std::string("known-point"));
+}
+
+void TestDoctor::aBoxOfAnotherHeight()
+{
+    Case of = scene();
+    of.setup.lens = Projection(Ortho{-4, 4, -3, 3, 1, 100});
+    Case half = of;
+    half.setup.lens = Projection(Ortho{-2, 2, -1.5, 1.5, 1, 100});
+    std::vector<WrongPoint> points = fiveClicks(true);
+    const unproject::Unprojector program = unproject::Unprojector::of(half.setup).value();
+    for (WrongPoint &point : points) {
+        const WindowPoint window(point.pixel.x, 700.0 - point.pixel.y, *point.depth);
+        const auto got = program.worldAt(unproject::Method::Matrix, window);
+        QVERIFY(bool(got));
+        for (int axis = 0; axis < 3; ++axis)
+            point.got[axis] = rounded(got->coordinates()[axis], 4);
+    }
+    const Diagnosis diagnosis = diagnose(of, points).value();
+    QCOMPARE(diagnosis.verdict, std::string("box-size-differs"));
+    QCOMPARE(diagnosis.candidates.front().values.front().numbers, std::vector{3.0});
+    QCOMPARE(candidateName(diagnosis.candidates.front()),
+             std::string("another box size (the box is 3 high, the scene's 6)"));
+}
+
+void TestDoctor::coarseDigitsDoNotCount()
+{
+    WrongPoint point = pointAt(scene(), WorldPoint(kTruth), kTruth);
+    point.got = {1e12, -3e12, 2e12};
+    point.lastDigit = glm::dvec3(1e12);
+    const Diagnosis diagnosis = diagnosed(scene(), point);
+    QCOMPARE(digitsText(diagnosis.candidates.front(), diagnosis),
+             std::string("none of the 3 digits given counts: each is coarser than the distance from the eye"));
 }
 
 QTEST_GUILESS_MAIN(TestDoctor)

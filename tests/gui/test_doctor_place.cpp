@@ -68,6 +68,7 @@ private slots:
     void theClickThatTellsIsPicked();
     void rowsCanBePasted_data();
     void rowsCanBePasted();
+    void aHundredPastedRowsAreUsed();
     void thePictureStaysThatOfTheClick();
     void theChosenCandidateStaysWhileTheViewTurns();
     void aClickMadeBeforeIsTaken_data();
@@ -446,6 +447,22 @@ void TestDoctorPlace::rowsCanBePasted()
     QCOMPARE(texts(QStringLiteral("Your program's coordinate")), (QStringList{"1.2 3.4 5.6", "7.25 8 9"}));
     const QString fault = panelOf(*window).findChild<WrongPointsForm *>()->fault();
     QVERIFY2(fault.contains(QStringLiteral("row 3: y")), qPrintable(fault));
+}
+
+void TestDoctorPlace::aHundredPastedRowsAreUsed()
+{
+    const auto window = doctorWindow();
+    QString rows;
+    for (int i = 0; i < 1000; ++i)
+        rows += QStringLiteral("%1.5,200.5,0.5,1.2,3.4,5.%2\n").arg(i % 500).arg(i);
+    QApplication::clipboard()->setText(rows);
+    gotOf(*window)->setFocus();
+    auto *form = panelOf(*window).findChild<WrongPointsForm *>();
+    QSignalSpy changes(form, &WrongPointsForm::changed);
+    QTest::keySequence(gotOf(*window), QKeySequence::Paste);
+    QCOMPARE(changes.count(), 1);
+    QCOMPARE(fieldsOf(*window, QStringLiteral("Pixel")).size(), 100);
+    QCOMPARE(form->fault(), QStringLiteral("The first 100 points are used; 900 more are ignored."));
 }
 
 void TestDoctorPlace::thePictureStaysThatOfTheClick()

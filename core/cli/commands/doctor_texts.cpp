@@ -151,9 +151,10 @@ std::string mistakeText(const Diagnosis &diagnosis)
 
 std::string verdictText(const Diagnosis &diagnosis)
 {
+    const std::string except = diagnosis.except ? "  " + exceptSentence(diagnosis) + '\n' : std::string();
     if (diagnosis.namesMistake())
-        return mistakeText(diagnosis);
-    const std::string text = verdictName(diagnosis) + "\n  " + verdictSentence(diagnosis) + '\n';
+        return mistakeText(diagnosis) + except;
+    const std::string text = verdictName(diagnosis) + "\n  " + verdictSentence(diagnosis) + '\n' + except;
     return diagnosis.depthKnown == DepthKnown::ByRay ? text + "  " + tr("--depth gives the depth.") + '\n' : text;
 }
 
@@ -195,6 +196,8 @@ std::string doctorJson(const Diagnosis &diagnosis)
     const InEnglish english;
     Json json;
     json["verdict"] = diagnosis.verdict;
+    if (diagnosis.except)
+        json["except"] = Json::array({diagnosis.except->point + 1});
     json["candidates"] = Json::array();
     for (const Candidate &candidate : diagnosis.candidates) {
         Json one{{"id", candidate.id},

@@ -20,9 +20,6 @@ struct WrongPoints {
     bool isComplete = true;
 };
 
-/// The largest number of a program's points that are examined; more would add no information.
-constexpr std::size_t kMostWrongPoints = 100;
-
 /// The size limit of the input, far above the need of that many points.
 constexpr std::size_t kMostPointBytes = std::size_t{1} << 24;
 
