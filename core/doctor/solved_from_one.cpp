@@ -102,7 +102,8 @@ void addBoxSize(VariantList &list, const Given &given, std::span<const Target> p
             run.clipFromEye[3][1] /= v.parameter;
         };
         variant.parameter = value / height;
-        variant.name = {marked("the box is %1 high, the scene's %2"), valueText(value), valueText(height)};
+        variant.name = {marked("the box is %1 high, the scene's %2"), valueText(value), valueText(height),
+                        marked("Your program's box is %1 high, the scene's %2.")};
         variant.values = {{"height", {value}, {}}};
         return variant;
     });

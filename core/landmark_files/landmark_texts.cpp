@@ -65,7 +65,8 @@ std::string noteText(const LandmarkNote &note)
         return said(marked("the coordinates of %1 landmark are left out"),
                     marked("the coordinates of %1 landmarks are left out"));
     case Kind::ObjectsLeftOut:
-        return said(marked("the objects of %1 landmark are left out"), marked("the objects of %1 landmarks are left out"));
+        return said(marked("the objects of %1 landmark are left out"),
+                    marked("the objects of %1 landmarks are left out"));
     case Kind::HoldsLeftOut:
         return said(marked("the anchor of %1 landmark (triangle, vertex or edge) is left out"),
                     marked("the anchors of %1 landmarks (triangles, vertices or edges) are left out"));
@@ -75,7 +76,8 @@ std::string noteText(const LandmarkNote &note)
     case Kind::NotesLeftOut:
         return said(marked("the notes of %1 landmark are left out"), marked("the notes of %1 landmarks are left out"));
     case Kind::ColorsLeftOut:
-        return said(marked("the colours of %1 landmark are left out"), marked("the colours of %1 landmarks are left out"));
+        return said(marked("the colours of %1 landmark are left out"),
+                    marked("the colours of %1 landmarks are left out"));
     case Kind::HiddenLeftOut:
         return said(marked("%1 hidden landmark is written as any other"),
                     marked("%1 hidden landmarks are written as any other"));

@@ -2044,6 +2044,14 @@ Both in the scene&apos;s units. The circle is the clicked point. A click&apos;s 
         <source>Click &amp;there to be sure: %1</source>
         <translation>点击那里以确认(&amp;T)：%1</translation>
     </message>
+    <message>
+        <source>Click &amp;there to rule out the next best: %1</source>
+        <translation>点击那里以排除次优解释(&amp;T)：%1</translation>
+    </message>
+    <message>
+        <source>Pick that pixel and type your program&apos;s result there; it separates the named mistakes, which cannot be told apart, from the next best</source>
+        <translation>拾取该像素并输入您的程序在那里的结果；它把所列的、彼此无法区分的错误与次优解释分开</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::DoctorFeature</name>
@@ -2242,6 +2250,14 @@ Both in the scene&apos;s units. The circle is the clicked point. A click&apos;s 
     <message>
         <source>No other scan of the series has %1.</source>
         <translation>系列的其他扫描都没有 %1。</translation>
+    </message>
+    <message>
+        <source>No other scan has landmarks of this placing (%1) that tell where the next one is.</source>
+        <translation>没有其他扫描含有本遍次（%1）的标志点来说明下一个在哪里。</translation>
+    </message>
+    <message>
+        <source>No other scan has %1 in this placing (%2).</source>
+        <translation>没有其他扫描在本遍次（%2）中含有 %1。</translation>
     </message>
 </context>
 <context>
@@ -2859,10 +2875,6 @@ Both are scaled to fit.</source>
         <translation>图像大小(&amp;S)：</translation>
     </message>
     <message>
-        <source>&amp;Near, far:</source>
-        <translation>近、远(&amp;N)：</translation>
-    </message>
-    <message>
         <source>&amp;Axes:</source>
         <translation>坐标轴(&amp;A)：</translation>
     </message>
@@ -2906,6 +2918,23 @@ Both are scaled to fit.</source>
     <message>
         <source>The camera has distortion (k1 %1, k2 %2, p1 %3, p2 %4, k3 %5), which the view cannot draw. If your pixels are of the undistorted image, tick the box. Else undo the distortion: unproject points --distortion.</source>
         <translation>该相机有畸变（k1 %1，k2 %2，p1 %3，p2 %4，k3 %5），视图无法绘制。若您的像素取自去畸变后的图像，请勾选复选框。否则先去除畸变：unproject points --distortion。</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <comment>the item of a field</comment>
+        <translation>“%1”</translation>
+    </message>
+    <message>
+        <source>&amp;Near:</source>
+        <translation>近(&amp;N)：</translation>
+    </message>
+    <message>
+        <source>Fa&amp;r:</source>
+        <translation>远(&amp;R)：</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
     </message>
 </context>
 <context>
@@ -3381,10 +3410,6 @@ Both are scaled to fit.</source>
         <translation>放置点时按左键</translation>
     </message>
     <message>
-        <source>place a landmark; Esc ends placing</source>
-        <translation>放置一个标志点；Esc 结束放置</translation>
-    </message>
-    <message>
         <source>arrows, while placing</source>
         <translation>放置点时按方向键</translation>
     </message>
@@ -3423,6 +3448,10 @@ Both are scaled to fit.</source>
     <message>
         <source>move the landmark along the axis, off the surface; A shows the arrows</source>
         <translation>让标志点沿坐标轴移动，离开表面；A 显示箭头</translation>
+    </message>
+    <message>
+        <source>place a landmark; a double-click places one; Esc ends placing</source>
+        <translation>放置一个标志点；双击也只放置一个；Esc 结束放置</translation>
     </message>
 </context>
 <context>
@@ -3749,6 +3778,10 @@ Both are scaled to fit.</source>
     <message>
         <source>Selected landmarks not moved, because they are hidden or outside the view: %1.</source>
         <translation>选中而未移动的标志点（在此处所见之后或之外）：%1 个。</translation>
+    </message>
+    <message>
+        <source>The second click of a double-click places nothing.</source>
+        <translation>双击的第二下不放置任何标志点。</translation>
     </message>
 </context>
 <context>
@@ -5103,6 +5136,10 @@ Both are scaled to fit.</source>
         <source>%1: %2 of the %3 numbers in the text belong to it; a matrix has %4.</source>
         <translation>%1：文本的 %3 个数中有 %2 个属于它；一个矩阵有 %4 个。</translation>
     </message>
+    <message>
+        <source>The program&apos;s world may be left-handed. “Flip x” keeps the coordinates of that world and mirrors the image; it is then not the program&apos;s camera.</source>
+        <translation>该程序的世界可能是左手系。“把 x 反回来”保留那个世界的坐标并镜像图像；这样就不再是该程序的相机。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::Measures</name>
@@ -6141,6 +6178,10 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <source>The viewport, %1 × %2, is ignored: the view keeps its own (Parameters, Viewport).</source>
         <translation>视口 %1 × %2 未采用：保留视图原有的视口（参数，视口）。</translation>
     </message>
+    <message>
+        <source>Nothing will be seen: the objects are %1 to %2 in front of the eye, not between near and far.</source>
+        <translation>将什么也看不到：物体在眼睛前方 %1 至 %2 处，不在近平面和远平面之间。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::PastedMatrixBox</name>
@@ -6297,6 +6338,18 @@ camera: K, R, t, OpenCV&apos;s YAML, transforms.json …</source>
     <message>
         <source>Numbers that belong to no matrix are not used: %1.</source>
         <translation>不属于任何矩阵的数未被采用：%1。</translation>
+    </message>
+    <message>
+        <source>Camera, first text</source>
+        <translation>相机，第一段文本</translation>
+    </message>
+    <message>
+        <source>Camera, second text</source>
+        <translation>相机，第二段文本</translation>
+    </message>
+    <message>
+        <source>Blender prints this. If it is the camera&apos;s pose, write “matrix_world =” before it, and add the lens in a line below: “lens = 50”.</source>
+        <translation>这是 Blender 打印的。如果它是相机的位姿，请在前面写上“matrix_world =”，并在下面一行加上镜头：“lens = 50”。</translation>
     </message>
 </context>
 <context>
@@ -7648,6 +7701,10 @@ of a point that needs no division</source>
     <message>
         <source>Names and hints of the series are not kept. Repair the file or move it away.</source>
         <translation>系列的名称和提示不会保存。请修复该文件或把它移走。</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+PgDown for the next scan.</source>
+        <translation>请按 Ctrl+PgDown 转到下一个扫描。</translation>
     </message>
 </context>
 <context>
@@ -9760,6 +9817,14 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <source>&amp;Save Landmarks of the Scan</source>
         <translation>保存扫描的标志点(&amp;S)</translation>
     </message>
+    <message>
+        <source>Undone: %1.</source>
+        <translation>已撤销：%1。</translation>
+    </message>
+    <message>
+        <source>Redone: %1.</source>
+        <translation>已重做：%1。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::WindowQuestions</name>
@@ -9915,6 +9980,14 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
     <message>
         <source>of mesh</source>
         <translation>按网格</translation>
+    </message>
+    <message>
+        <source>The first %1 points are used; %2 more is ignored.</source>
+        <translation>只看前 %1 个点；另外 %2 个不看。</translation>
+    </message>
+    <message>
+        <source>The first %1 points are used; %2 more are ignored.</source>
+        <translation>只看前 %1 个点；另外 %2 个不看。</translation>
     </message>
 </context>
 </TS>

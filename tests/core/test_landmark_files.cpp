@@ -246,8 +246,9 @@ void TestLandmarkFiles::whatHasNoPlaceIsSaid_data()
     QTest::addColumn<QStringList>("notes");
     const QString object = "the objects of 1 landmark are left out",
                   hold = "the anchor of 1 landmark (triangle, vertex or edge) is left out",
-                  uncertainty = "the uncertainties of 1 landmark are left out", note = "the notes of 1 landmark are left out",
-                  color = "the colours of 1 landmark are left out", hidden = "1 hidden landmark is written as any other",
+                  uncertainty = "the uncertainties of 1 landmark are left out",
+                  note = "the notes of 1 landmark are left out", color = "the colours of 1 landmark are left out",
+                  hidden = "1 hidden landmark is written as any other",
                   keys = "the other values of 1 landmark are left out: sex, code",
                   specimen = "the name of the specimen, \"skull 7\", is left out",
                   mesh = "the name of the mesh, \"skull.ply\", is left out", unit = "the unit, mm, is left out",
