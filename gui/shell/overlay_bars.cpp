@@ -39,7 +39,8 @@ public:
 
     bool eventFilter(QObject *watched, QEvent *event) override
     {
-        if (event->type() == QEvent::PaletteChange)
+        // A frame with a style sheet does not always take the window's palette.
+        if (event->type() == QEvent::PaletteChange || event->type() == QEvent::ApplicationPaletteChange)
             colour();
         return QObject::eventFilter(watched, event);
     }

@@ -302,7 +302,7 @@ void TestCameraScenes::badArgumentsAreNamed_data()
                                   << QByteArray("no camera of a known program, and no matrices");
     QTest::newRow("a value with its line")
         << inScene({m_folder.write("bad.txt", "# c\nK = 1 2 3\n")})
-        << QByteArray("bad.txt:2: k: it has 3 numbers; a camera matrix has nine, by rows\n");
+        << QByteArray("bad.txt:2: K: it has 3 numbers; a camera matrix has nine, by rows\n");
     QTest::newRow("no such image") << inScene({file, "--image", "3"})
                                    << QByteArray("there is one camera without a name; leave --image out\n");
     QTest::newRow("axes") << inScene({file, "--axes", "left"})

@@ -558,9 +558,11 @@ void TestPasteCamera::blendersMatrixNeedsItsName()
     pasting.paste(matrix, MatrixRole::View);
     QVERIFY2(pasting.said().contains("write “matrix_world =” before it"), qPrintable(pasting.said()));
     // What it says is right.
-    pasting.paste({}, MatrixRole::View);
-    pasting.paste("matrix_world = " + matrix + "\nlens = 50\n");
-    QVERIFY2(pasting.said().contains("Camera of Blender"), qPrintable(pasting.said()));
+    Pasting named;
+    named.paste("matrix_world = " + matrix + "\nlens = 50\n");
+    QVERIFY2(!named.ok()->isEnabled(), qPrintable(named.said())); // the size is asked for
+    named.type("Image size", "640 x 480");
+    QVERIFY2(named.said().contains("Camera of Blender") && named.ok()->isEnabled(), qPrintable(named.said()));
 }
 
 void TestPasteCamera::planesBeyondTheObjectsAreSaid()
