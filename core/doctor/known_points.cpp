@@ -18,6 +18,8 @@ using Kind = KnownPoint::Kind;
 
 /// The largest unit of a last digit, as a share of the distance from the eye.
 constexpr double kCoarsestDigit = 0.25;
+/// The tolerance of a coordinate of one digit, in units of it. Its own rounding is what counts there.
+constexpr double kRoundedDigit = 0.5 + 1e-6;
 /// The least distance of the next vertex, in units of the last digit.
 constexpr double kAlone = 5.0;
 
@@ -32,7 +34,7 @@ bool isPoint(const Target &target, const glm::dvec3 &known)
     for (int axis = 0; axis < 3; ++axis) {
         // With one digit, truncation would allow numbers a whole unit away: 1 for 1.9.
         const bool mayBeCutOff = digitsOf(target.got[axis], target.writtenDigit[axis]) > 1;
-        if (!(unitsOff(target, axis, known) <= (mayBeCutOff ? kCutOff : kRounded)))
+        if (!(unitsOff(target, axis, known) <= (mayBeCutOff ? kCutOff : kRoundedDigit)))
             return false;
     }
     return true;

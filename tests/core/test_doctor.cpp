@@ -670,7 +670,7 @@ void TestDoctor::fewDigitsAreNoKnownPoint()
     QCOMPARE(eye.verdict, std::string("unknown"));
     QCOMPARE(eye.known.size(), std::size_t(1));
     QVERIFY(verdictSentence(eye).starts_with("The point given may be the eye"));
-    QCOMPARE(ask({3.3, 2.2, 5.4}, 0.1).verdict, std::string("known-point"));
+    QCOMPARE(ask({3.30, 2.20, 5.40}, 0.01).verdict, std::string("known-point"));
 }
 
 void TestDoctor::aBoxOfAnotherHeight()
