@@ -357,8 +357,7 @@ void TestDoctorSolved::twoPointsGiveRoundPlanes_data()
     QTest::addColumn<double>("nearPlane");
     QTest::addColumn<double>("farPlane");
     QTest::newRow("0.5, 60") << 0.5 << 60.0;
-    QTest::newRow("0.2, 50") << 0.2 << 50.0;
-    QTest::newRow("0.05, 20") << 0.05 << 20.0;
+    QTest::newRow("0.1, 50") << 0.1 << 50.0;
 }
 
 /// The bounds of near and far belong together: each alone leaves other round numbers.
@@ -373,7 +372,10 @@ void TestDoctorSolved::twoPointsGiveRoundPlanes()
     for (int i = 0; i < kRuns; ++i) {
         const auto shot = [&](double low, double high) {
             const double s = random.uniform(low, high);
-            return testShot({s + random.uniform(-1.0, 1.0), s + random.uniform(-1.0, 1.0), s});
+            doctor_bar::Shot one = testShot();
+            one.scene.lens.nearDistance = 1.0;
+            one.click = clickOn(one.scene, {s + random.uniform(-1.0, 1.0), s + random.uniform(-1.0, 1.0), s});
+            return one;
         };
         const doctor_bar::Shot front = shot(0.0, 1.0), back = shot(-4.0, -1.0);
         const std::array points{pointOf(front, wrong), pointOf(back, wrong)};
@@ -390,9 +392,14 @@ void TestDoctorSolved::twoPointsGiveRoundPlanes()
 void TestDoctorSolved::onlyDeterminedDigitsAreWritten()
 {
     const WrongValue wrong{"near-far-differ", {{"near", {0.4618394}}, {"far", {63.71294}}}, "", 0};
-    const doctor_bar::Shot first = testShot(), second = testShot({-1.0, -0.5, -3.0});
-    const std::array points{pointOf(first, wrong), pointOf(second, wrong)};
-    const Diagnosis diagnosis = diagnose(doctor_bar::caseOf(first), points).value();
+    std::vector<WrongPoint> points;
+    doctor_bar::Shot shot = testShot();
+    shot.scene.lens.nearDistance = 1.0;
+    for (const glm::dvec3 &world : {glm::dvec3(0.5, 0.75, -0.25), {-1.0, -0.5, -3.0}, {0.25, -0.75, 1.0}}) {
+        shot.click = clickOn(shot.scene, world);
+        points.push_back(pointOf(shot, wrong));
+    }
+    const Diagnosis diagnosis = diagnose(doctor_bar::caseOf(shot), points).value();
     const Candidate *candidate = named(diagnosis, "near-far-differ");
     QVERIFY(candidate);
     for (const SolvedValue &value : candidate->values) {
