@@ -22,7 +22,7 @@ struct AutosaveTiming {
 /// The limits of hurried writes.
 struct HurryTiming {
     std::chrono::milliseconds between{200}; ///< writes; the first one is at once
-    std::chrono::milliseconds cheap{20};    ///< the most time that a write takes if the next one may be hurried
+    std::chrono::milliseconds cheap{50};    ///< the most time that a write takes if the next one may be hurried
 };
 
 /// Keeps a window's scene in a recovery file while it has changes that are saved nowhere else. The
