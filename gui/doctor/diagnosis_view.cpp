@@ -161,8 +161,8 @@ void DiagnosisView::showAnswer(const Shown &shown)
                              .arg(pixel));
         m_click->setToolTip(
             isOfNextBest
-                ? tr("Pick that pixel and type your program's result there; it separates the named mistakes, which "
-                     "cannot be told apart, from the next best")
+                ? tr("Pick that pixel and type your program's result there; it separates the named mistakes from the "
+                     "next best")
                 : tr("Pick that pixel and type your program's result there; it separates the first mistake from the "
                      "others"));
         placeClick(areSeveral);

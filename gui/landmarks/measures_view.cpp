@@ -94,6 +94,7 @@ MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
     }
     connect(m_keep, &QToolButton::clicked, this, &MeasuresView::keep);
     connect(m_remove, &QToolButton::clicked, this, &MeasuresView::removeFromProtocol);
+    m_remove->hide(); // both side by side would widen the panel
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::Landmarks)
             showUnit();

@@ -133,7 +133,7 @@ private:
     /// Adds the landmarks of the current scan once it is in the view.
     /// @param isLoaded  the scan has just been loaded
     void takeShown(bool isLoaded);
-    /// How to go on after a scan that cannot be shown; empty if it is the last one.
+    /// The key that shows the scan after one that cannot be shown; empty if it is the last one.
     QString nextScanText() const;
     ScanPlacing shownPlacing() const;
     /// Puts the changes on all scans on the undo stack.

@@ -2049,7 +2049,7 @@ Both in the scene&apos;s units. The circle is the clicked point. A click&apos;s 
         <translation>点击那里以排除次优解释(&amp;T)：%1</translation>
     </message>
     <message>
-        <source>Pick that pixel and type your program&apos;s result there; it separates the named mistakes, which cannot be told apart, from the next best</source>
+        <source>Pick that pixel and type your program&apos;s result there; it separates the named mistakes from the next best</source>
         <translation>拾取该像素并输入您的程序在那里的结果；它把所列的、彼此无法区分的错误与次优解释分开</translation>
     </message>
 </context>

@@ -237,7 +237,7 @@ void TestChinese::messagesAreSaidInChinese_data()
                            << "depth.pfm: 1 个点超出单精度的范围；--precision double 的范围更大\n";
     QTest::newRow("landmarks") << QStringList{"landmarks", "--from", "csv", "--to", "pp", "-", "-"}
                                << QByteArray("name,x,y,z,note\na,1,2,3,left\nb,1,2,3,\n")
-                               << "stdout: 1 个点的备注未写出\n";
+                               << "stdout: 1 个标志点的备注未写出";
 }
 
 void TestChinese::messagesAreSaidInChinese()

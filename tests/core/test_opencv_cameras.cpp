@@ -201,7 +201,7 @@ void TestOpenCvCameras::pMayBeTransposed()
     const SceneCamera asRows = sceneOf(rows + kSize), asColumns = sceneOf(columns + kSize);
     QVERIFY(glm::length(pixelOf(asRows, {1, 2, 4}) - pixelOf(asColumns, {1, 2, 4})) <= 1e-9);
     QVERIFY(join(asRows.assumed).find("transposed") == std::string::npos);
-    QVERIFY(join(asColumns.assumed).find("p is transposed, as MATLAB's cameraMatrix is") != std::string::npos);
+    QVERIFY(join(asColumns.assumed).find("P is transposed, as MATLAB's cameraMatrix is") != std::string::npos);
 }
 
 /// Only a number with a star is a factor.
@@ -567,7 +567,7 @@ void TestOpenCvCameras::faultsNameValueAndLine_data()
         << "{\"left\": {\"K\": [500, 0, 320, 0, 500, 240, 0, 0, 1]},\n\"right\": {\"K\": [600, "
            "0, 320, 0, 600, 240, 0, 0, 1], \"R\": [1, 0, 0, 0, 1, 0, 0, 0, 1], \"T\": [0.1, 0, "
            "0]}}\n"
-        << "r: the text has 2 camera matrices, but 1 of this. Give the text of one camera @2";
+        << "R: the text has 2 camera matrices, but 1 of this. Give the text of one camera @2";
     QTest::newRow("two fx")
         << "\"left\": {\"fx\": 500, \"fy\": 500, \"cx\": 320, \"cy\": 240},\n\"right\": {\"fx\": 600, "
            "\"fy\": 500, \"cx\": 320, \"cy\": 240}\n"
@@ -597,14 +597,14 @@ void TestOpenCvCameras::faultsNameValueAndLine_data()
     computed("t", "t = -np.array([1, 2, 5])", "-");
     computed("t", "t = scale * np.array([1, 2, 5])", "scale *");
     computed("t", "t = -R @ np.array([1, 2, 5])", "-");
-    computed("r", "R = np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 1]]).T", ".T");
-    computed("r", "R = np.linalg.inv(np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 1]]))", "inv");
+    computed("R", "R = np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 1]]).T", ".T");
+    computed("R", "R = np.linalg.inv(np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 1]]))", "inv");
     QTest::newRow("nan") << "K = 800 0 320 0 nan 240 0 0 1\n"
-                         << "k: a number is not finite @1";
+                         << "K: a number is not finite @1";
     QTest::newRow("YAML's nan") << "K: [800, 0, 320, 0, 800, 240, 0, 0, 1]\nD: [.Nan, 0.1, 0, 0, 0]\n"
-                                << "d: a number is not finite @2";
+                                << "D: a number is not finite @2";
     QTest::newRow("one coefficient") << "K = 800 0 320 0 800 240 0 0 1\nD: [0.1]\n"
-                                     << "d: there is 1 distortion coefficient; give four or five: k1, k2, p1, p2, k3 "
+                                     << "D: there is 1 distortion coefficient; give four or five: k1, k2, p1, p2, k3 "
                                         "@2";
     QTest::newRow("a focal length below 0") << "K = 800 0 320 0 -800 240 0 0 1\n"
                                             << "the focal length fy is -800; it must be greater than 0 @0";
