@@ -675,8 +675,9 @@ void TestOpenCvCameras::distortionIsUndone()
     QFETCH(double, p2);
     QFETCH(double, k3);
     const Distortion lens{k1, k2, p1, p2, k3};
-    for (double radius = 0.0; radius < 0.75; radius += 0.05) {
-        for (double angle = 0.0; angle < 6.2; angle += 0.7) {
+    for (int ring = 0; ring < 15; ++ring) {
+        for (int ray = 0; ray < 9; ++ray) {
+            const double radius = 0.05 * ring, angle = 0.7 * ray;
             const double x = radius * std::cos(angle), y = radius * std::sin(angle);
             const double longer =
                 radius + k1 * std::pow(radius, 3) + k2 * std::pow(radius, 5) + k3 * std::pow(radius, 7);
