@@ -195,6 +195,8 @@ struct Diagnosis {
     std::vector<Lack> lacking; ///< of several points, if the verdict is "unknown"
     double chance = 0.0;       ///< chance that an unrelated point is explained as well as by the first candidate
 
+    /// The index of the point that `projected`, `right` and the like belong to.
+    std::size_t firstPoint() const { return except && except->point == 0 ? 1 : 0; }
     /// True if the verdict is one mistake or two.
     bool namesMistake() const { return verdict != "right" && verdict != "unknown" && verdict != "known-point"; }
     /// True if `wrong` describes the error. A point of the scene is not computed from the click.

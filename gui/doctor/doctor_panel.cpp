@@ -321,8 +321,9 @@ void DoctorPanel::ask()
 void DoctorPanel::showDiagnosis(const Diagnosis &diagnosis)
 {
     m_diagnosis = diagnosis;
-    m_answer->setDiagnosis(diagnosis, m_asked.front());
-    m_candidates->setDiagnosis(diagnosis, m_asked.front());
+    const WrongPoint &first = m_asked[diagnosis.firstPoint()];
+    m_answer->setDiagnosis(diagnosis, first);
+    m_candidates->setDiagnosis(diagnosis, first);
     m_candidates->show();
     m_code->setMistake(diagnosis.namesMistake() ? diagnosis.verdict : std::string(),
                        diagnosis.candidates.front().values);

@@ -40,6 +40,7 @@ private slots:
     void digitsAreReadAsWritten();
     void noZeroIsBelowZero();
     void aTableIsOneProgram();
+    void theExceptionIsNamed();
     void anEndlessTableIsRefused();
     void badRowsAreNamed();
     void theMeshGivesTheDepth();
@@ -247,6 +248,19 @@ void TestDoctorCommand::aTableIsOneProgram()
     QCOMPARE(named.exitCode, 0);
     QCOMPARE(QJsonDocument::fromJson(named.output).object()["candidates"].toArray()[0].toObject()["id"].toString(),
              QString("y-not-flipped"));
+}
+
+void TestDoctorCommand::theExceptionIsNamed()
+{
+    const QByteArray rows = "568.6475,274.3378,0.838330516,0.7051,-0.4122,0.0918\n"
+                            "300.5,200.5,0.85,-1.3578,-1.1964,1.1148\n"
+                            "300,300,0.85,1.1234,2.2345,3.3456\n";
+    const QJsonObject json = QJsonDocument::fromJson(doctor({"--points", "-", "--json"}, rows).output).object();
+    QCOMPARE(json["verdict"].toString(), QString("y-not-flipped"));
+    QCOMPARE(json["except"].toArray(), QJsonArray{3});
+    const Run inWords = doctor({"--points", "-"}, rows);
+    QVERIFY2(inWords.output.contains("  This holds for all points but point 3, at pixel 300 300: check its digits.\n"),
+             inWords.output.constData());
 }
 
 void TestDoctorCommand::anEndlessTableIsRefused()

@@ -251,11 +251,10 @@ ExitCode runDoctor(const DoctorOptions &options)
                                                             : options.scene + ": " + errorText(error));
         return ExitCode::UnusableInput;
     }
-    const bool isFirstLeft = diagnosis->except && diagnosis->except->point == 0;
     if (options.isJson)
         sink.write(doctorJson(*diagnosis));
     else
-        sink.print(doctorText(*diagnosis, given.points[isFirstLeft ? 1 : 0]));
+        sink.print(doctorText(*diagnosis, given.points[diagnosis->firstPoint()]));
     const ExitCode written = sink.finish();
     return written == ExitCode::Done && !given.isComplete ? ExitCode::SomeRowsBad : written;
 }
