@@ -90,7 +90,7 @@ struct CameraChoices {
     std::optional<EyeAxes> axes;
     std::optional<PoseDirection> direction;
     std::optional<PixelCentres> centres;
-    bool isUndistorted = false; ///< pixels are of the undistorted image: coefficients are dropped, and this is said
+    bool isUndistorted = false; ///< pixels are of the undistorted image; the coefficients are dropped with a message
 
     /// Returns whether the user says nothing but the size.
     bool isNothing() const
@@ -134,7 +134,7 @@ std::optional<geometry::Result<ForeignCamera, CameraError>> readCamera(std::span
                                                                        const CameraChoices &choices);
 
 /// Converts a camera. Where neither the file nor the choices tell the pose's direction or the axes,
-/// those count with which the camera sees the objects, and this is said.
+/// those count with which the camera sees the objects; a message names them.
 /// @param objects  bounds of the scene's objects, world space; empty: no objects, then the
 ///         program's usual direction and axes count
 geometry::Result<SceneCamera, CameraError> sceneCamera(const ForeignCamera &camera, const CameraChoices &choices,

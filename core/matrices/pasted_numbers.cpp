@@ -2,13 +2,13 @@
 
 #include "core/matrices/call_syntax.h"
 #include "core/matrices/paste_marks.h"
+#include "core/matrices/pasted_names.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <initializer_list>
 #include <system_error>
 
 namespace unprojector::matrices {
@@ -24,14 +24,6 @@ bool isWordCharacter(char c)
 {
     // Includes # for 1.#QNAN, which is not 1.
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '+' || c == '-' || c == '#';
-}
-
-std::string inSmallLetters(std::string_view text)
-{
-    std::string result(text);
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
-    return result;
 }
 
 /// Parses a number, with or without the f of a C float.
@@ -60,224 +52,6 @@ bool isMeantAsNumber(std::string_view word)
         return false;
     return word.find('#') != word.npos || word.substr(0, 2) == "0x" || word.substr(0, 2) == "0X"
            || word.find_first_not_of("0123456789.eEdD+-") == word.npos;
-}
-
-/// The part that lower-case letters name: "glmodelviewmatrix", "modelview", "pv", "mvp".
-std::optional<PastedPart> partOf(const std::string &letters)
-{
-    const auto has = [&letters](const char *name) { return letters.find(name) != std::string::npos; };
-    if (has("viewport") || letters == "windowfromndc" || letters == "qrect" || letters == "qrectf")
-        return PastedPart::Viewport;
-    if (letters == "windowmatrix") // Blender
-        return PastedPart::Projection;
-    if (has("window") || has("mvpw"))
-        return PastedPart::ToWindow;
-    for (const char *name :
-         {"clipfromeye", "clipfromview", "clipfromcamera", "eyetoclip", "viewtoclip", "cameratoclip"}) {
-        if (has(name))
-            return has("fromworld") || has("worldto") ? PastedPart::Product : PastedPart::Projection;
-    }
-    const bool isProjection = has("projection") || letters == "proj" || letters == "p" || has("projmat");
-    if (letters == "perspectivematrix") // Blender: projection * view
-        return PastedPart::Product;
-    if (has("mvp") || has("product") || has("fullproj") || (isProjection && has("view")) || letters == "vp"
-        || letters == "pv" || letters == "clipfromworld" || letters == "viewproj")
-        return PastedPart::Product;
-    if (isProjection)
-        return PastedPart::Projection;
-    if (has("modelview") || letters == "mv")
-        return PastedPart::ModelView;
-    if (has("view") || letters == "v" || letters == "eyefromworld" || has("worldtocamera") || has("worldtocam")
-        || has("camerafromworld") || has("camfromworld") || letters.starts_with("extrinsic"))
-        return PastedPart::View;
-    // matrixWorld of a three.js object, matrix_world of Blender; without an object's name it is the
-    // camera's, see namedBy
-    if (has("model") || has("matrixworld"))
-        return PastedPart::Model;
-    return std::nullopt;
-}
-
-struct Named {
-    PastedPart part;
-    bool isInverse = false;
-};
-
-/// The words of names in lower case: "inv_viewMatrix" has "inv", "view" and "matrix". The 2 of
-/// "world2cam" is the word "to".
-std::vector<std::string> wordsOf(std::string_view names)
-{
-    std::vector<std::string> words;
-    char before = ' ';
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const char c = names[i];
-        const auto is = [](int (*kind)(int), char one) { return kind(static_cast<unsigned char>(one)) != 0; };
-        if (c == '2' && is(std::isalpha, before) && i + 1 < names.size() && is(std::isalpha, names[i + 1]))
-            words.emplace_back("to");
-        if (is(std::isalpha, c)) {
-            if (!is(std::isalpha, before) || (is(std::islower, before) && is(std::isupper, c)))
-                words.emplace_back();
-            words.back() += inSmallLetters({&c, 1});
-        }
-        before = c;
-    }
-    return words;
-}
-
-/// The word without "inverse": "view" for "viewinverse" and "invview", empty for "inv". Nothing for
-/// a word without that meaning, such as "involved".
-std::optional<std::string> withoutInverse(std::string word)
-{
-    for (const std::string_view whole : {"inverse", "inverted"}) {
-        if (const std::size_t at = word.find(whole); at != word.npos)
-            return word.erase(at, whole.size());
-    }
-    constexpr std::string_view kShort = "inv";
-    if (word.ends_with(kShort)) {
-        const std::string name = word.substr(0, word.size() - kShort.size());
-        return name.empty() || partOf(name) ? std::optional(name) : std::nullopt;
-    }
-    if (!word.starts_with(kShort))
-        return std::nullopt;
-    const std::string name = word.substr(kShort.size());
-    const bool beginsWithName = name.starts_with("view") || name.starts_with("proj") || name.starts_with("model")
-                                || name.starts_with("mvp") || name.size() <= 2;
-    return beginsWithName && partOf(name) ? std::optional(name) : std::nullopt;
-}
-
-/// Returns whether a word names an inverted property rather than an inverse matrix: reversed
-/// depths, y down.
-bool isAxis(const std::string &word)
-{
-    return word == "depth" || word == "z" || word == "y";
-}
-
-/// The part that words name: "gl_ModelViewMatrix", "model view", "P*V", "projectionMatrixInverse",
-/// "cameraToWorld".
-/// The part that whole names tell, with the names of their objects: "camera.matrixWorld".
-std::optional<Named> namedByAll(std::string_view names)
-{
-    const std::vector<std::string> words = wordsOf(names);
-    std::string letters;
-    bool isInverse = false;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::optional<std::string> rest = withoutInverse(words[i]);
-        const bool isOfAxis =
-            rest
-            && (isAxis(*rest) || (i > 0 && isAxis(words[i - 1])) || (i + 1 < words.size() && isAxis(words[i + 1])));
-        isInverse = isInverse || (rest && !isOfAxis);
-        letters += rest.value_or(words[i]);
-    }
-    const auto hasAny = [&letters](std::initializer_list<std::string_view> some) {
-        return std::any_of(some.begin(), some.end(),
-                           [&](std::string_view name) { return letters.find(name) != std::string::npos; });
-    };
-    if (hasAny({"matrixworld"}) && isInverse) // three.js's camera
-        return Named{PastedPart::View};
-    // The name refers to a camera or to no object: worldFromEye, the inverse of the view.
-    if (letters == "matrixworld" || (hasAny({"matrixworld"}) && hasAny({"camera"}))
-        || hasAny({"worldfromeye", "worldfromcam", "worldfromview", "cameratoworld", "viewtoworld", "eyetoworld",
-                   "camtoworld"}))
-        return Named{PastedPart::View, !isInverse};
-    // "cam_world" is the camera's pose, "cam_worldToCamera" is not.
-    if (hasAny({"camworld"}) && !hasAny({"worldto"}))
-        return Named{PastedPart::View, !isInverse};
-    if (hasAny({"eyefromclip", "viewfromclip", "cliptoeye", "cliptoview", "cliptocamera"}))
-        return Named{PastedPart::Projection, !isInverse};
-    if (hasAny({"worldfromclip", "cliptoworld"}))
-        return Named{PastedPart::Product, !isInverse};
-    const std::optional<PastedPart> part = partOf(letters);
-    return part ? std::optional(Named{*part, isInverse}) : std::nullopt;
-}
-
-/// The part that names tell. The last name of a path counts, if it tells one: "cam.viewProjection"
-/// is a product.
-std::optional<Named> namedBy(std::string_view names)
-{
-    constexpr std::size_t kShort = 2; // the p of "ray.p" is no projection
-    const std::string_view last = names.substr(names.find_last_of('.') + 1);
-    if (names.find(' ') == names.npos && last.size() > kShort && !inSmallLetters(last).starts_with("matrix")) {
-        if (const auto named = namedByAll(last))
-            return named;
-    }
-    return namedByAll(names);
-}
-
-/// The letters of a name, in lower case.
-std::string lettersOf(std::string_view names)
-{
-    std::string letters;
-    for (const std::string &word : wordsOf(names))
-        letters += word;
-    return letters;
-}
-
-bool isAnyOf(const std::string &word, std::initializer_list<std::string_view> words)
-{
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-/// Returns whether a name is of numbers that people paste beside matrices, which belong to none.
-bool isAside(const std::string &letters)
-{
-    if (letters.ends_with("shape")) // view.shape (4, 4)
-        return true;
-    return isAnyOf(letters, {"near",
-                             "far",
-                             "znear",
-                             "zfar",
-                             "nearplane",
-                             "farplane",
-                             "fov",
-                             "fovy",
-                             "fovx",
-                             "fieldofview",
-                             "aspect",
-                             "aspectratio",
-                             "cx",
-                             "cy",
-                             "fx",
-                             "fy",
-                             "focal",
-                             "focallength",
-                             "depth",
-                             "time",
-                             "frame",
-                             "fps",
-                             "zoom",
-                             "dpr",
-                             "pixelratio",
-                             "mouse",
-                             "cursor",
-                             "click",
-                             "mousepos",
-                             "mouseposition",
-                             "pixel",
-                             "length",
-                             "bytelength",
-                             "byteoffset",
-                             "modifiedtime",
-                             "referencecount",
-                             "cuda",
-                             "shape",
-                             "torchsize",
-                             "dtype",
-                             "ndim",
-                             "rows",
-                             "cols",
-                             "columns",
-                             "channels",
-                             "mps",
-                             "devicepixelratio",
-                             "winz",
-                             "winx",
-                             "winy"});
-}
-
-/// Returns whether a name is of an image's width and height, together.
-bool isSize(const std::string &letters)
-{
-    return isAnyOf(letters, {"screen", "size", "resolution", "screensize", "windowsize", "imagesize", "canvas",
-                             "canvassize", "framebuffer", "framebuffersize"});
 }
 
 /// One or two integers in the brackets that open at `at`, as in m[3] and m(0, 1), or nothing. A
@@ -394,7 +168,7 @@ private:
                 m_aside.emplace_back("height");
             return;
         }
-        m_named = Named{PastedPart::Viewport};
+        m_named = NamedPart{PastedPart::Viewport};
         for (const double value : {0.0, 0.0, *m_width, *m_height})
             add(value, m_text.size(), {});
     }
@@ -614,7 +388,7 @@ private:
     std::string m_lastWord; ///< the last word that is a number
     std::string m_name;
     std::size_t m_nameEnd = 0;
-    std::optional<Named> m_named;
+    std::optional<NamedPart> m_named;
     double m_factor = 1.0;  ///< of the numbers up to the next name
     bool m_isAside = false; ///< the numbers of this line belong to no matrix
     SizePart m_size = SizePart::None;

@@ -225,9 +225,9 @@ private:
         if (!(length > 0.0)) // seen along itself
             return;
         const glm::dvec2 inward = (isLeft ? 1.0 : -1.0) / length * glm::dvec2(-way.y, way.x);
-        const double count = std::clamp(std::ceil(kPerPixel * length), 1.0, kMost);
-        for (double i = 0.5; i < count; ++i) {
-            const double share = part->first + (part->second - part->first) * (i / count);
+        const int count = static_cast<int>(std::clamp(std::ceil(kPerPixel * length), 1.0, kMost));
+        for (int i = 0; i < count; ++i) {
+            const double share = part->first + (part->second - part->first) * ((i + 0.5) / count);
             look(edge.from + (edge.to - edge.from) * share, at(share), inward);
         }
     }

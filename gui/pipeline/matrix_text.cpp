@@ -95,7 +95,7 @@ QString findingSentence(const MatrixFinding &finding, MatrixRole role)
 {
     const QString found = QString::fromStdString(findingText(finding, role));
     return joinSentences(
-        {MatrixText::tr("It %1.", "a matrix: what is to be seen of it").arg(found), adviceFor(finding, role)});
+        {MatrixText::tr("It %1.", "a matrix: the finding about it").arg(found), adviceFor(finding, role)});
 }
 
 QString repairName(const MatrixFinding &finding, NumberOrder order)

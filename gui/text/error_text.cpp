@@ -109,7 +109,7 @@ QString errorText(const text::ExpressionError &error, const QString &typed)
 
 QString errorText(const ImportError &error)
 {
-    return Errors::tr("%1: %2", "a file: what is said of it").arg(pathText(error.file), ended(reasonText(error)));
+    return Errors::tr("%1: %2", "a file: the message about it").arg(pathText(error.file), ended(reasonText(error)));
 }
 
 } // namespace unprojector::gui

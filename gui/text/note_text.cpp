@@ -20,7 +20,7 @@ struct NoteTexts {
 
 QString ofFile(const QString &fileName, const QString &said)
 {
-    return NoteTexts::tr("%1: %2", "a file: what is said of it").arg(fileName, said);
+    return NoteTexts::tr("%1: %2", "a file: the message about it").arg(fileName, said);
 }
 
 } // namespace

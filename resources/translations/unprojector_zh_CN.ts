@@ -250,7 +250,7 @@
     <name>Errors</name>
     <message>
         <source>%1: %2</source>
-        <comment>a file: what is said of it</comment>
+        <comment>a file: the message about it</comment>
         <translation>%1：%2</translation>
     </message>
     <message>
@@ -5108,7 +5108,7 @@ Both are scaled to fit.</source>
     </message>
     <message>
         <source>It %1.</source>
-        <comment>a matrix: what is to be seen of it</comment>
+        <comment>a matrix: the finding about it</comment>
         <translation>%1。</translation>
     </message>
     <message>
@@ -5721,7 +5721,7 @@ Both are scaled to fit.</source>
     <name>unprojector::gui::NoteTexts</name>
     <message>
         <source>%1: %2</source>
-        <comment>a file: what is said of it</comment>
+        <comment>a file: the message about it</comment>
         <translation>%1：%2</translation>
     </message>
     <message>

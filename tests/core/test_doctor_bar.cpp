@@ -12,18 +12,6 @@ using namespace unprojector;
 using namespace doctor_bar;
 using oracle::Random;
 
-namespace {
-
-QByteArray missedIn(const Tally &tally)
-{
-    std::string text;
-    for (const std::string &miss : tally.missed)
-        text += miss + '\n';
-    return QByteArray::fromStdString(text);
-}
-
-} // namespace
-
 class TestDoctorBar : public QObject {
     Q_OBJECT
 
@@ -48,8 +36,8 @@ void TestDoctorBar::singleMistakesAreNamed()
     Random random(12);
     Tally tally;
     addSingles(tally, random, 4);
-    QVERIFY2(tally.all.first >= 0.97 * tally.all.asked, missedIn(tally));
-    QVERIFY2(tally.all.firstThree >= 0.995 * tally.all.asked, missedIn(tally));
+    QVERIFY2(tally.all.first >= 0.97 * tally.all.asked, doctor_bar::lines(tally.missed).c_str());
+    QVERIFY2(tally.all.firstThree >= 0.995 * tally.all.asked, doctor_bar::lines(tally.missed).c_str());
     for (const auto &[id, count] : tally.ofId)
         QVERIFY2(2 * count.first >= count.asked, id.c_str());
 }
@@ -59,7 +47,7 @@ void TestDoctorBar::pairsAreAmongTheFirstThree()
     Random random(13);
     Tally tally;
     addPairs(tally, random, 1);
-    QVERIFY2(tally.all.firstThree >= 0.9 * tally.all.asked, missedIn(tally));
+    QVERIFY2(tally.all.firstThree >= 0.9 * tally.all.asked, doctor_bar::lines(tally.missed).c_str());
 }
 
 void TestDoctorBar::rightPointsAreCalledRight()

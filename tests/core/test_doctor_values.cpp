@@ -10,18 +10,6 @@
 using namespace value_bar;
 using oracle::Random;
 
-namespace {
-
-QByteArray missedIn(const Tally &tally)
-{
-    std::string text;
-    for (const std::string &miss : tally.missed)
-        text += miss + '\n';
-    return QByteArray::fromStdString(text);
-}
-
-} // namespace
-
 class TestDoctorValues : public QObject {
     Q_OBJECT
 
@@ -45,7 +33,7 @@ void TestDoctorValues::onePointFindsTheValueAmongThree()
         found += ofOnePoint.contains(id) ? count.firstThree : 0;
     }
     QVERIFY(asked >= 80);
-    QVERIFY2(found >= 0.95 * asked, missedIn(tally));
+    QVERIFY2(found >= 0.95 * asked, doctor_bar::lines(tally.missed).c_str());
 }
 
 void TestDoctorValues::threePointsNameTheValue()
@@ -54,12 +42,12 @@ void TestDoctorValues::threePointsNameTheValue()
     const Tally tally = tested(random, 20, 3);
     int asked = 0, named = 0;
     for (const auto &[id, count] : tally.ofId) {
-        QVERIFY2(2 * count.verdicts >= count.asked, (id + ": " + missedIn(tally).toStdString()).c_str());
+        QVERIFY2(2 * count.verdicts >= count.asked, (id + ": " + doctor_bar::lines(tally.missed)).c_str());
         asked += count.asked;
         named += count.verdicts;
     }
     QVERIFY(asked >= 120);
-    QVERIFY2(named >= 0.97 * asked, missedIn(tally));
+    QVERIFY2(named >= 0.97 * asked, doctor_bar::lines(tally.missed).c_str());
 }
 
 void TestDoctorValues::twoPointsNameRoundPlanes()
@@ -77,7 +65,7 @@ void TestDoctorValues::fourPointsTellAMirroredFrame()
     const Tally tally = tested(random, 15, 4);
     const Count &frames = tally.ofId.at("frame-differs");
     QVERIFY(frames.asked >= 10);
-    QVERIFY2(frames.verdicts >= frames.asked - 1, missedIn(tally));
+    QVERIFY2(frames.verdicts >= frames.asked - 1, doctor_bar::lines(tally.missed).c_str());
 }
 
 void TestDoctorValues::randomPointsAreNotExplained()

@@ -122,4 +122,16 @@ inline glm::dvec3 clickedAndWrong(MainWindow &window, const glm::dvec3 &off = {0
     return unprojected(window, {pick.window.x, height - pick.window.y, pick.window.z});
 }
 
+/// Types the answer of a program that transposes the product of projection and view.
+inline void typeTransposed(MainWindow &window)
+{
+    const Setup &g = window.document().setup();
+    const Pick &pick = *window.document().picks().pick();
+    const glm::dvec4 ndc(2.0 * (pick.window.x - g.viewport.x) / g.viewport.width - 1.0,
+                         2.0 * (pick.window.y - g.viewport.y) / g.viewport.height - 1.0, 2.0 * pick.window.z - 1.0,
+                         1.0);
+    const glm::dvec4 got = glm::inverse(glm::transpose(*clipFromWorld(g))) * ndc;
+    type(gotOf(window), pointText(glm::dvec3(got) / got.w));
+}
+
 } // namespace doctordesk

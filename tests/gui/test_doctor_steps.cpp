@@ -278,13 +278,7 @@ void TestDoctorSteps::severalExplanationsAskForAClick()
 {
     const auto window = doctorWindow();
     clickedAndWrong(*window);
-    const Setup &g = window->document().setup();
-    const Pick &pick = *window->document().picks().pick();
-    const glm::dvec4 ndc(2.0 * (pick.window.x - g.viewport.x) / g.viewport.width - 1.0,
-                         2.0 * (pick.window.y - g.viewport.y) / g.viewport.height - 1.0, 2.0 * pick.window.z - 1.0,
-                         1.0);
-    const glm::dvec4 got = glm::inverse(glm::transpose(*clipFromWorld(g))) * ndc;
-    type(gotOf(*window), pointText(glm::dvec3(got) / got.w));
+    typeTransposed(*window);
     QTRY_VERIFY_WITH_TIMEOUT(verdictOf(*window).contains(QStringLiteral("\nOr: ")), kPatienceMilliseconds);
     // They give the same point at every click, so none tells them apart.
     QVERIFY(!buttonOf(*window, QStringLiteral("Click there to tell them apart")));

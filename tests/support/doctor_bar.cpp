@@ -198,6 +198,14 @@ void Tally::add(const std::string &id, const doctor::Diagnosis &diagnosis, const
                      + named + "; " + what);
 }
 
+std::string lines(const std::vector<std::string> &texts)
+{
+    std::string all;
+    for (const std::string &text : texts)
+        all += text + '\n';
+    return all;
+}
+
 void addSingles(Tally &tally, Random &random, int shots)
 {
     for (int i = 0; i < shots; ++i) {

@@ -46,6 +46,9 @@ struct Tally {
              const std::vector<std::string> &twins, const std::string &what);
 };
 
+/// The texts, a line each.
+std::string lines(const std::vector<std::string> &texts);
+
 /// Tests every mistake, cycling through its variants. A mistake that prints the right point, in the
 /// given digits, must be called right. Mistakes that print no numbers are skipped.
 void addSingles(Tally &tally, oracle::Random &random, int shots);
