@@ -135,19 +135,22 @@ private:
             m_at += 1;
             return true;
         }
-        const bool isComment = (c == '/' && next == '*') || (c == '*' && (next == '/' || m_text[m_at - 1] == '/'));
+        const char before = m_at > 0 ? m_text[m_at - 1] : '\0';
+        const bool isComment = (c == '/' && next == '*') || (c == '*' && (next == '/' || before == '/'));
         const bool isProduct = (c == '*' || c == '/' || c == '@') && !isComment;
         const bool isSum = (c == '+' || c == '-') && next == ' ' && !rest.empty()
                            && (isDigit(rest.front()) || rest.front() == '[') && isBehindClosed();
         const bool isTransposed = isBehindBracket() && (c == '\'' || (c == '.' && next == 'T'));
         // "scale * np.array(…)", "-np.array(…)"
-        const std::optional<std::string_view> before = operandBefore();
-        const bool isFirst = value.numbers.empty() && before
-                             && ((isProduct && !before->empty()) || (c == '-' && before->empty() && isLetter(next)));
+        const std::optional<std::string_view> operand = operandBefore();
+        const bool isFirst = value.numbers.empty() && operand
+                             && ((isProduct && !operand->empty()) || (c == '-' && operand->empty() && isLetter(next)));
         if (!(isBehindOperand && (isProduct || isSum || isTransposed)) && !isFirst)
             return false;
         if (value.arithmetic.empty())
-            value.arithmetic = isTransposed ? ".T" : isFirst ? std::string(*before) + c : c + (' ' + std::string(rest));
+            value.arithmetic = isTransposed ? ".T"
+                               : isFirst    ? std::string(*operand) + c
+                                            : c + (' ' + std::string(rest));
         m_at += isTransposed && c == '.' ? 2 : 1;
         m_isLineBlank = false;
         return true;

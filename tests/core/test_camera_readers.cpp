@@ -94,6 +94,7 @@ private slots:
     void pixelsAreTheProgramsOwn();
     void otherTextsAreNotTaken_data();
     void otherTextsAreNotTaken();
+    void anyCharacterMayBeFirst();
     void faultsAreNamed_data();
     void faultsAreNamed();
     void assumptionsAreSaid_data();
@@ -158,6 +159,15 @@ void TestCameraReaders::otherTextsAreNotTaken()
     QFETCH(QString, text);
     const NamedText given{"paste", text.toStdString()};
     QCOMPARE(reasonOf({given}, {}), QStringLiteral("not recognised"));
+}
+
+void TestCameraReaders::anyCharacterMayBeFirst()
+{
+    for (int code = 0; code < 256; ++code) {
+        const std::string first(1, char(code));
+        for (const std::string &text : {first, first + first, first + "\n", first + " 1 2 3", first + "fov = 60"})
+            QVERIFY(!reasonOf({{"paste", text}}, {}).isEmpty());
+    }
 }
 
 void TestCameraReaders::faultsAreNamed_data()
