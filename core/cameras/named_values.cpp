@@ -310,9 +310,9 @@ private:
         m_at += length;
         m_isLineBlank = false;
         const auto next = [this](std::size_t i) { return m_at + i < m_text.size() ? m_text[m_at + i] : '\0'; };
-        if (next(0) == 'x' && isDigit(next(1))) // 800x600
-            ++m_at;
-        else if ((next(0) == 'f' || next(0) == 'F') && !isLetter(next(1)))
+        const bool isTimes = next(0) == 'x' && isDigit(next(1));                        // 800x600
+        const bool isSuffix = (next(0) == 'f' || next(0) == 'F') && !isLetter(next(1)); // 1.0f
+        if (isTimes || isSuffix)
             ++m_at;
     }
 
