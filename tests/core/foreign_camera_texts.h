@@ -4,8 +4,8 @@
 #include <vector>
 
 /// Texts with a camera as other programs write them, and those programs' own projections of some
-/// points: computed by Blender (world_to_camera_view), three.js (Vector3.project), or with the
-/// formulas of the programs' documentation.
+/// points: computed by Blender (world_to_camera_view), three.js (Vector3.project), with the pose that
+/// COLMAP wrote for Bundler, or with the formulas of the programs' documentation.
 namespace foreign_cameras {
 
 struct ProjectedPoint {

@@ -161,12 +161,14 @@ void TestCameraReaders::otherTextsAreNotTaken()
     QCOMPARE(reasonOf({given}, {}), QStringLiteral("not recognised"));
 }
 
+/// The reader looks at the character before each mark. Where the standard library checks indices, a
+/// wrong one ends the program.
 void TestCameraReaders::anyCharacterMayBeFirst()
 {
     for (int code = 0; code < 256; ++code) {
         const std::string first(1, char(code));
-        for (const std::string &text : {first, first + first, first + "\n", first + " 1 2 3", first + "fov = 60"})
-            QVERIFY(!reasonOf({{"paste", text}}, {}).isEmpty());
+        for (const std::string &text : {first, first + first, first + "\n", first + "fov = 60"})
+            QCOMPARE(reasonOf({{"paste", text}}, {}), QStringLiteral("not recognised"));
     }
 }
 
