@@ -1,0 +1,7 @@
+#include "unprojector/cameras.h"
+
+#include "core/library/internal.h"
+
+namespace unprojector {
+
+} // namespace unprojector

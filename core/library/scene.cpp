@@ -1,0 +1,7 @@
+#include "unprojector/scene.h"
+
+#include "core/library/internal.h"
+
+namespace unprojector {
+
+} // namespace unprojector

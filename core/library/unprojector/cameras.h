@@ -1,0 +1,7 @@
+#pragma once
+
+#include "unprojector/setup.h"
+
+namespace unprojector {
+
+} // namespace unprojector

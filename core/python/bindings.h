@@ -1,0 +1,37 @@
+#pragma once
+
+#include "unprojector/setup.h"
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <utility>
+
+/// The Python module: thin functions over the C++ library. Each function here adds one part.
+namespace unprojector::python {
+
+namespace py = pybind11;
+
+using SetupClass = py::class_<Setup>;
+
+SetupClass bindSetup(py::module_ &module);
+void bindUnproject(SetupClass &setup);
+void bindProject(SetupClass &setup);
+void bindCloud(SetupClass &setup);
+void bindScene(py::module_ &module);
+void bindDiagnose(py::module_ &module);
+void bindLandmarks(py::module_ &module);
+
+/// The value, or the Python exception of the error: ValueError or OSError.
+template <class T>
+T valueOrRaise(Result<T> result)
+{
+    if (result)
+        return std::move(result).value();
+    PyErr_SetString(result.error().kind == Error::Kind::File ? PyExc_OSError : PyExc_ValueError,
+                    result.error().message.c_str());
+    throw py::error_already_set();
+}
+
+} // namespace unprojector::python

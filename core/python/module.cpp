@@ -1,0 +1,15 @@
+#include "core/python/bindings.h"
+
+PYBIND11_MODULE(_core, module)
+{
+    using namespace unprojector::python;
+    module.attr("__version__") = UNPROJECTOR_VERSION;
+    module.doc() = "World coordinates under pixels, by closed-form inverse formulas and by the inverted matrix.";
+    SetupClass setup = bindSetup(module);
+    bindUnproject(setup);
+    bindProject(setup);
+    bindCloud(setup);
+    bindScene(module);
+    bindDiagnose(module);
+    bindLandmarks(module);
+}

@@ -1,0 +1,7 @@
+#include "core/python/bindings.h"
+
+namespace unprojector::python {
+
+void bindScene(py::module_ &) {}
+
+} // namespace unprojector::python
