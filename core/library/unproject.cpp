@@ -1,48 +1,213 @@
 #include "unprojector/unproject.h"
 
 #include "core/library/internal.h"
+#include "core/text/number_text.h"
+#include "core/text/translation.h"
+#include "core/threads/parallel.h"
 #include "core/unproject/batch/click_batch.h"
+#include "core/unproject/certainty.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace unprojector {
+namespace {
 
-struct Unprojection::Data {
-    unproject::ClickBatch batch;
-    double lowest, highest; ///< ends of the depth range
-};
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+/// The arrays of a block fit the processor's first cache.
+constexpr std::size_t kBlock = 512;
+/// A thread takes this many points at a time: about 0.3 ms.
+constexpr std::size_t kTask = std::size_t{1} << 15;
 
-Result<Unprojection> Unprojection::of(const Setup &setup, Method method, Space space)
+using Block = std::array<double, kBlock>;
+using Batch = std::variant<unproject::ClickBatch, unproject::BatchUnprojection>;
+
+unproject::Method internalMethod(Method method)
+{
+    return method == Method::Formula ? unproject::Method::Formula : unproject::Method::Matrix;
+}
+
+Result<Batch> batchOf(const geometry::Setup &setup, const UnprojectOptions &options, Space space)
 {
     unproject::BatchSpace target;
     target.kind = space == Space::World ? unproject::BatchSpace::Kind::World : unproject::BatchSpace::Kind::Eye;
-    const auto batch = unproject::ClickBatch::of(
-        method == Method::Formula ? unproject::Method::Formula : unproject::Method::Matrix, setup.internal(), target);
+    if (options.digits == Digits::Exact) {
+        const auto batch = unproject::ClickBatch::of(internalMethod(options.method), setup, target);
+        return batch ? Result<Batch>(*batch) : valueError(batch.error());
+    }
+    const auto batch = options.method == Method::Formula ? unproject::BatchUnprojection::byFormula(setup, target)
+                                                         : unproject::BatchUnprojection::byMatrix(setup, target);
+    return batch ? Result<Batch>(*batch) : valueError(batch.error());
+}
+
+/// The error bounds of many points.
+struct Uncertainties {
+    unproject::Certainties certainties;
+    unproject::DepthFormat format;
+
+    unproject::Uncertainty of(const glm::dvec3 &eye, const glm::dvec3 &world, double depth) const
+    {
+        const unproject::DepthError error{format.halfStep(depth), 0.0};
+        const geometry::EyePoint eyePoint(eye);
+        return certainties.of(eyePoint, geometry::WorldPoint(world), certainties.at(-eye.z, error));
+    }
+};
+
+} // namespace
+
+struct Unprojection::Data {
+    geometry::Setup setup;
+    UnprojectOptions options;
+    Batch batch;
+    std::optional<Batch> otherSpace; ///< for the uncertainties, which need both spaces
+    std::optional<Uncertainties> uncertainties;
+    double lowest, highest; ///< ends of the depth range
+
+    /// Unprojects at most kBlock pixels.
+    void block(const double *px, const double *py, const double *depth, double *points, double *ofPoints,
+               std::size_t count) const
+    {
+        std::array<Block, 3> results, others;
+        run(batch, px, py, depth, results, count);
+        const bool hasBounds = ofPoints != nullptr && uncertainties.has_value();
+        if (hasBounds)
+            run(*otherSpace, px, py, depth, others, count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const double x = results[0][i], y = results[1][i], z = results[2][i];
+            const bool isValid = depth[i] >= lowest && depth[i] <= highest && std::isfinite(x + y + z);
+            points[3 * i] = isValid ? x : kNaN;
+            points[3 * i + 1] = isValid ? y : kNaN;
+            points[3 * i + 2] = isValid ? z : kNaN;
+            if (ofPoints != nullptr) {
+                const glm::dvec3 bound = isValid && hasBounds
+                                             ? boundOf({x, y, z}, {others[0][i], others[1][i], others[2][i]}, depth[i])
+                                             : glm::dvec3(kNaN);
+                for (std::size_t k = 0; k < 3; ++k)
+                    ofPoints[3 * i + k] = bound[static_cast<glm::length_t>(k)];
+            }
+        }
+    }
+
+    glm::dvec3 boundOf(const glm::dvec3 &point, const glm::dvec3 &other, double depth) const
+    {
+        if (options.space == Space::World)
+            return uncertainties->of(other, point, depth).world.coordinates();
+        return uncertainties->of(point, other, depth).eye.coordinates();
+    }
+
+private:
+    static void run(const Batch &batch, const double *px, const double *py, const double *depth,
+                    std::array<Block, 3> &results, std::size_t count)
+    {
+        std::visit(
+            [&](const auto &unprojection) {
+                unprojection(unproject::BatchInput<double>{px, py, depth},
+                             unproject::BatchOutput<double>{results[0].data(), results[1].data(), results[2].data()},
+                             count);
+            },
+            batch);
+    }
+};
+
+Result<Unprojection> Unprojection::of(const Setup &setup, const UnprojectOptions &options)
+{
+    const DepthBuffer &buffer = options.depthBuffer;
+    constexpr int kMostBits = 32;
+    if (!buffer.isFloat && (buffer.bits < 1 || buffer.bits > kMostBits))
+        return Error{Error::Kind::Value,
+                     text::tr("a depth buffer of %1 bits; give 1 to 32 bits, or a float buffer", buffer.bits)};
+    Result<Batch> batch = batchOf(setup.internal(), options, options.space);
     if (!batch)
-        return valueError(batch.error());
+        return batch.error();
     const auto &[atNear, atFar] = setup.internal().depthRange;
-    return Unprojection(std::make_shared<const Data>(Data{*batch, std::min(atNear, atFar), std::max(atNear, atFar)}));
+    auto data = std::make_shared<Data>(Data{
+        setup.internal(), options, std::move(batch).value(), {}, {}, std::min(atNear, atFar), std::max(atNear, atFar)});
+    Result<Batch> other = batchOf(setup.internal(), options, options.space == Space::World ? Space::Eye : Space::World);
+    const auto known = geometry::byParameters(setup.internal());
+    if (other && known) {
+        data->otherSpace = std::move(other).value();
+        data->uncertainties =
+            Uncertainties{unproject::Certainties(*known), buffer.isFloat ? unproject::DepthFormat::floatingPoint()
+                                                                         : unproject::DepthFormat(buffer.bits)};
+    }
+    return Unprojection(std::shared_ptr<const Data>(std::move(data)));
+}
+
+Result<glm::dvec3> Unprojection::at(const glm::dvec2 &pixel, double depth) const
+{
+    // A batch has no reasons: a click names them.
+    const auto unprojector = unproject::Unprojector::of(m_data->setup);
+    if (!unprojector)
+        return valueError(unprojector.error());
+    const glm::dvec2 window(pixel.x, geometry::flippedY(m_data->setup.surface, pixel.y));
+    const geometry::WindowPoint click(window.x, window.y, depth);
+    const unproject::Method method = internalMethod(m_data->options.method);
+    if (m_data->options.space == Space::World) {
+        if (const auto point = unprojector->worldAt(method, click); !point)
+            return valueError(point.error());
+    } else if (const auto point = unprojector->eyeAt(method, click); !point) {
+        return valueError(point.error());
+    }
+    glm::dvec3 result;
+    m_data->block(&pixel.x, &pixel.y, &depth, &result.x, nullptr, 1);
+    return result;
+}
+
+Result<glm::dvec3> Unprojection::uncertaintyAt(const glm::dvec2 &pixel, double depth) const
+{
+    const Result<glm::dvec3> point = at(pixel, depth);
+    if (!point)
+        return point.error();
+    if (!hasUncertainty())
+        return Error{
+            Error::Kind::Value,
+            text::tr("the matrix is no perspective and no parallel projection: its points have no uncertainty")};
+    glm::dvec3 ignored, result;
+    m_data->block(&pixel.x, &pixel.y, &depth, &ignored.x, &result.x, 1);
+    return result;
+}
+
+bool Unprojection::hasUncertainty() const
+{
+    return m_data->uncertainties.has_value();
 }
 
 void Unprojection::operator()(const double *px, const double *py, const double *depth, double *points,
-                              std::size_t count) const
+                              std::size_t count, double *uncertainties, unsigned threads) const
 {
-    constexpr std::size_t kBlock = 1024; // its six arrays fit the processor's first cache
-    std::array<std::array<double, kBlock>, 3> results;
-    for (std::size_t begin = 0; begin < count; begin += kBlock) {
-        const std::size_t size = std::min(kBlock, count - begin);
-        m_data->batch({px + begin, py + begin, depth + begin},
-                      {results[0].data(), results[1].data(), results[2].data()}, size);
-        for (std::size_t i = 0; i < size; ++i) {
-            const double d = depth[begin + i];
-            const bool isValid = d >= m_data->lowest && d <= m_data->highest;
-            for (std::size_t k = 0; k < 3; ++k)
-                points[3 * (begin + i) + k] = isValid ? results[k][i] : std::numeric_limits<double>::quiet_NaN();
-        }
-    }
+    threads::inParallelRanges(
+        count, kTask, {},
+        [&](std::size_t begin, std::size_t end) {
+            for (; begin < end; begin += kBlock)
+                m_data->block(px + begin, py + begin, depth + begin, points + 3 * begin,
+                              uncertainties == nullptr ? nullptr : uncertainties + 3 * begin,
+                              std::min(kBlock, end - begin));
+        },
+        threads);
+}
+
+void Unprojection::operator()(const float *px, const float *py, const float *depth, double *points, std::size_t count,
+                              double *uncertainties, unsigned threads) const
+{
+    threads::inParallelRanges(
+        count, kTask, {},
+        [&](std::size_t begin, std::size_t end) {
+            std::array<Block, 3> numbers;
+            for (; begin < end; begin += kBlock) {
+                const std::size_t size = std::min(kBlock, end - begin);
+                std::copy_n(px + begin, size, numbers[0].begin());
+                std::copy_n(py + begin, size, numbers[1].begin());
+                std::copy_n(depth + begin, size, numbers[2].begin());
+                m_data->block(numbers[0].data(), numbers[1].data(), numbers[2].data(), points + 3 * begin,
+                              uncertainties == nullptr ? nullptr : uncertainties + 3 * begin, size);
+            }
+        },
+        threads);
 }
 
 } // namespace unprojector

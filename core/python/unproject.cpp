@@ -1,7 +1,132 @@
-#include "core/python/bindings.h"
+#include "unprojector/unproject.h"
+
+#include "core/python/arrays.h"
+#include "core/python/loops.h"
+
+#include <array>
+#include <optional>
+#include <string>
 
 namespace unprojector::python {
+namespace {
 
-void bindUnproject(SetupClass &) {}
+constexpr const char *kUnprojectHelp = R"(The points under pixels.
+
+unproject(px, py, depth, *, method="formula", space="world", uncertainty=False,
+          depth_bits=24, exact=True, out=None, threads=None)
+
+px, py : array_like
+    Device pixels. The origin is the top-left corner, y points down, and the
+    centre of pixel (i, j) is (i + 0.5, j + 0.5).
+depth : array_like
+    Window depths, in the setup's depth range.
+method : "formula" or "matrix"
+    The closed-form inverse formulas, or the inverted matrix as in gluUnProject.
+space : "world" or "eye"
+    The space of the points.
+uncertainty : bool
+    Whether to return the uncertainty too.
+depth_bits : int or "float"
+    The depth buffer that the depths come from, for the uncertainty: 16, 24 or 32
+    bits, or single precision.
+exact : bool
+    True: the digits of `unproject points`, computed with about 30 digits and
+    rounded once. False: plain double, as in `unproject cloud --precision double`,
+    several times faster; 8 units in the last place of the largest coordinate for
+    99.99 % of the points.
+out : array of shape (..., 3), float64 or float32, optional
+    Receives the points.
+threads : int, optional
+    The maximum number of threads; None: all cores.
+
+px, py and depth are broadcast. float64 and float32 arrays of any strides are read
+in place.
+
+Returns the points, float64 of shape (..., 3); with uncertainty, a tuple of the points
+and their uncertainties. The uncertainty bounds the error of each coordinate that
+comes from the rounding of the depth in the depth buffer. The errors of a rasteriser
+are not included.
+
+A point is (nan, nan, nan) where its depth is outside the depth range, a number is
+not finite, or the point is at infinity.)";
+
+Method methodOf(const std::string &word)
+{
+    if (word != "formula" && word != "matrix")
+        refuseWord("method", word, "\"formula\" or \"matrix\"");
+    return word == "matrix" ? Method::Matrix : Method::Formula;
+}
+
+DepthBuffer depthBufferOf(const py::object &bits)
+{
+    DepthBuffer buffer;
+    if (py::isinstance<py::str>(bits)) {
+        buffer.isFloat = true;
+        if (bits.cast<std::string>() != "float")
+            refuseWord("depth_bits", bits.cast<std::string>(), "1 to 32, or \"float\"");
+    } else {
+        buffer.bits = bits.cast<int>();
+    }
+    return buffer;
+}
+
+py::object unproject(const Setup &setup, const py::object &px, const py::object &py_, const py::object &depth,
+                     const std::string &method, const std::string &space, bool hasUncertainty,
+                     const py::object &depthBits, bool isExact, const py::object &out, const py::object &threads)
+{
+    UnprojectOptions options;
+    options.method = methodOf(method);
+    options.space = spaceOf(space);
+    options.digits = isExact ? Digits::Exact : Digits::Double;
+    options.depthBuffer = depthBufferOf(depthBits);
+    const std::size_t most = threadsOf(threads);
+    const Unprojection unprojection = valueOrRaise(Unprojection::of(setup, options));
+    if (hasUncertainty && !unprojection.hasUncertainty())
+        throw py::value_error(
+            "uncertainty: the matrix is no perspective and no parallel projection: its points have no uncertainty");
+
+    const std::array<Numbers, 3> given{numbersOf("px", px), numbersOf("py", py_), numbersOf("depth", depth)};
+    const std::vector<py::ssize_t> shape =
+        broadcastShape({{"px", &given[0].array}, {"py", &given[1].array}, {"depth", &given[2].array}});
+    Output points("out", out, shape, 3);
+    if (!out.is_none())
+        refuseOverlap("out", points.array(),
+                      {{"px", &given[0].array}, {"py", &given[1].array}, {"depth", &given[2].array}});
+    std::optional<Output> bounds;
+    Strides strides(shape);
+    const Input x(given[0], strides), y(given[1], strides), d(given[2], strides);
+    points.addTo(strides);
+    if (hasUncertainty)
+        bounds.emplace("uncertainty", py::none(), shape, 3).addTo(strides);
+    strides.join();
+
+    constexpr std::size_t kTask = std::size_t{1} << 15; // about 0.3 ms
+    inBlocks(strides.size(), kTask, most, [&](std::size_t begin, std::size_t count) {
+        std::array<double, kBlock> xs, ys, ds;
+        std::array<double, 3 * kBlock> results, uncertainties;
+        double *const to = points.room(strides, begin, results.data());
+        double *const boundsTo = bounds ? bounds->room(strides, begin, uncertainties.data()) : nullptr;
+        unprojection(x.block(strides, begin, count, xs.data()), y.block(strides, begin, count, ys.data()),
+                     d.block(strides, begin, count, ds.data()), to, count, boundsTo);
+        points.write(strides, begin, count, results.data());
+        if (bounds)
+            bounds->write(strides, begin, count, uncertainties.data());
+    });
+    if (bounds)
+        return py::make_tuple(points.array(), bounds->array());
+    return points.array();
+}
+
+} // namespace
+
+void bindUnproject(SetupClass &setup)
+{
+    py::options options;
+    options.disable_function_signatures();
+    setup.def("unproject", &unproject, py::arg("px"), py::arg("py"), py::arg("depth"), py::kw_only(),
+              py::arg("method") = "formula", py::arg("space") = "world", py::arg("uncertainty") = false,
+              py::arg("depth_bits") = 24, py::arg("exact") = true, py::arg("out") = py::none(),
+              py::arg("threads") = py::none(), kUnprojectHelp);
+}
 
 } // namespace unprojector::python

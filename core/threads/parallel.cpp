@@ -62,13 +62,15 @@ private:
 } // namespace
 
 void inParallel(std::size_t count, const std::function<void(double)> &report,
-                const std::function<void(std::size_t)> &task)
+                const std::function<void(std::size_t)> &task, std::size_t most)
 {
     if (count == 0)
         return;
+    if (most == 0)
+        most = std::max(1u, std::thread::hardware_concurrency());
     TaskQueue queue(count, task);
     std::vector<std::thread> helpers;
-    const std::size_t helperCount = std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency())) - 1;
+    const std::size_t helperCount = std::min(count, most) - 1;
     helpers.reserve(helperCount);
     try {
         while (helpers.size() < helperCount) {
@@ -114,10 +116,10 @@ bool canStartThreads(std::size_t count) noexcept
 }
 
 void inParallelRanges(std::size_t count, std::size_t size, const std::function<void(double)> &report,
-                      const std::function<void(std::size_t, std::size_t)> &range)
+                      const std::function<void(std::size_t, std::size_t)> &range, std::size_t most)
 {
     inParallel((count + size - 1) / size, report,
-               [&](std::size_t number) { range(number * size, std::min(count, (number + 1) * size)); });
+               [&](std::size_t number) { range(number * size, std::min(count, (number + 1) * size)); }, most);
 }
 
 } // namespace unprojector::threads

@@ -16,15 +16,16 @@ namespace unprojector::threads {
 ///         takes effect at once
 /// @param report  called by the calling thread only, with the share done in [0, 1], which never
 ///         decreases; may throw to cancel
+/// @param most    the maximum number of threads; 0: all cores
 void inParallel(std::size_t count, const std::function<void(double)> &report,
-                const std::function<void(std::size_t)> &task);
+                const std::function<void(std::size_t)> &task, std::size_t most = 0);
 
 /// Returns whether the system can start this many more threads now.
 bool canStartThreads(std::size_t count) noexcept;
 
 /// The same for ranges of at most `size` of `count` elements: range(begin, end).
 void inParallelRanges(std::size_t count, std::size_t size, const std::function<void(double)> &report,
-                      const std::function<void(std::size_t, std::size_t)> &range);
+                      const std::function<void(std::size_t, std::size_t)> &range, std::size_t most = 0);
 
 /// Resizes an array to `count` and fills it in parallel: fill(begin, end) sets these elements. It
 /// works in steps, since allocating the memory of a long array takes a long time. Capacity at least

@@ -1,0 +1,257 @@
+#include "core/python/arrays.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace unprojector::python {
+namespace {
+
+bool isNative(const py::array &array, const char *kind)
+{
+    return array.dtype().equal(py::dtype(kind));
+}
+
+bool isAligned(const py::array &array)
+{
+    return (array.flags() & py::detail::npy_api::NPY_ARRAY_ALIGNED_) != 0;
+}
+
+} // namespace
+
+std::size_t Strides::add(std::vector<py::ssize_t> strides)
+{
+    m_strides.push_back(std::move(strides));
+    return m_strides.size() - 1;
+}
+
+void Strides::join()
+{
+    std::vector<py::ssize_t> shape;
+    std::vector<std::vector<py::ssize_t>> strides(m_strides.size());
+    for (std::size_t axis = 0; axis < m_shape.size(); ++axis) {
+        if (m_shape[axis] == 1)
+            continue;
+        // The last joined axis and this one are one if a step of the former is the whole of the latter.
+        bool isOne = !shape.empty();
+        for (std::size_t a = 0; isOne && a < m_strides.size(); ++a)
+            isOne = strides[a].back() == m_strides[a][axis] * m_shape[axis];
+        for (std::size_t a = 0; a < m_strides.size(); ++a) {
+            if (isOne)
+                strides[a].back() = m_strides[a][axis];
+            else
+                strides[a].push_back(m_strides[a][axis]);
+        }
+        if (isOne)
+            shape.back() *= m_shape[axis];
+        else
+            shape.push_back(m_shape[axis]);
+    }
+    m_shape = std::move(shape);
+    m_strides = std::move(strides);
+}
+
+std::size_t Strides::size() const
+{
+    std::size_t size = 1;
+    for (const py::ssize_t length : m_shape)
+        size *= static_cast<std::size_t>(length);
+    return size;
+}
+
+void Strides::eachRun(std::size_t begin, std::size_t count, const Run &run) const
+{
+    const std::size_t axes = m_shape.size(), arrays = m_strides.size();
+    std::vector<py::ssize_t> offsets(arrays), steps(arrays);
+    if (axes == 0) {
+        if (count > 0)
+            run(offsets, steps, count);
+        return;
+    }
+    for (std::size_t a = 0; a < arrays; ++a)
+        steps[a] = m_strides[a].back();
+    while (count > 0) {
+        std::fill(offsets.begin(), offsets.end(), py::ssize_t{0});
+        std::size_t rest = begin;
+        py::ssize_t last = 0;
+        for (std::size_t axis = axes; axis-- > 0;) {
+            const auto length = static_cast<std::size_t>(m_shape[axis]);
+            const auto index = static_cast<py::ssize_t>(rest % length);
+            rest /= length;
+            if (axis + 1 == axes)
+                last = index;
+            for (std::size_t a = 0; a < arrays; ++a)
+                offsets[a] += index * m_strides[a][axis];
+        }
+        const std::size_t size = std::min(count, static_cast<std::size_t>(m_shape.back() - last));
+        run(offsets, steps, size);
+        begin += size;
+        count -= size;
+    }
+}
+
+Numbers numbersOf(const char *name, const py::object &argument)
+{
+    py::array array = py::array::ensure(argument);
+    if (!array) {
+        PyErr_Clear();
+        throw py::type_error(std::string(name) + " is no array of numbers");
+    }
+    const bool isDouble = isNative(array, "float64"), isFloat = isNative(array, "float32");
+    if ((isDouble || isFloat) && isAligned(array))
+        return {array, isFloat};
+    const char kind = array.dtype().kind();
+    if (kind != 'f' && kind != 'i' && kind != 'u')
+        throw py::type_error(std::string(name) + " has the type " + std::string(py::str(array.dtype()))
+                             + "; give float64, float32 or whole numbers");
+    return {array.attr("astype")("float64"), false};
+}
+
+void refuseOverlap(const char *name, const py::array &output,
+                   std::initializer_list<std::pair<const char *, const py::array *>> inputs)
+{
+    const py::object numpy = py::module_::import("numpy");
+    for (const auto &[input, array] : inputs) {
+        if (!numpy.attr("may_share_memory")(output, *array).cast<bool>())
+            continue;
+        constexpr int kMostWork = 100000; // beyond it, NumPy raises an exception
+        bool isShared = true;
+        try {
+            isShared = numpy.attr("shares_memory")(output, *array, py::arg("max_work") = kMostWork).cast<bool>();
+        } catch (const py::error_already_set &) {
+        }
+        if (isShared)
+            throw py::value_error(std::string(name) + " shares memory with " + input);
+    }
+}
+
+std::string shapeText(const std::vector<py::ssize_t> &shape)
+{
+    std::string text = "(";
+    for (std::size_t i = 0; i < shape.size(); ++i)
+        text += (i > 0 ? ", " : "") + std::to_string(shape[i]);
+    return text + (shape.size() == 1 ? ",)" : ")");
+}
+
+std::vector<py::ssize_t> shapeOf(const py::array &array)
+{
+    return {array.shape(), array.shape() + array.ndim()};
+}
+
+std::vector<py::ssize_t> broadcastShape(std::initializer_list<std::pair<const char *, const py::array *>> arguments)
+{
+    std::vector<py::ssize_t> shape;
+    for (const auto &[name, array] : arguments) {
+        const auto axes = static_cast<std::size_t>(array->ndim());
+        if (axes > shape.size())
+            shape.insert(shape.begin(), axes - shape.size(), 1);
+        for (std::size_t axis = 0; axis < axes; ++axis) {
+            py::ssize_t &length = shape[shape.size() - axes + axis];
+            const py::ssize_t own = array->shape(static_cast<py::ssize_t>(axis));
+            if (length == 1) {
+                length = own;
+            } else if (own != 1 && own != length) {
+                std::string text = "these shapes do not broadcast:";
+                for (const auto &[each, other] : arguments)
+                    text += std::string(" ") + each + ' ' + shapeText(shapeOf(*other)) + ',';
+                text.pop_back();
+                throw py::value_error(text);
+            }
+        }
+    }
+    return shape;
+}
+
+std::vector<py::ssize_t> broadcastStrides(const py::array &array, std::size_t axes)
+{
+    std::vector<py::ssize_t> strides(axes, 0);
+    const auto own = static_cast<std::size_t>(array.ndim());
+    for (std::size_t axis = 0; axis < own; ++axis) {
+        const auto k = static_cast<py::ssize_t>(axis);
+        strides[axes - own + axis] = array.shape(k) == 1 ? 0 : array.strides(k);
+    }
+    return strides;
+}
+
+Input::Input(const Numbers &numbers, Strides &strides)
+    : m_data(static_cast<const char *>(numbers.array.data())), m_isFloat(numbers.isFloat),
+      m_index(strides.add(broadcastStrides(numbers.array, strides.axes())))
+{
+}
+
+const double *Input::block(const Strides &strides, std::size_t begin, std::size_t count, double *scratch) const
+{
+    if (!m_isFloat && strides.isLine() && strides.lineStride(m_index) == py::ssize_t{sizeof(double)})
+        return reinterpret_cast<const double *>(m_data) + begin;
+    double *to = scratch;
+    strides.eachRun(begin, count, [&](const auto &offsets, const auto &steps, std::size_t size) {
+        const char *from = m_data + offsets[m_index];
+        const py::ssize_t step = steps[m_index];
+        if (m_isFloat) {
+            for (std::size_t i = 0; i < size; ++i, from += step)
+                *to++ = static_cast<double>(*reinterpret_cast<const float *>(from));
+        } else {
+            for (std::size_t i = 0; i < size; ++i, from += step)
+                *to++ = *reinterpret_cast<const double *>(from);
+        }
+    });
+    return scratch;
+}
+
+Output::Output(const char *name, const py::object &given, const std::vector<py::ssize_t> &shape, py::ssize_t width)
+    : m_isFloat(false), m_width(width)
+{
+    std::vector<py::ssize_t> whole = shape;
+    whole.push_back(width);
+    if (given.is_none()) {
+        m_array = py::array_t<double>(whole);
+    } else {
+        if (!py::isinstance<py::array>(given))
+            throw py::type_error(std::string(name) + " is no NumPy array");
+        m_array = py::reinterpret_borrow<py::array>(given);
+        m_isFloat = isNative(m_array, "float32");
+        if (shapeOf(m_array) != whole)
+            throw py::value_error(std::string(name) + " has the shape " + shapeText(shapeOf(m_array)) + "; give "
+                                  + shapeText(whole));
+        if ((!m_isFloat && !isNative(m_array, "float64")) || !isAligned(m_array))
+            throw py::value_error(std::string(name) + " has the type " + std::string(py::str(m_array.dtype()))
+                                  + "; give float64 or float32");
+        if (!m_array.writeable())
+            throw py::value_error(std::string(name) + " is read-only");
+    }
+    m_data = static_cast<char *>(m_array.mutable_data());
+    m_componentStride = m_array.strides(m_array.ndim() - 1);
+}
+
+void Output::addTo(Strides &strides)
+{
+    std::vector<py::ssize_t> steps(m_array.strides(), m_array.strides() + m_array.ndim() - 1);
+    m_index = strides.add(std::move(steps));
+}
+
+double *Output::room(const Strides &strides, std::size_t begin, double *scratch) const
+{
+    constexpr auto kDouble = static_cast<py::ssize_t>(sizeof(double));
+    const bool isInPlace = !m_isFloat && m_componentStride == kDouble && strides.isLine()
+                           && (strides.lineStride(m_index) == m_width * kDouble || strides.size() <= 1);
+    return isInPlace ? reinterpret_cast<double *>(m_data) + begin * static_cast<std::size_t>(m_width) : scratch;
+}
+
+void Output::write(const Strides &strides, std::size_t begin, std::size_t count, const double *vectors) const
+{
+    if (room(strides, begin, nullptr) != nullptr)
+        return;
+    strides.eachRun(begin, count, [&](const auto &offsets, const auto &steps, std::size_t size) {
+        char *to = m_data + offsets[m_index];
+        for (std::size_t i = 0; i < size; ++i, to += steps[m_index]) {
+            for (py::ssize_t k = 0; k < m_width; ++k) {
+                char *component = to + k * m_componentStride;
+                if (m_isFloat)
+                    *reinterpret_cast<float *>(component) = static_cast<float>(*vectors++);
+                else
+                    *reinterpret_cast<double *>(component) = *vectors++;
+            }
+        }
+    });
+}
+
+} // namespace unprojector::python

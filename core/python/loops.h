@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/python/bindings.h"
+#include "core/threads/parallel.h"
+
+#include "unprojector/unproject.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+namespace unprojector::python {
+
+/// The number of points of a block: its arrays fit the processor's first cache.
+constexpr std::size_t kBlock = 512;
+
+/// The value of the argument threads: a number of threads, or None for all cores.
+/// @return ValueError: less than 1
+inline std::size_t threadsOf(const py::object &threads)
+{
+    if (threads.is_none())
+        return 0;
+    const auto count = threads.cast<py::ssize_t>();
+    if (count < 1)
+        throw py::value_error("threads is " + std::to_string(count) + "; give 1 or more, or None for all cores");
+    return static_cast<std::size_t>(count);
+}
+
+/// Calls block(begin, count) for blocks of `size` elements, in parallel and without the GIL.
+/// @param task  the elements that a thread takes at a time
+template <class Block>
+void inBlocks(std::size_t size, std::size_t task, std::size_t threads, const Block &block)
+{
+    const py::gil_scoped_release released;
+    threads::inParallelRanges(
+        size, task, {},
+        [&](std::size_t begin, std::size_t end) {
+            for (; begin < end; begin += kBlock)
+                block(begin, std::min(kBlock, end - begin));
+        },
+        threads);
+}
+
+/// Describes a word that is none of the known ones, as ValueError.
+[[noreturn]] inline void refuseWord(const char *name, const std::string &word, const char *known)
+{
+    throw py::value_error(std::string(name) + " is \"" + word + "\"; give " + known);
+}
+
+inline Space spaceOf(const std::string &word)
+{
+    if (word != "world" && word != "eye")
+        refuseWord("space", word, "\"world\" or \"eye\"");
+    return word == "eye" ? Space::Eye : Space::World;
+}
+
+} // namespace unprojector::python
