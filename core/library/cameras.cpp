@@ -1,7 +1,131 @@
 #include "unprojector/cameras.h"
 
+#include "core/cameras/foreign_camera.h"
+#include "core/cameras/lens.h"
+#include "core/files/path_text.h"
 #include "core/library/internal.h"
+#include "core/text/translation.h"
+#include "core/text/utf8.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <utility>
 
 namespace unprojector {
+namespace {
+
+std::string nameOf(const std::vector<CameraText> &texts)
+{
+    std::string names;
+    for (const CameraText &text : texts)
+        names += (names.empty() ? "" : ", ") + text.name;
+    return names;
+}
+
+/// The value of a word, or the error that lists the words.
+template <class Value, std::size_t Count>
+Result<std::optional<Value>> valueOf(const char *choice, const std::string &word,
+                                     const std::array<Value, Count> &values)
+{
+    if (word.empty())
+        return std::optional<Value>();
+    std::string known;
+    for (const Value value : values) {
+        if (word == cameras::keyOf(value))
+            return std::optional(value);
+        known += (known.empty() ? "" : ", ") + std::string(cameras::keyOf(value));
+    }
+    return valueError(text::tr("there are no %1 \"%2\"; known: %3", choice, word, known));
+}
+
+Result<cameras::CameraChoices> internalChoices(const CameraChoices &choices)
+{
+    cameras::CameraChoices result;
+    result.image = choices.image;
+    if (choices.width != 0 || choices.height != 0) {
+        if (choices.width < 1 || choices.height < 1)
+            return valueError(text::tr("the image has %1x%2 pixels; width and height must be at least 1 pixel",
+                                       choices.width, choices.height));
+        result.size = cameras::ImageSize{choices.width, choices.height};
+    }
+    result.nearDistance = choices.nearDistance;
+    result.farDistance = choices.farDistance;
+    result.isUndistorted = choices.isUndistorted;
+    const auto axes = valueOf("axes", choices.axes, cameras::kEyeAxes);
+    if (!axes)
+        return axes.error();
+    constexpr std::array kDirections{cameras::PoseDirection::WorldToCamera, cameras::PoseDirection::CameraToWorld};
+    const auto direction = valueOf("pose directions", choices.direction, kDirections);
+    if (!direction)
+        return direction.error();
+    result.axes = *axes;
+    result.direction = *direction;
+    return result;
+}
+
+} // namespace
+
+Result<CameraRead> readCamera(const std::vector<CameraText> &texts, const CameraChoices &choices)
+{
+    const Result<cameras::CameraChoices> internal = internalChoices(choices);
+    if (!internal)
+        return internal.error();
+    std::vector<cameras::NamedText> named;
+    for (const CameraText &text : texts)
+        named.push_back({text.name, text::utf8FromFile(text.text)});
+    const std::string name = nameOf(texts);
+    const auto errorOf = [&name](const cameras::CameraError &error) {
+        const std::string file = error.file.empty() ? name : error.file;
+        return valueError(file + (error.line > 0 ? ':' + std::to_string(error.line) : std::string()) + ": "
+                          + error.reason);
+    };
+    const auto read = cameras::readCamera(named, *internal);
+    if (!read)
+        return valueError(name + ": " + text::tr("has no camera in the form of a known program"));
+    if (!*read)
+        return errorOf(read->error());
+    const cameras::ForeignCamera &camera = **read;
+    const auto converted = cameras::sceneCamera(camera, *internal, std::nullopt);
+    if (!converted)
+        return errorOf(converted.error());
+    if (converted->distortion)
+        return valueError(name + ": "
+                          + text::tr("the lens distorts the image (%1), and a setup has no lens; if the pixels are "
+                                     "those of the undistorted image, say so (undistorted)",
+                                     cameras::coefficientsText(*converted->distortion)));
+    geometry::Setup setup;
+    setup.surface = {converted->size.width, converted->size.height, 1.0};
+    setup.viewport = geometry::wholeSurface(setup.surface);
+    setup.lens = converted->projection;
+    setup.pose = converted->eyeFromWorld;
+    if (const geometry::Check valid = check(setup); !valid)
+        return valueError(name + ": " + text::errorText(valid.error()));
+    return CameraRead{SetupAccess::make(setup, converted->assumed), camera.program, camera.images, converted->assumed};
+}
+
+Result<CameraRead> readCamera(const std::vector<std::filesystem::path> &files, const CameraChoices &choices)
+{
+    std::vector<CameraText> texts;
+    for (const std::filesystem::path &file : files) {
+        const std::string name = files::utf8FromPath(file);
+        const auto fileError = [&name](const std::string &reason) {
+            return Error{Error::Kind::File, name + ": " + reason};
+        };
+        std::error_code code;
+        if (!std::filesystem::exists(file, code))
+            return fileError(text::tr("there is no such file"));
+        const std::uintmax_t bytes = std::filesystem::file_size(file, code);
+        if (!code && bytes > cameras::kMostCameraBytes)
+            return valueError(name + ": " + text::tr("longer than 256 MiB; give the file of one camera"));
+        std::ifstream stream(file, std::ios::binary);
+        std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+        if (code || !stream)
+            return fileError(text::tr("cannot be read"));
+        texts.push_back({name, std::move(text)});
+    }
+    return readCamera(texts, choices);
+}
 
 } // namespace unprojector

@@ -1,16 +1,42 @@
 #pragma once
 
 #include "unprojector/result.h"
+#include "unprojector/setup.h"
 
 #include "core/geometry/result.h"
+#include "core/geometry/setup.h"
 #include "core/text/error_text.h"
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace unprojector {
+
+struct Setup::Data {
+    geometry::Setup setup;
+    std::vector<std::string> findings;
+};
+
+/// The way of the library's own code into a Setup.
+struct SetupAccess {
+    static const geometry::Setup &of(const Setup &setup) { return setup.m_data->setup; }
+    /// @pre check(setup)
+    static Setup make(const geometry::Setup &setup, std::vector<std::string> findings = {})
+    {
+        return Setup(std::make_shared<const Setup::Data>(Setup::Data{setup, std::move(findings)}));
+    }
+};
 
 /// The public error of a value.
 inline Error valueError(const geometry::Error &error)
 {
     return {Error::Kind::Value, text::errorText(error)};
+}
+
+inline Error valueError(std::string message)
+{
+    return {Error::Kind::Value, std::move(message)};
 }
 
 } // namespace unprojector

@@ -48,7 +48,7 @@ Result<ForwardProjection> ForwardProjection::of(const Setup &setup, Space space)
 {
     unproject::BatchSpace source;
     source.kind = space == Space::World ? unproject::BatchSpace::Kind::World : unproject::BatchSpace::Kind::Eye;
-    const auto projection = unproject::PixelProjection::of(setup.internal(), source);
+    const auto projection = unproject::PixelProjection::of(SetupAccess::of(setup), source);
     if (!projection)
         return valueError(projection.error());
     return ForwardProjection(std::make_shared<const Data>(Data{*projection}));

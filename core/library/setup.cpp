@@ -1,8 +1,18 @@
 #include "unprojector/setup.h"
 
-#include "core/geometry/setup.h"
+#include "core/cameras/camera_matrices.h"
+#include "core/cameras/foreign_camera.h"
+#include "core/geometry/api_conventions.h"
 #include "core/library/internal.h"
+#include "core/matrices/matrix_findings.h"
+#include "core/scene_file/scene_error_text.h"
+#include "core/scene_file/scene_file.h"
+#include "core/text/number_text.h"
+#include "core/text/translation.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace unprojector {
@@ -16,6 +26,11 @@ struct Overloaded : Functions... {
 template <class... Functions>
 Overloaded(Functions...) -> Overloaded<Functions...>;
 
+geometry::Ortho internalBox(const Ortho &o)
+{
+    return {o.left, o.right, o.bottom, o.top, o.nearDistance, o.farDistance};
+}
+
 geometry::Projection internalProjection(const Projection &projection, const geometry::Viewport &viewport)
 {
     return std::visit(
@@ -27,15 +42,36 @@ geometry::Projection internalProjection(const Projection &projection, const geom
                    [](const Frustum &f) -> geometry::Projection {
                        return geometry::Frustum{f.left, f.right, f.bottom, f.top, f.nearDistance, f.farDistance};
                    },
-                   [](const Ortho &o) -> geometry::Projection {
-                       return geometry::Ortho{o.left, o.right, o.bottom, o.top, o.nearDistance, o.farDistance};
+                   [](const Ortho &o) -> geometry::Projection { return internalBox(o); },
+                   [](const Oblique &o) -> geometry::Projection {
+                       return geometry::Oblique{internalBox(o.box), geometry::radiansFromDegrees(o.thetaDegrees),
+                                                geometry::radiansFromDegrees(o.phiDegrees)};
                    }},
         projection);
 }
 
-} // namespace
+Projection publicProjection(const geometry::Projection &projection)
+{
+    const auto boxOf = [](const geometry::Ortho &o) {
+        return Ortho{o.left, o.right, o.bottom, o.top, o.nearDistance, o.farDistance};
+    };
+    return std::visit(Overloaded{[](const geometry::Perspective &p) -> Projection {
+                                     return Perspective{geometry::degreesFromRadians(p.verticalFovRadians), p.aspect,
+                                                        p.nearDistance, p.farDistance};
+                                 },
+                                 [](const geometry::Frustum &f) -> Projection {
+                                     return Frustum{f.left, f.right, f.bottom, f.top, f.nearDistance, f.farDistance};
+                                 },
+                                 [&](const geometry::Ortho &o) -> Projection { return boxOf(o); },
+                                 [&](const geometry::Oblique &o) -> Projection {
+                                     return Oblique{boxOf(o.box), geometry::degreesFromRadians(o.thetaRadians),
+                                                    geometry::degreesFromRadians(o.phiRadians)};
+                                 }},
+                      projection);
+}
 
-Result<Setup> Setup::of(const Projection &projection, const Camera &camera, const Window &window)
+/// A setup in a window, still without projection and camera.
+geometry::Setup inWindow(const Window &window)
 {
     geometry::Setup setup;
     setup.surface = {window.width, window.height, 1.0};
@@ -43,22 +79,297 @@ Result<Setup> Setup::of(const Projection &projection, const Camera &camera, cons
     if (window.viewport)
         setup.viewport = {window.viewport->x, window.viewport->y, window.viewport->width, window.viewport->height};
     setup.depthRange = {window.depthRange.atNear, window.depthRange.atFar};
+    return setup;
+}
+
+Result<geometry::Api> apiOf(std::string_view key)
+{
+    if (const auto api = geometry::apiOf(key))
+        return *api;
+    std::string known;
+    for (const std::string &each : conventionKeys())
+        known += (known.empty() ? "" : ", ") + each;
+    return valueError(text::tr("there are no conventions \"%1\"; known: %2", std::string(key), known));
+}
+
+void addFindings(const char *name, const glm::dmat4 &matrix, matrices::MatrixRole role,
+                 const std::optional<geometry::NdcDepth> &ndcDepth, const std::optional<glm::dmat4> &clipFromEye,
+                 std::vector<std::string> &sentences)
+{
+    for (const matrices::MatrixFinding &finding : matrices::findings(matrix, role, ndcDepth, clipFromEye))
+        sentences.push_back(std::string(name) + ": " + matrices::findingText(finding, role));
+}
+
+/// @return an error for a matrix without an inverse
+std::optional<Error> refusal(const char *name, const glm::dmat4 &matrix)
+{
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            if (!std::isfinite(matrix[column][row]))
+                return valueError(text::tr("%1[%2, %3] is %4; give a finite number", name, row, column,
+                                           text::shortestText(matrix[column][row])));
+        }
+    }
+    if (glm::determinant(matrix) == 0.0)
+        return valueError(text::tr("%1 has no inverse; check whether it was copied completely", name));
+    return std::nullopt;
+}
+
+std::string pointText(const glm::dvec3 &p)
+{
+    return '(' + text::shortestText(p.x) + ", " + text::shortestText(p.y) + ", " + text::shortestText(p.z) + ')';
+}
+
+std::string edgesText(double left, double right, double bottom, double top)
+{
+    return " left " + text::shortestText(left) + " right " + text::shortestText(right) + " bottom "
+           + text::shortestText(bottom) + " top " + text::shortestText(top);
+}
+
+std::string clipText(double nearDistance, double farDistance)
+{
+    return " near " + text::shortestText(nearDistance) + " far " + text::shortestText(farDistance);
+}
+
+std::string projectionText(const Projection &projection)
+{
+    return std::visit(Overloaded{[](const Perspective &p) {
+                                     return "perspective fovy " + text::shortestText(p.verticalFovDegrees)
+                                            + clipText(p.nearDistance, p.farDistance);
+                                 },
+                                 [](const Frustum &f) {
+                                     return "frustum" + edgesText(f.left, f.right, f.bottom, f.top)
+                                            + clipText(f.nearDistance, f.farDistance);
+                                 },
+                                 [](const Ortho &o) {
+                                     return "ortho" + edgesText(o.left, o.right, o.bottom, o.top)
+                                            + clipText(o.nearDistance, o.farDistance);
+                                 },
+                                 [](const Oblique &o) {
+                                     return "oblique" + edgesText(o.box.left, o.box.right, o.box.bottom, o.box.top)
+                                            + clipText(o.box.nearDistance, o.box.farDistance) + " theta "
+                                            + text::shortestText(o.thetaDegrees) + " phi "
+                                            + text::shortestText(o.phiDegrees);
+                                 }},
+                      projection);
+}
+
+} // namespace
+
+std::vector<std::string> conventionKeys()
+{
+    std::vector<std::string> keys;
+    for (const geometry::Api api : geometry::kApis)
+        keys.emplace_back(geometry::conventionsOf(api).key);
+    return keys;
+}
+
+bool areVectorsRows(std::string_view conventions)
+{
+    const auto api = geometry::apiOf(conventions);
+    return api && geometry::conventionsOf(*api).areVectorsRows;
+}
+
+glm::dmat3 rotationFromAxis(const glm::dvec3 &axis)
+{
+    return cameras::rotationOf(axis);
+}
+
+Result<Setup> Setup::of(const Projection &projection, const Camera &camera, const Window &window)
+{
+    geometry::Setup setup = inWindow(window);
     setup.lens = internalProjection(projection, setup.viewport);
     setup.pose = geometry::LookAt{geometry::WorldPoint(camera.eye), geometry::WorldPoint(camera.center),
                                   geometry::WorldVector(camera.up)};
     if (const geometry::Check valid = check(setup); !valid)
         return valueError(valid.error());
-    return Setup(std::make_shared<const geometry::Setup>(setup));
+    return SetupAccess::make(setup);
+}
+
+Result<Setup> Setup::fromMatrices(const glm::dmat4 &clipFromEye, const glm::dmat4 &eyeFromWorld, const Window &window,
+                                  std::string_view conventions)
+{
+    const Result<geometry::Api> api = apiOf(conventions);
+    if (!api)
+        return api.error();
+    if (const auto error = refusal("projection", clipFromEye))
+        return *error;
+    if (const auto error = refusal("view", eyeFromWorld))
+        return *error;
+    geometry::Setup setup = inWindow(window);
+    const geometry::MatrixProjection lens = geometry::oursFromApi({clipFromEye, std::nullopt}, *api);
+    const glm::dmat4 pose = geometry::oursFromView(eyeFromWorld, *api);
+    setup.lens = lens;
+    setup.pose = pose;
+    if (const geometry::Check valid = check(setup); !valid)
+        return valueError(valid.error());
+    std::vector<std::string> sentences;
+    addFindings("projection", lens.clipFromEye, matrices::MatrixRole::Projection, lens.ndcDepth, std::nullopt,
+                sentences);
+    addFindings("view", pose, matrices::MatrixRole::View, std::nullopt, lens.clipFromEye, sentences);
+    return SetupAccess::make(setup, std::move(sentences));
+}
+
+Result<Setup> Setup::fromOpenCv(const glm::dmat3 &K, const glm::dmat3 &R, const glm::dvec3 &t, const Window &window,
+                                double nearDistance, double farDistance)
+{
+    for (const auto &[row, column, expected] : {std::array{1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {2, 2, 1}}) {
+        if (K[column][row] != expected)
+            return valueError(text::tr("K[%1, %2] is %3; give [fx s cx; 0 fy cy; 0 0 1]", row, column,
+                                       text::shortestText(K[column][row])));
+    }
+    const double deviation = [&R] {
+        double most = std::abs(glm::determinant(R) - 1.0);
+        const glm::dmat3 product = R * glm::transpose(R);
+        for (int column = 0; column < 3; ++column) {
+            for (int row = 0; row < 3; ++row)
+                most = std::max(most, std::abs(product[column][row] - (row == column ? 1.0 : 0.0)));
+        }
+        return most;
+    }();
+    constexpr double kPrintedDigits = 1e-3;
+    if (!(deviation <= kPrintedDigits))
+        return valueError(text::tr("R is no rotation: it deviates by %1; give the matrix of cv2.Rodrigues",
+                                   text::shortestText(deviation, 0.01 * deviation)));
+    cameras::ForeignCamera camera;
+    camera.program = "OpenCV";
+    cameras::Intrinsics &intrinsics = camera.intrinsics.emplace();
+    intrinsics.fx = K[0][0];
+    intrinsics.fy = K[1][1];
+    intrinsics.cx = K[2][0];
+    intrinsics.cy = K[2][1];
+    intrinsics.skew = K[1][0];
+    camera.size = cameras::ImageSize{window.width, window.height};
+    camera.nearDistance = nearDistance;
+    camera.farDistance = farDistance;
+    camera.pose = glm::dmat4(R);
+    (*camera.pose)[3] = glm::dvec4(t, 1.0);
+    camera.isDirectionCertain = camera.areAxesCertain = true;
+    camera.axes = cameras::EyeAxes::RightDownAhead;
+    const auto converted = cameras::sceneCamera(camera, {}, std::nullopt);
+    if (!converted)
+        return valueError(converted.error().reason);
+    geometry::Setup setup = inWindow(window);
+    setup.lens = converted->projection;
+    setup.pose = converted->eyeFromWorld;
+    if (const geometry::Check valid = check(setup); !valid)
+        return valueError(valid.error());
+    return SetupAccess::make(setup, converted->assumed);
+}
+
+Result<Setup> Setup::fromSceneText(std::string_view text, const std::string &name)
+{
+    const auto scene = scene_file::parseScene(text, name);
+    if (!scene)
+        return valueError(scene_file::sceneErrorText(scene.error()));
+    return SetupAccess::make(scene_file::setupOf(*scene));
+}
+
+std::string Setup::sceneText() const
+{
+    const geometry::Setup &setup = m_data->setup;
+    scene_file::SceneFile scene;
+    scene.windowWidth = geometry::logicalFromDevice(setup.surface, setup.surface.widthPixels);
+    scene.windowHeight = geometry::logicalFromDevice(setup.surface, setup.surface.heightPixels);
+    scene.devicePixelRatio = setup.surface.devicePixelRatio;
+    scene.isWindowFixed = true;
+    scene.viewport = setup.viewport;
+    scene.depthRange = setup.depthRange;
+    std::visit([&](const auto &lens) { scene.projection = lens; }, setup.lens);
+    std::visit([&](const auto &pose) { scene.view = pose; }, setup.pose);
+    return scene_file::sceneText(scene).value();
 }
 
 int Setup::width() const
 {
-    return m_setup->surface.widthPixels;
+    return m_data->setup.surface.widthPixels;
 }
 
 int Setup::height() const
 {
-    return m_setup->surface.heightPixels;
+    return m_data->setup.surface.heightPixels;
+}
+
+Viewport Setup::viewport() const
+{
+    const geometry::Viewport &v = m_data->setup.viewport;
+    return {v.x, v.y, v.width, v.height};
+}
+
+DepthRange Setup::depthRange() const
+{
+    return {m_data->setup.depthRange.atNear, m_data->setup.depthRange.atFar};
+}
+
+glm::dmat4 Setup::clipFromEye() const
+{
+    return geometry::clipFromEye(m_data->setup).value();
+}
+
+glm::dmat4 Setup::eyeFromWorld() const
+{
+    return geometry::eyeFromWorld(m_data->setup).value();
+}
+
+Result<ApiMatrices> Setup::matrices(std::string_view conventions) const
+{
+    const Result<geometry::Api> api = apiOf(conventions);
+    if (!api)
+        return api.error();
+    const auto camera = geometry::apiCamera(m_data->setup, *api);
+    if (!camera)
+        return valueError(camera.error());
+    return ApiMatrices{camera->clipFromEye, camera->eyeFromWorld, camera->windowFromNdc, camera->intrinsics};
+}
+
+std::optional<Projection> Setup::projection() const
+{
+    const auto *parameters = std::get_if<geometry::Projection>(&m_data->setup.lens);
+    return parameters ? std::optional(publicProjection(*parameters)) : std::nullopt;
+}
+
+std::optional<Camera> Setup::camera() const
+{
+    const auto *view = std::get_if<geometry::LookAt>(&m_data->setup.pose);
+    if (!view)
+        return std::nullopt;
+    return Camera{view->eye.coordinates(), view->center.coordinates(), view->up.coordinates()};
+}
+
+const std::vector<std::string> &Setup::findings() const
+{
+    return m_data->findings;
+}
+
+Setup Setup::withFindings(std::vector<std::string> findings) const
+{
+    return SetupAccess::make(m_data->setup, std::move(findings));
+}
+
+std::string Setup::description() const
+{
+    const std::optional<Projection> parameters = projection();
+    const std::optional<Camera> view = camera();
+    const geometry::Setup &setup = m_data->setup;
+    std::string line = parameters ? projectionText(*parameters) : "matrix";
+    line += ", ";
+    if (view)
+        line += "eye " + pointText(view->eye) + " center " + pointText(view->center);
+    else
+        line += "view matrix";
+    line += ", " + std::to_string(width()) + 'x' + std::to_string(height());
+    if (!(setup.viewport == geometry::wholeSurface(setup.surface)))
+        line += ", viewport " + text::shortestText(setup.viewport.x) + ' ' + text::shortestText(setup.viewport.y) + ' '
+                + text::shortestText(setup.viewport.width) + ' ' + text::shortestText(setup.viewport.height);
+    if (!(setup.depthRange == geometry::DepthRange{}))
+        line += ", depth range " + text::shortestText(setup.depthRange.atNear) + " to "
+                + text::shortestText(setup.depthRange.atFar);
+    return line;
+}
+
+bool Setup::operator==(const Setup &other) const
+{
+    return m_data->setup == other.m_data->setup;
 }
 
 } // namespace unprojector

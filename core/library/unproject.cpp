@@ -121,14 +121,20 @@ Result<Unprojection> Unprojection::of(const Setup &setup, const UnprojectOptions
     if (!buffer.isFloat && (buffer.bits < 1 || buffer.bits > kMostBits))
         return Error{Error::Kind::Value,
                      text::tr("a depth buffer of %1 bits; give 1 to 32 bits, or a float buffer", buffer.bits)};
-    Result<Batch> batch = batchOf(setup.internal(), options, options.space);
+    Result<Batch> batch = batchOf(SetupAccess::of(setup), options, options.space);
     if (!batch)
         return batch.error();
-    const auto &[atNear, atFar] = setup.internal().depthRange;
-    auto data = std::make_shared<Data>(Data{
-        setup.internal(), options, std::move(batch).value(), {}, {}, std::min(atNear, atFar), std::max(atNear, atFar)});
-    Result<Batch> other = batchOf(setup.internal(), options, options.space == Space::World ? Space::Eye : Space::World);
-    const auto known = geometry::byParameters(setup.internal());
+    const auto &[atNear, atFar] = SetupAccess::of(setup).depthRange;
+    auto data = std::make_shared<Data>(Data{SetupAccess::of(setup),
+                                            options,
+                                            std::move(batch).value(),
+                                            {},
+                                            {},
+                                            std::min(atNear, atFar),
+                                            std::max(atNear, atFar)});
+    Result<Batch> other =
+        batchOf(SetupAccess::of(setup), options, options.space == Space::World ? Space::Eye : Space::World);
+    const auto known = geometry::byParameters(SetupAccess::of(setup));
     if (other && known) {
         data->otherSpace = std::move(other).value();
         data->uncertainties =

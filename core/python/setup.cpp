@@ -1,37 +1,416 @@
+#include "core/python/arrays.h"
 #include "core/python/bindings.h"
 
+#include "unprojector/cameras.h"
+
 #include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace unprojector::python {
 namespace {
 
-using Triple = std::array<double, 3>;
+using Size = std::pair<int, int>;
 
-glm::dvec3 vectorOf(const Triple &t)
+/// An argument as a float64 array of the given shape, by rows.
+py::array_t<double> arrayOf(const char *name, const py::object &argument, const std::vector<py::ssize_t> &shape)
 {
-    return {t[0], t[1], t[2]};
+    const py::array array = numbersOf(name, argument).array;
+    if (shapeOf(array) != shape)
+        throw py::value_error(std::string(name) + " has the shape " + shapeText(shapeOf(array)) + "; give "
+                              + shapeText(shape));
+    return py::array_t<double, py::array::c_style | py::array::forcecast>(array);
+}
+
+glm::dvec3 vectorOf(const char *name, const py::object &argument)
+{
+    const auto array = arrayOf(name, argument, {3});
+    return {array.at(0), array.at(1), array.at(2)};
+}
+
+/// A matrix that acts on column vectors, rows by columns as NumPy has it.
+template <class Matrix>
+Matrix matrixOf(const char *name, const py::object &argument)
+{
+    constexpr auto kSize = static_cast<py::ssize_t>(Matrix::length());
+    const auto array = arrayOf(name, argument, {kSize, kSize});
+    Matrix matrix;
+    for (py::ssize_t row = 0; row < kSize; ++row) {
+        for (py::ssize_t column = 0; column < kSize; ++column)
+            matrix[static_cast<glm::length_t>(column)][static_cast<glm::length_t>(row)] = array.at(row, column);
+    }
+    return matrix;
+}
+
+template <class Matrix>
+py::array_t<double> arrayOfMatrix(const Matrix &matrix, bool isTransposed = false)
+{
+    constexpr auto kSize = static_cast<py::ssize_t>(Matrix::length());
+    py::array_t<double> array({kSize, kSize});
+    for (py::ssize_t row = 0; row < kSize; ++row) {
+        for (py::ssize_t column = 0; column < kSize; ++column) {
+            const auto i = static_cast<glm::length_t>(row), j = static_cast<glm::length_t>(column);
+            array.mutable_at(row, column) = isTransposed ? matrix[i][j] : matrix[j][i];
+        }
+    }
+    return array;
+}
+
+py::array_t<double> arrayOfVector(const glm::dvec3 &v)
+{
+    py::array_t<double> array(3);
+    for (py::ssize_t k = 0; k < 3; ++k)
+        array.mutable_at(k) = v[static_cast<glm::length_t>(k)];
+    return array;
+}
+
+/// The rotation matrix of an argument: 3x3, or the vector of cv2.Rodrigues.
+glm::dmat3 rotationOf(const py::object &argument)
+{
+    const std::vector<py::ssize_t> shape = shapeOf(numbersOf("R", argument).array);
+    if (shape == std::vector<py::ssize_t>{3, 3})
+        return matrixOf<glm::dmat3>("R", argument);
+    if (shape != std::vector<py::ssize_t>{3} && shape != std::vector<py::ssize_t>{3, 1})
+        throw py::value_error("R has the shape " + shapeText(shape)
+                              + "; give (3, 3), or the vector of cv2.Rodrigues, (3,)");
+    return rotationFromAxis(vectorOf("R", py::module_::import("numpy").attr("ravel")(argument)));
+}
+
+Window windowOf(const Size &size, const std::optional<std::array<double, 4>> &viewport,
+                const std::pair<double, double> &depthRange)
+{
+    Window window;
+    window.width = size.first;
+    window.height = size.second;
+    if (viewport)
+        window.viewport = Viewport{(*viewport)[0], (*viewport)[1], (*viewport)[2], (*viewport)[3]};
+    window.depthRange = {depthRange.first, depthRange.second};
+    return window;
+}
+
+constexpr const char *kClassHelp = R"(All that maps the world to pixels: projection, camera, viewport and depth range.
+
+A setup is valid and does not change. Setups can be compared, hashed, copied and pickled.
+
+    Setup.perspective    gluPerspective and gluLookAt
+    Setup.frustum        glFrustum and gluLookAt
+    Setup.ortho          glOrtho and gluLookAt
+    Setup.oblique        a sheared glOrtho and gluLookAt
+    Setup.from_matrices  projection and view of another program
+    Setup.from_opencv    K, R and t
+    Setup.from_camera    a camera file of another program
+    Setup.from_scene     the text of a scene file)";
+
+/// The help that all constructors by parameters share.
+const std::string kWindowHelp = R"(
+near, far : float
+    Distances of the near and the far plane from the eye.
+eye, center, up : array_like of shape (3,)
+    The arguments of gluLookAt, world space.
+size : (int, int)
+    Width and height of the window, device pixels.
+viewport : (x, y, width, height), optional
+    The arguments of glViewport: device pixels, from the bottom-left corner. None: the
+    whole window.
+depth_range : (float, float)
+    The arguments of glDepthRange: the window depths of the near and the far plane.)";
+
+using Box = std::array<double, 4>; // left, right, bottom, top
+
+/// Defines a constructor by parameters. `before` are the projection's own arguments.
+template <class Make, class... Arguments>
+void defConstructor(SetupClass &setup, const char *name, const Make &make, const std::string &help,
+                    const Arguments &...before)
+{
+    setup.def_static(name, make, py::kw_only(), before..., py::arg("near"), py::arg("far"), py::arg("eye"),
+                     py::arg("center"), py::arg("up") = py::make_tuple(0.0, 1.0, 0.0), py::arg("size"),
+                     py::arg("viewport") = py::none(), py::arg("depth_range") = py::make_tuple(0.0, 1.0),
+                     (help + kWindowHelp).c_str());
+}
+
+Setup built(const Projection &projection, const py::object &eye, const py::object &center, const py::object &up,
+            const Window &window)
+{
+    return valueOrRaise(
+        Setup::of(projection, {vectorOf("eye", eye), vectorOf("center", center), vectorOf("up", up)}, window));
+}
+
+using OptionalViewport = std::optional<std::array<double, 4>>;
+using Ends = std::pair<double, double>;
+
+void bindParameters(SetupClass &setup)
+{
+    defConstructor(
+        setup, "perspective",
+        [](double fovy, std::optional<double> aspect, double nearDistance, double farDistance, const py::object &eye,
+           const py::object &center, const py::object &up, const Size &size, const OptionalViewport &viewport,
+           const Ends &depthRange) {
+            return built(Perspective{fovy, aspect, nearDistance, farDistance}, eye, center, up,
+                         windowOf(size, viewport, depthRange));
+        },
+        R"(The setup of gluPerspective and gluLookAt.
+
+perspective(*, fovy, near, far, eye, center, up=(0, 1, 0), size, aspect=None,
+            viewport=None, depth_range=(0, 1))
+
+fovy : float
+    The vertical field of view, degrees.
+aspect : float, optional
+    Width / height. None: the viewport's.)",
+        py::arg("fovy"), py::arg("aspect") = py::none());
+    defConstructor(
+        setup, "frustum",
+        [](double left, double right, double bottom, double top, double nearDistance, double farDistance,
+           const py::object &eye, const py::object &center, const py::object &up, const Size &size,
+           const OptionalViewport &viewport, const Ends &depthRange) {
+            return built(Frustum{left, right, bottom, top, nearDistance, farDistance}, eye, center, up,
+                         windowOf(size, viewport, depthRange));
+        },
+        R"(The setup of glFrustum and gluLookAt.
+
+frustum(*, left, right, bottom, top, near, far, eye, center, up=(0, 1, 0), size,
+        viewport=None, depth_range=(0, 1))
+
+left, right, bottom, top : float
+    The window on the near plane, eye units.)",
+        py::arg("left"), py::arg("right"), py::arg("bottom"), py::arg("top"));
+    defConstructor(
+        setup, "ortho",
+        [](double left, double right, double bottom, double top, double nearDistance, double farDistance,
+           const py::object &eye, const py::object &center, const py::object &up, const Size &size,
+           const OptionalViewport &viewport, const Ends &depthRange) {
+            return built(Ortho{left, right, bottom, top, nearDistance, farDistance}, eye, center, up,
+                         windowOf(size, viewport, depthRange));
+        },
+        R"(The setup of glOrtho and gluLookAt.
+
+ortho(*, left, right, bottom, top, near, far, eye, center, up=(0, 1, 0), size,
+      viewport=None, depth_range=(0, 1))
+
+left, right, bottom, top : float
+    The edges of the box, eye units.)",
+        py::arg("left"), py::arg("right"), py::arg("bottom"), py::arg("top"));
+    defConstructor(
+        setup, "oblique",
+        [](double left, double right, double bottom, double top, double theta, double phi, double nearDistance,
+           double farDistance, const py::object &eye, const py::object &center, const py::object &up, const Size &size,
+           const OptionalViewport &viewport, const Ends &depthRange) {
+            return built(Oblique{{left, right, bottom, top, nearDistance, farDistance}, theta, phi}, eye, center, up,
+                         windowOf(size, viewport, depthRange));
+        },
+        R"(The setup of a sheared glOrtho and gluLookAt: x += cot(theta) z_eye, y += cot(phi) z_eye.
+
+oblique(*, left, right, bottom, top, theta, phi, near, far, eye, center, up=(0, 1, 0),
+        size, viewport=None, depth_range=(0, 1))
+
+left, right, bottom, top : float
+    The edges of the box, eye units.
+theta, phi : float
+    The shear angles of x and y, degrees. 90 leaves an axis unsheared.)",
+        py::arg("left"), py::arg("right"), py::arg("bottom"), py::arg("top"), py::arg("theta"), py::arg("phi"));
+}
+
+void bindMatrices(SetupClass &setup)
+{
+    setup.def_static(
+        "from_matrices",
+        [](const py::object &projection, const py::object &view, const Size &size, const std::string &conventions,
+           const OptionalViewport &viewport, const Ends &depthRange) {
+            auto clipFromEye = matrixOf<glm::dmat4>("projection", projection);
+            auto eyeFromWorld = matrixOf<glm::dmat4>("view", view);
+            if (areVectorsRows(conventions)) {
+                clipFromEye = glm::transpose(clipFromEye);
+                eyeFromWorld = glm::transpose(eyeFromWorld);
+            }
+            return valueOrRaise(
+                Setup::fromMatrices(clipFromEye, eyeFromWorld, windowOf(size, viewport, depthRange), conventions));
+        },
+        py::arg("projection"), py::arg("view"), py::kw_only(), py::arg("size"), py::arg("conventions") = "opengl",
+        py::arg("viewport") = py::none(), py::arg("depth_range") = py::make_tuple(0.0, 1.0),
+        R"(The setup of another program's matrices.
+
+from_matrices(projection, view, *, size, conventions="opengl", viewport=None,
+              depth_range=(0, 1))
+
+projection : array_like of shape (4, 4)
+    Clip space from eye space.
+view : array_like of shape (4, 4)
+    Eye space from world space.
+size : (int, int)
+    Width and height of the window, device pixels.
+conventions : str
+    The API of the matrices: its axes and its depths. One of unprojector.conventions().
+viewport, depth_range
+    See Setup.perspective.
+
+The matrices act on column vectors, M @ v. In conventions with row vectors ("direct3d",
+"opencascade") they act on rows, v @ M, as that API writes them. Any matrix that has an
+inverse is accepted; `findings` reports what is odd about it.)");
+    setup.def_static(
+        "from_opencv",
+        [](const py::object &K, const py::object &R, const py::object &t, const Size &size, double nearDistance,
+           double farDistance, const Ends &depthRange) {
+            const py::object flat = py::module_::import("numpy").attr("ravel")(t);
+            return valueOrRaise(Setup::fromOpenCv(matrixOf<glm::dmat3>("K", K), rotationOf(R), vectorOf("t", flat),
+                                                  windowOf(size, std::nullopt, depthRange), nearDistance, farDistance));
+        },
+        py::arg("K"), py::arg("R"), py::arg("t"), py::kw_only(), py::arg("size"), py::arg("near"), py::arg("far"),
+        py::arg("depth_range") = py::make_tuple(0.0, 1.0),
+        R"(The setup of a camera of OpenCV without distortion.
+
+from_opencv(K, R, t, *, size, near, far, depth_range=(0, 1))
+
+K : array_like of shape (3, 3)
+    The camera matrix [fx s cx; 0 fy cy; 0 0 1], pixels. OpenCV counts the centre of its
+    first pixel as (0, 0); in this module it is (0.5, 0.5).
+R : array_like of shape (3, 3) or (3,)
+    The rotation from world to camera axes, or its vector as cv2.Rodrigues takes it.
+t : array_like of shape (3,)
+    The translation: x_camera = R x_world + t.
+size : (int, int)
+    Width and height of the image, pixels.
+near, far : float
+    The planes that window depths count between. For `cloud` with depth_is="z", they
+    limit the distances.)");
+    setup.def_static(
+        "from_camera",
+        [](const py::args &files, const py::object &text, const std::string &image, const std::optional<Size> &size,
+           std::optional<double> nearDistance, std::optional<double> farDistance, const std::string &axes,
+           const std::string &pose, bool isUndistorted) {
+            CameraChoices choices{image, 0, 0, nearDistance, farDistance, axes, pose, isUndistorted};
+            if (size)
+                std::tie(choices.width, choices.height) = *size;
+            if (!text.is_none())
+                return valueOrRaise(readCamera(std::vector<CameraText>{{"text", text.cast<std::string>()}}, choices))
+                    .setup;
+            std::vector<std::filesystem::path> paths;
+            for (const py::handle file : files)
+                paths.push_back(file.cast<std::filesystem::path>());
+            if (paths.empty())
+                throw py::type_error("from_camera needs files, or text=");
+            return valueOrRaise(readCamera(paths, choices)).setup;
+        },
+        py::kw_only(), py::arg("text") = py::none(), py::arg("image") = "", py::arg("size") = py::none(),
+        py::arg("near") = py::none(), py::arg("far") = py::none(), py::arg("axes") = "", py::arg("pose") = "",
+        py::arg("undistorted") = false,
+        R"(The setup of another program's camera.
+
+from_camera(*files, text=None, image="", size=None, near=None, far=None, axes="",
+            pose="", undistorted=False)
+
+files : paths
+    The files of one camera: OpenCV (YAML, XML, JSON), ROS camera_info, COLMAP
+    (cameras.txt with images.txt), NeRF transforms.json, Open3D, glTF, or the printed
+    values of MuJoCo, PyBullet, Blender, Unity, Unreal, pyrender, 3D Gaussian splatting,
+    SAPIEN.
+text : str, optional
+    The text itself, instead of files.
+image : str
+    The name or the index of an image or frame. Empty: the first.
+size, near, far : optional
+    Instead of the file's.
+axes : "opengl", "opencv", "direct3d", "unreal", "ros"
+    The axes of the camera. Empty: the program's.
+pose : "world-to-camera", "camera-to-world"
+    The direction of the pose. Empty: the program's.
+undistorted : bool
+    Whether the pixels are those of the undistorted image. Without it, a camera with
+    distortion is an error.
+
+`findings` reports what was assumed.)");
+    setup.def_static(
+        "from_scene", [](const std::string &text) { return valueOrRaise(Setup::fromSceneText(text)); }, py::arg("text"),
+        R"(The setup in the text of a scene file. Scene.load reads a file with its models.
+
+from_scene(text))");
+}
+
+void bindProperties(SetupClass &setup)
+{
+    setup.def_property_readonly(
+        "size", [](const Setup &s) { return std::pair(s.width(), s.height()); },
+        "Width and height of the window, device pixels.");
+    setup.def_property_readonly(
+        "viewport",
+        [](const Setup &s) {
+            const Viewport v = s.viewport();
+            return py::make_tuple(v.x, v.y, v.width, v.height);
+        },
+        "x, y, width, height of the viewport: device pixels, from the bottom-left corner.");
+    setup.def_property_readonly(
+        "depth_range", [](const Setup &s) { return std::pair(s.depthRange().atNear, s.depthRange().atFar); },
+        "The window depths of the near and the far plane.");
+    setup.def_property_readonly(
+        "projection", [](const Setup &s) { return arrayOfMatrix(s.clipFromEye()); },
+        "OpenGL's clip space from eye space, float64 of shape (4, 4), for column vectors.");
+    setup.def_property_readonly(
+        "view", [](const Setup &s) { return arrayOfMatrix(s.eyeFromWorld()); },
+        "OpenGL's eye space from world space, float64 of shape (4, 4), for column vectors.");
+    setup.def_property_readonly(
+        "camera",
+        [](const Setup &s) -> py::object {
+            const std::optional<Camera> camera = s.camera();
+            if (!camera)
+                return py::none();
+            return py::make_tuple(arrayOfVector(camera->eye), arrayOfVector(camera->center), arrayOfVector(camera->up));
+        },
+        "Eye, center and up, float64 of shape (3,) each; None where the view was given as a matrix.");
+    setup.def_property_readonly(
+        "findings", [](const Setup &s) { return s.findings(); },
+        "What is odd about the given matrices, or was assumed of a camera: a list of sentences. It may be intended.");
+    setup.def(
+        "matrices",
+        [](const Setup &s, const std::string &conventions) {
+            const ApiMatrices m = valueOrRaise(s.matrices(conventions));
+            const bool areRows = areVectorsRows(conventions);
+            py::dict result;
+            result["projection"] = arrayOfMatrix(m.clipFromEye, areRows);
+            result["view"] = arrayOfMatrix(m.eyeFromWorld, areRows);
+            result["window"] = arrayOfMatrix(m.windowFromNdc, areRows);
+            if (m.intrinsics)
+                result["K"] = arrayOfMatrix(*m.intrinsics, areRows);
+            return result;
+        },
+        py::arg("conventions") = "opengl",
+        R"(The matrices as an API has them.
+
+matrices(conventions="opengl")
+
+Returns a dict of float64 arrays: "projection", "view" and "window" (window from NDC), of
+shape (4, 4); "K" of shape (3, 3) for "opencv". They act on column vectors, M @ v; in
+conventions with row vectors on rows, v @ M.)");
+    setup.def("to_scene", &Setup::sceneText,
+              "The setup as the text of a scene file, with all digits: from_scene gives an equal setup.\n\nto_scene()");
+    setup.def("__repr__", [](const Setup &s) { return "<Setup: " + s.description() + '>'; });
+    setup.def("__eq__", [](const Setup &a, const py::object &b) -> py::object {
+        if (!py::isinstance<Setup>(b))
+            return py::reinterpret_borrow<py::object>(Py_NotImplemented);
+        return py::bool_(a == b.cast<Setup>());
+    });
+    setup.def("__hash__", [](const Setup &s) { return std::hash<std::string>()(s.sceneText()); });
+    setup.def("__copy__", [](const Setup &s) { return s; });
+    setup.def("__deepcopy__", [](const Setup &s, const py::dict &) { return s; });
+    setup.def(py::pickle([](const Setup &s) { return py::make_tuple(s.sceneText(), s.findings()); },
+                         [](const py::tuple &state) {
+                             return valueOrRaise(Setup::fromSceneText(state[0].cast<std::string>()))
+                                 .withFindings(state[1].cast<std::vector<std::string>>());
+                         }));
 }
 
 } // namespace
 
 SetupClass bindSetup(py::module_ &module)
 {
-    SetupClass setup(module, "Setup");
-    setup.def_static(
-        "perspective",
-        [](double fovy, double nearDistance, double farDistance, const Triple &eye, const Triple &center,
-           const Triple &up, std::pair<int, int> size) {
-            Perspective projection;
-            projection.verticalFovDegrees = fovy;
-            projection.nearDistance = nearDistance;
-            projection.farDistance = farDistance;
-            Window window;
-            window.width = size.first;
-            window.height = size.second;
-            return valueOrRaise(Setup::of(projection, {vectorOf(eye), vectorOf(center), vectorOf(up)}, window));
-        },
-        py::kw_only(), py::arg("fovy"), py::arg("near"), py::arg("far"), py::arg("eye"), py::arg("center"),
-        py::arg("up") = Triple{0, 1, 0}, py::arg("size"));
+    module.def("conventions", &conventionKeys, "The names of the conventions that matrices can have: a list of str.");
+    py::options options;
+    options.disable_function_signatures();
+    SetupClass setup(module, "Setup", kClassHelp);
+    bindParameters(setup);
+    bindMatrices(setup);
+    bindProperties(setup);
     return setup;
 }
 

@@ -21,7 +21,8 @@ enum class Space { World, Eye };
 
 /// The number of digits that a point is computed with.
 enum class Digits {
-    Exact,  ///< about 30, rounded once: the digits of a click, at most half a unit in the last place off
+    Exact,  ///< about 30, rounded once: the digits of a click. At most half a unit in the last place of the
+            ///< largest coordinate off, where window height - py is exact, as at pixel centres
     Double, ///< plain double, several times faster: 8 units in the last place of the largest coordinate for 99.99 %
 };
 
