@@ -110,19 +110,16 @@ Result<CameraRead> readCamera(const std::vector<std::filesystem::path> &files, c
     std::vector<CameraText> texts;
     for (const std::filesystem::path &file : files) {
         const std::string name = files::utf8FromPath(file);
-        const auto fileError = [&name](const std::string &reason) {
-            return Error{Error::Kind::File, name + ": " + reason};
-        };
         std::error_code code;
         if (!std::filesystem::exists(file, code))
-            return fileError(text::tr("there is no such file"));
+            return Error{Error::Kind::MissingFile, name + ": " + text::tr("there is no such file")};
         const std::uintmax_t bytes = std::filesystem::file_size(file, code);
         if (!code && bytes > cameras::kMostCameraBytes)
             return valueError(name + ": " + text::tr("longer than 256 MiB; give the file of one camera"));
         std::ifstream stream(file, std::ios::binary);
         std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
         if (code || !stream)
-            return fileError(text::tr("cannot be read"));
+            return Error{Error::Kind::File, name + ": " + text::tr("cannot be read")};
         texts.push_back({name, std::move(text)});
     }
     return readCamera(texts, choices);

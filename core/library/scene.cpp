@@ -1,7 +1,297 @@
 #include "unprojector/scene.h"
 
+#include "core/files/path_text.h"
 #include "core/library/internal.h"
+#include "core/library/scene_data.h"
+#include "core/mesh/import/note_text.h"
+#include "core/ray/snap.h"
+#include "core/scene/measures.h"
+#include "core/scene_file/clicks.h"
+#include "core/scene_file/scene_error_text.h"
+#include "core/text/number_text.h"
+#include "core/text/translation.h"
+#include "core/threads/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
 
 namespace unprojector {
+namespace {
+
+Error publicError(const opening::OpeningError &error)
+{
+    Error::Kind kind = Error::Kind::Value;
+    switch (error.kind) {
+    case opening::OpeningError::Kind::Value: break;
+    case opening::OpeningError::Kind::File: kind = Error::Kind::File; break;
+    case opening::OpeningError::Kind::NoFile: kind = Error::Kind::MissingFile; break;
+    }
+    return {kind, error.message};
+}
+
+SceneObject publicObject(const scene::SceneObject &object)
+{
+    SceneObject result;
+    result.name = object.name;
+    result.file = object.file;
+    result.vertices = object.model->fileVertices > 0 ? object.model->fileVertices : object.model->vertexCount();
+    result.triangles = object.model->triangleCount();
+    result.points = object.model->pointCount();
+    result.worldFromObject = geometry::worldFromObject(object.transform);
+    const geometry::Box box = scene::boundsOf(object);
+    if (!box.isEmpty()) {
+        result.lowest = box.lowest;
+        result.highest = box.highest;
+    }
+    result.isHidden = object.isHidden;
+    for (const mesh::ModelNote &note : object.model->notes)
+        result.notes.push_back(mesh::noteText(note));
+    return result;
+}
+
+Result<Scene> madeOf(geometry::Result<opening::OpenedScene, opening::OpeningError> opened)
+{
+    if (!opened)
+        return publicError(opened.error());
+    const auto setup = opening::setupOf(*opened, std::nullopt);
+    if (!setup)
+        return publicError(setup.error());
+    return SceneAccess::make(std::move(opened).value(), SetupAccess::make(*setup));
+}
+
+/// The scene of a text: of a scene file, or the one scene of clicks.
+Result<scene_file::SceneFile> sceneIn(std::string_view text, const std::string &name)
+{
+    const auto parsed = scene_file::parseSceneOrClicks(text, name);
+    if (!parsed)
+        return valueError(scene_file::sceneErrorText(parsed.error()));
+    if (const auto *scene = std::get_if<scene_file::SceneFile>(&*parsed))
+        return *scene;
+    const auto &clicks = std::get<std::vector<scene_file::Click>>(*parsed);
+    if (clicks.empty())
+        return valueError(name + ": " + text::tr("it has no click and so no scene; give a scene file"));
+    const auto first = scene_file::sceneText(clicks.front().scene);
+    const bool isOne = std::all_of(clicks.begin() + 1, clicks.end(), [&first](const scene_file::Click &click) {
+        const auto other = scene_file::sceneText(click.scene);
+        return first && other && *first == *other;
+    });
+    if (!isOne)
+        return valueError(name + ": "
+                          + text::tr("its clicks have different scenes; give one click, or the scene of one"));
+    return clicks.front().scene;
+}
+
+} // namespace
+
+Result<Scene> Scene::load(const std::filesystem::path &file)
+{
+    if (!opening::isMeantAsScene(file))
+        return madeOf(opening::openModel(file));
+    const auto text = scene_file::readSceneText(file);
+    if (!text)
+        return publicError(opening::openingError(text.error()));
+    const std::string name = files::utf8FromPath(file);
+    Result<scene_file::SceneFile> scene = sceneIn(*text, name);
+    if (!scene)
+        return scene.error();
+    return madeOf(opening::withModels(std::move(scene).value(), file, name));
+}
+
+Result<Scene> Scene::parse(std::string_view text, const std::filesystem::path &folder)
+{
+    const std::string name = "scene";
+    Result<scene_file::SceneFile> scene = sceneIn(text, name);
+    if (!scene)
+        return scene.error();
+    return madeOf(opening::withModels(std::move(scene).value(), folder / "scene.json", name));
+}
+
+Result<Scene> Scene::of(const Setup &setup, std::span<const double> vertices, std::span<const std::uint32_t> triangles,
+                        const std::string &name)
+{
+    const std::size_t count = vertices.size() / 3;
+    if (triangles.size() < 3)
+        return valueError(text::tr("the mesh has no triangle; give three vertex numbers a triangle"));
+    const auto wrong = std::find_if(vertices.begin(), vertices.end(), [](double v) { return !std::isfinite(v); });
+    if (wrong != vertices.end())
+        return valueError(text::tr("vertex %1 has the coordinate %2; give finite numbers",
+                                   std::size_t(wrong - vertices.begin()) / 3, text::shortestText(*wrong)));
+    const auto outside =
+        std::find_if(triangles.begin(), triangles.end(), [count](std::uint32_t index) { return index >= count; });
+    if (outside != triangles.end())
+        return valueError(text::tr("triangle %1 has the vertex %2; there are %3 vertices, from 0",
+                                   std::size_t(outside - triangles.begin()) / 3, *outside, count));
+    std::vector<glm::dvec3> positions(count);
+    geometry::Box box;
+    for (std::size_t i = 0; i < count; ++i) {
+        positions[i] = {vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]};
+        box.add(positions[i]);
+    }
+    auto model = std::make_shared<mesh::Model>();
+    model->name = name;
+    model->fileVertices = count;
+    mesh::Mesh &mesh = model->meshes.emplace_back();
+    mesh::setPositions(mesh, mesh::originFor(box), positions);
+    mesh.indices.assign(triangles.begin(), triangles.end());
+    model->bounds = mesh::boundsOf(model->meshes);
+    opening::OpenedScene opened;
+    opened.name = name;
+    opened.objects.push_back({name, {}, std::move(model), {}});
+    return SceneAccess::make(std::move(opened), setup);
+}
+
+const Setup &Scene::setup() const
+{
+    return m_data->setup;
+}
+
+Result<Setup> Scene::setupAt(int width, int height) const
+{
+    const geometry::Surface surface{width, height, 1.0};
+    if (const geometry::Check valid = check(surface); !valid)
+        return valueError(valid.error());
+    const auto setup = opening::setupOf(m_data->opened, surface);
+    if (!setup)
+        return publicError(setup.error());
+    return SetupAccess::make(*setup);
+}
+
+const std::vector<SceneObject> &Scene::objects() const
+{
+    return m_data->objects;
+}
+
+Result<std::monostate> Scene::save(const std::filesystem::path &file) const
+{
+    scene_file::SceneFile scene;
+    if (m_data->opened.file) {
+        scene = *m_data->opened.file;
+        scene.objects.clear();
+    } else {
+        auto parsed = scene_file::parseScene(m_data->setup.sceneText(), "scene");
+        scene = std::move(parsed).value();
+    }
+    for (std::size_t i = 0; i < m_data->opened.objects.size(); ++i) {
+        const scene::SceneObject &object = m_data->opened.objects[i];
+        if (m_data->opened.file && !m_data->opened.file->objects[i].bundled.empty()) {
+            scene.objects.push_back(m_data->opened.file->objects[i]);
+            continue;
+        }
+        if (object.file.empty())
+            return valueError(object.name + ": "
+                              + text::tr("the mesh comes from arrays; write it to a model file first"));
+        scene.objects.push_back(scene_file::sceneFileObject(object, file));
+    }
+    const auto written = scene_file::writeSceneFile(file, scene);
+    if (!written)
+        return publicError(opening::openingError(written.error()));
+    return std::monostate{};
+}
+
+Scene SceneAccess::make(opening::OpenedScene opened, const Setup &setup)
+{
+    std::vector<SceneObject> objects;
+    for (const scene::SceneObject &object : opened.objects)
+        objects.push_back(publicObject(object));
+    return Scene(std::make_shared<const Scene::Data>(std::move(opened), setup, std::move(objects)));
+}
+
+SceneAccess::Rays SceneAccess::rays(const Scene &scene, const geometry::Setup &setup)
+{
+    if (const auto error = opening::unreachable(scene.m_data->opened))
+        return publicError(*error);
+    const auto unprojector = unproject::Unprojector::of(setup);
+    if (!unprojector)
+        return valueError(unprojector.error());
+    const Scene::Data &data = *scene.m_data;
+    std::call_once(data.areCastersBuilt, [&data] { data.casters = opening::castersOf(data.opened.objects); });
+    const std::vector<glm::dvec4> clipPlanes =
+        data.opened.file ? data.opened.file->clipPlanes : std::vector<glm::dvec4>();
+    return std::make_shared<const ray::SceneRays>(*unprojector, data.opened.objects, data.casters, clipPlanes);
+}
+
+struct Picker::Data {
+    Scene scene; ///< keeps the models
+    std::shared_ptr<const ray::SceneRays> rays;
+};
+
+namespace {
+
+Hit noHit()
+{
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    const glm::dvec3 none(kNaN);
+    return {none, none, none, none, none, kNaN, none, none, -1, -1, {-1, -1, -1}, -1, {-1, -1}, false, false, {}};
+}
+
+Hit publicHit(const ray::SceneHit &hit)
+{
+    Hit result = noHit();
+    result.isHit = true;
+    result.world = hit.world.coordinates();
+    result.uncertainty = hit.uncertainty.coordinates();
+    result.objectPoint = hit.objectPoint.coordinates();
+    result.distance = hit.distance;
+    result.object = static_cast<std::int64_t>(hit.object);
+    result.vertex = hit.vertex.id;
+    result.vertexWorld = hit.vertex.world.coordinates();
+    if (hit.triangle) {
+        result.triangle = hit.triangle->triangle;
+        result.barycentric = hit.triangle->barycentric;
+        result.normal = hit.triangle->normal.coordinates();
+        std::copy(hit.triangle->ids.begin(), hit.triangle->ids.end(), result.vertices);
+        std::copy(hit.triangle->edge.ids.begin(), hit.triangle->edge.ids.end(), result.edge);
+        result.edgeWorld = hit.triangle->edge.world.coordinates();
+    }
+    return result;
+}
+
+ray::Snap internalSnap(Snap snap)
+{
+    switch (snap) {
+    case Snap::Surface: return ray::Snap::Surface;
+    case Snap::Vertex: return ray::Snap::Vertex;
+    case Snap::Edge: return ray::Snap::Edge;
+    case Snap::Face: return ray::Snap::Face;
+    }
+    return ray::Snap::Surface;
+}
+
+} // namespace
+
+Result<Picker> Picker::of(const Scene &scene, const std::optional<Setup> &setup)
+{
+    const SceneAccess::Rays rays = SceneAccess::rays(scene, SetupAccess::of(setup.value_or(scene.setup())));
+    if (!rays)
+        return rays.error();
+    return Picker(std::make_shared<const Data>(Data{scene, *rays}));
+}
+
+Hit Picker::at(double px, double py, Snap snap) const
+{
+    const geometry::DevicePoint position(px, py);
+    if (m_data->rays->rays().isInPicture(position)) {
+        if (const auto hit = m_data->rays->at(position, internalSnap(snap)))
+            return *hit ? publicHit(**hit) : noHit();
+    }
+    Hit none = noHit();
+    none.isOutside = true;
+    return none;
+}
+
+void Picker::operator()(const double *px, const double *py, Hit *hits, std::size_t count, Snap snap,
+                        unsigned threads) const
+{
+    constexpr std::size_t kTask = 1024; // a few milliseconds
+    threads::inParallelRanges(
+        count, kTask, {},
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                hits[i] = at(px[i], py[i], snap);
+        },
+        threads);
+}
 
 } // namespace unprojector

@@ -30,8 +30,13 @@ T valueOrRaise(Result<T> result)
 {
     if (result)
         return std::move(result).value();
-    PyErr_SetString(result.error().kind == Error::Kind::File ? PyExc_OSError : PyExc_ValueError,
-                    result.error().message.c_str());
+    PyObject *type = PyExc_ValueError;
+    switch (result.error().kind) {
+    case Error::Kind::Value: break;
+    case Error::Kind::File: type = PyExc_OSError; break;
+    case Error::Kind::MissingFile: type = PyExc_FileNotFoundError; break;
+    }
+    PyErr_SetString(type, result.error().message.c_str());
     throw py::error_already_set();
 }
 

@@ -81,7 +81,7 @@ std::optional<CaseRead> withoutMesh(const std::string &file)
 std::optional<CaseRead> withMesh(const std::string &file)
 {
     const std::optional<OpenedScene> opened = openScene(file);
-    const std::optional<Setup> setup = opened ? setupOf(*opened, {}) : std::nullopt;
+    const std::optional<Setup> setup = opened ? setupOf(*opened, std::string()) : std::nullopt;
     if (!setup)
         return std::nullopt;
     Case result{*setup, {}, {}, {}, {}};

@@ -10,8 +10,9 @@ namespace unprojector {
 /// The reason why there is no value.
 struct Error {
     enum class Kind {
-        Value, ///< an argument, or the contents of a file
-        File   ///< a file that cannot be opened, read or written
+        Value,      ///< an argument, or the contents of a file
+        File,       ///< a file that cannot be opened, read or written
+        MissingFile ///< a file that does not exist
     };
     Kind kind = Kind::Value;
     /// UTF-8. Names the value, or the file and the line, and what to do: "near is 0; it must be

@@ -1,0 +1,147 @@
+#include "core/opening/opened_scene.h"
+
+#include "core/files/path_text.h"
+#include "core/mesh/import/import_error_text.h"
+#include "core/scene/opening_view.h"
+#include "core/scene/reach.h"
+#include "core/scene_file/scene_error_text.h"
+#include "core/text/error_text.h"
+
+#include <map>
+#include <utility>
+
+namespace unprojector::opening {
+using namespace geometry;
+using namespace mesh;
+using namespace scene;
+using namespace scene_file;
+using namespace files;
+
+OpeningError openingError(const ImportError &error)
+{
+    const bool isFile = error.code == ImportErrorCode::IsDirectory || error.code == ImportErrorCode::NotReadable;
+    return {error.code == ImportErrorCode::NotFound ? OpeningError::Kind::NoFile
+            : isFile                                ? OpeningError::Kind::File
+                                                    : OpeningError::Kind::Value,
+            importErrorText(error)};
+}
+
+OpeningError openingError(const SceneFileError &error)
+{
+    OpeningError::Kind kind = OpeningError::Kind::Value;
+    switch (error.code) {
+    case SceneFileErrorCode::NotFound: kind = OpeningError::Kind::NoFile; break;
+    case SceneFileErrorCode::IsDirectory:
+    case SceneFileErrorCode::NotAFile:
+    case SceneFileErrorCode::NotReadable:
+    case SceneFileErrorCode::NotWritable:
+    case SceneFileErrorCode::ChangedMeanwhile: kind = OpeningError::Kind::File; break;
+    default: break;
+    }
+    return {kind, sceneErrorText(error)};
+}
+
+std::vector<std::string> filesOf(const std::filesystem::path &file, const Model &model)
+{
+    std::vector<std::string> files{utf8FromPath(file)};
+    for (const std::filesystem::path &other : model.otherFiles)
+        files.push_back(utf8FromPath(other));
+    for (const Texture &texture : model.textures)
+        files.push_back(utf8FromPath(texture.file));
+    return files;
+}
+
+Result<OpenedScene, OpeningError> openModel(const std::filesystem::path &file)
+{
+    const auto model = importModel(file, {});
+    if (!model)
+        return openingError(model.error());
+    return OpenedScene{
+        {{utf8FromPath(file.filename()), file, *model, {}}}, std::nullopt, utf8FromPath(file), filesOf(file, **model)};
+}
+
+Result<OpenedScene, OpeningError> withModels(SceneFile scene, const std::filesystem::path &path,
+                                             const std::string &name)
+{
+    OpenedScene opened{{}, std::move(scene), name, {path.empty() ? "-" : utf8FromPath(path)}};
+    ModelFiles store;
+    OpeningError::Kind kind = OpeningError::Kind::Value;
+    auto objects = objectsOf(*opened.file, path, [&](const std::filesystem::path &of) {
+        ReadModel read = store.read(of);
+        if (!read)
+            kind = openingError(read.error()).kind;
+        return read;
+    });
+    if (!objects)
+        return OpeningError{kind, name + ": " + objects.error()};
+    opened.objects = std::move(objects).value();
+    for (const SceneObject &object : opened.objects) {
+        if (object.file.empty())
+            continue;
+        for (std::string &named : filesOf(object.file, *object.model))
+            opened.files.push_back(std::move(named));
+    }
+    return opened;
+}
+
+std::optional<OpeningError> unreachable(const OpenedScene &opened)
+{
+    for (const SceneObject &object : opened.objects) {
+        if (const Check valid = reachable(object); !valid)
+            return OpeningError{OpeningError::Kind::Value,
+                                opened.name + ": " + object.name + ": " + text::errorText(valid.error())};
+    }
+    return std::nullopt;
+}
+
+std::vector<std::shared_ptr<const ray::RayCaster>> castersOf(const std::vector<SceneObject> &objects)
+{
+    std::map<const Model *, std::shared_ptr<const ray::RayCaster>> built;
+    std::vector<std::shared_ptr<const ray::RayCaster>> casters;
+    for (const SceneObject &object : objects) {
+        if (object.isHidden) {
+            casters.push_back(nullptr);
+            continue;
+        }
+        std::shared_ptr<const ray::RayCaster> &caster = built[object.model.get()];
+        if (!caster)
+            caster = ray::RayCaster::build(object.model, {});
+        casters.push_back(caster);
+    }
+    return casters;
+}
+
+ray::SceneRays raysOf(const OpenedScene &opened, const unproject::Unprojector &unprojector)
+{
+    const std::vector<glm::dvec4> clipPlanes = opened.file ? opened.file->clipPlanes : std::vector<glm::dvec4>();
+    return {unprojector, opened.objects, castersOf(opened.objects), clipPlanes};
+}
+
+Result<Setup, OpeningError> setupOf(const OpenedScene &opened, const std::optional<Surface> &size)
+{
+    if (opened.file && !size)
+        return scene_file::setupOf(*opened.file);
+    Surface surface = size.value_or(Surface{kUsualWidth, kUsualHeight, 1.0});
+    surface.devicePixelRatio = 1.0;
+    Scene scene;
+    if (opened.file) {
+        surface.devicePixelRatio = opened.file->devicePixelRatio;
+        Result<Scene, SceneFileError> shown = sceneFromFile(*opened.file, pathFromUtf8(opened.name), opened.objects);
+        if (!shown) {
+            SceneFileError error = shown.error();
+            error.file = opened.name;
+            return openingError(error);
+        }
+        scene = std::move(shown).value();
+    } else {
+        scene.objects = opened.objects;
+        scene.camera = scene.home = openingCamera(opened.objects, surface);
+        scene.projection = openingProjection();
+    }
+    const Result<Setup> setup = scene::setupOf(scene, surface, groundUnder(boundsOf(scene)).box);
+    if (setup)
+        return *setup;
+    return OpeningError{OpeningError::Kind::Value, opened.name + ": " + text::errorText(setup.error())};
+}
+
+} // namespace unprojector::opening
