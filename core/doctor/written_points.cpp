@@ -246,4 +246,33 @@ Result<WrongPoint, std::size_t> pointOf(const PointRow &row)
     return point;
 }
 
+Result<WrongPoint, std::string> wrongPointOf(const std::string &pixel, const std::string &depth, const std::string &got,
+                                             const PointTextNames &names)
+{
+    WrongPoint point;
+    const auto position = numbersOrFault(pixel, 2);
+    if (!position)
+        return names.pixel + (' ' + pixel) + ": "
+               + faultText(position.error(), text::tr("device pixels from the top left corner, as in 400.5,300.5"));
+    point.pixel = DevicePoint((*position)[0].value, (*position)[1].value);
+    if (!depth.empty()) {
+        const std::optional<WrittenNumber> number = writtenNumber(depth);
+        if (!number)
+            return text::tr("%1: give a depth in the scene's depth range, as in 0.838331, or leave it out",
+                            names.depth + (' ' + depth));
+        point.depth = number->value;
+        point.depthLastDigit = depthLastDigit(*number);
+    }
+    const auto coordinates = numbersOrFault(got, 3);
+    if (!coordinates)
+        return names.got + (' ' + got) + ": "
+               + faultText(coordinates.error(), text::tr("the three coordinates as the program printed them, as in "
+                                                         "0.7051,-0.4122,0.0918 or vec3(0.7051, -0.4122, 0.0918)"));
+    for (int axis = 0; axis < 3; ++axis) {
+        point.got[axis] = (*coordinates)[std::size_t(axis)].value;
+        point.lastDigit[axis] = (*coordinates)[std::size_t(axis)].lastDigit;
+    }
+    return point;
+}
+
 } // namespace unprojector::doctor

@@ -46,6 +46,16 @@ geometry::Result<std::vector<WrittenNumber>, NumbersFault> numbersOrFault(std::s
 /// exact, as 0.5 does; one with more counts as rounded.
 double depthLastDigit(const WrittenNumber &depth);
 
+/// The names of a point's three texts, for messages.
+struct PointTextNames {
+    const char *pixel = "pixel", *depth = "depth", *got = "got";
+};
+/// Parses one point from the texts of its pixel, its depth and the wrong coordinate.
+/// @param depth  empty: unknown
+/// @return the message that names the wrong text, and what to give
+geometry::Result<WrongPoint, std::string> wrongPointOf(const std::string &pixel, const std::string &depth,
+                                                       const std::string &got, const PointTextNames &names = {});
+
 /// The message that a depth lies outside the depth range, and the remedy.
 std::string depthOutsideText(const std::string &depth, const geometry::DepthRange &range);
 

@@ -334,4 +334,30 @@ geometry::Result<WrittenTable, LandmarkFileError> specimenTable(std::span<const 
     }
 }
 
+geometry::Result<WrittenTable, LandmarkFileError> convertedText(std::vector<LandmarkSet> sets, Format to,
+                                                                const std::string &source, text::CellTexts texts)
+{
+    // NTSYS rows are specimens by name.
+    if (to == Format::Nts && !source.empty()) {
+        for (std::size_t i = 0; i < sets.size(); ++i) {
+            if (sets[i].name.empty())
+                sets[i].name = source + (sets.size() > 1 ? '_' + std::to_string(i + 1) : "");
+        }
+    }
+    const auto isNamed = [](const LandmarkSet &set) {
+        return std::any_of(set.landmarks.begin(), set.landmarks.end(),
+                           [](const Landmark &landmark) { return !landmark.name.empty(); });
+    };
+    if ((to == Format::Tps || to == Format::Nts) && sets.size() > 1 && std::any_of(sets.begin(), sets.end(), isNamed))
+        return specimenTable(sets, to == Format::Tps ? TableForm::Tps : TableForm::Nts);
+    const geometry::Result<WrittenLandmarks, LandmarkFileError> text = landmarksText(sets, to, texts);
+    if (!text)
+        return text.error();
+    WrittenTable table;
+    table.text = text->text;
+    table.notes = text->notes;
+    table.sliders = slidersOf(sets);
+    return table;
+}
+
 } // namespace unprojector::landmark_files

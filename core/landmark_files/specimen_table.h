@@ -64,4 +64,13 @@ geometry::Result<WrittenTable, LandmarkFileError> specimenTable(std::span<const 
                                                                 std::span<const landmarks::Landmark> names = {},
                                                                 text::CellTexts texts = text::CellTexts::AsTheyAre);
 
+/// The text of a file in a format, for landmarks that come from another file. In TPS and NTSYS,
+/// named landmarks of several specimens belong together by name, see specimenTable; else as
+/// landmarksText.
+/// @param source  name of specimens without a name, in NTSYS; empty: they stay without
+/// @return the errors of specimenTable and landmarksText
+geometry::Result<WrittenTable, LandmarkFileError> convertedText(std::vector<landmarks::LandmarkSet> sets, Format to,
+                                                                const std::string &source,
+                                                                text::CellTexts texts = text::CellTexts::AsTheyAre);
+
 } // namespace unprojector::landmark_files

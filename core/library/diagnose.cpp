@@ -1,7 +1,140 @@
 #include "unprojector/diagnose.h"
 
+#include "core/doctor/diagnosis.h"
+#include "core/doctor/mesh_vertices.h"
+#include "core/doctor/mistake_texts.h"
+#include "core/doctor/remedies.h"
+#include "core/doctor/report_text.h"
+#include "core/doctor/verdict_texts.h"
+#include "core/doctor/written_points.h"
 #include "core/library/internal.h"
+#include "core/library/scene_data.h"
+#include "core/ray/mesh_depth.h"
+#include "core/text/number_text.h"
+#include "core/text/translation.h"
+
+#include <utility>
 
 namespace unprojector {
+namespace {
+
+WrongPoint publicPoint(const doctor::WrongPoint &point)
+{
+    return {point.pixel.coordinates(), point.depth, point.got, point.lastDigit, point.depthLastDigit};
+}
+
+Candidate publicCandidate(const doctor::Candidate &candidate)
+{
+    Candidate result;
+    result.id = candidate.id;
+    result.sentence = doctor::candidateSentence(candidate);
+    for (const doctor::SolvedValue &value : candidate.values) {
+        if (value.word.empty())
+            result.values.emplace_back(value.name, value.numbers);
+        else
+            result.values.emplace_back(value.name, value.word);
+    }
+    result.point = candidate.point;
+    result.distance = candidate.distance;
+    result.explains = candidate.explains;
+    return result;
+}
+
+Diagnosis publicDiagnosis(const doctor::Diagnosis &diagnosis, const doctor::WrongPoint &first)
+{
+    Diagnosis result;
+    result.verdict = diagnosis.verdict;
+    result.sentence = diagnosis.namesMistake() ? doctor::candidateSentence(diagnosis.candidates.front())
+                                               : doctor::verdictSentence(diagnosis);
+    result.report = doctor::reportText(diagnosis, first);
+    for (const doctor::Candidate &candidate : diagnosis.candidates)
+        result.candidates.push_back(publicCandidate(candidate));
+    const auto &values = diagnosis.candidates.front().values;
+    for (const std::string &part : doctor::partsOf(diagnosis.verdict)) {
+        for (const doctor::CodeChange &change : doctor::codeOf(part, values))
+            result.code.push_back({part, std::string(change.library), doctor::lineWithValues(change.wrong, values),
+                                   doctor::lineWithValues(change.right, values)});
+    }
+    result.right = diagnosis.right;
+    if (diagnosis.next)
+        result.next = diagnosis.next->coordinates();
+    result.chance = diagnosis.chance;
+    return result;
+}
+
+/// The point's name in messages; its index where there are several.
+std::string nameOf(std::size_t index, std::size_t count)
+{
+    return count == 1 ? std::string("pixel") : "pixel[" + std::to_string(index) + ']';
+}
+
+Result<Diagnosis> diagnosed(doctor::Case scene, std::span<const WrongPoint> points, const DiagnoseOptions &options)
+{
+    if (points.empty())
+        return valueError(
+            text::tr("there is no point to examine; give a pixel and the coordinate that the program got"));
+    if (points.size() > doctor::kMostWrongPoints)
+        points = points.first(doctor::kMostWrongPoints);
+    if (options.otherSize) {
+        scene.otherSize = geometry::Surface{options.otherSize->first, options.otherSize->second, 1.0};
+        if (const geometry::Check valid = check(*scene.otherSize); !valid)
+            return valueError("other_size: " + text::errorText(valid.error()));
+    }
+    const geometry::Surface &surface = scene.setup.surface;
+    std::vector<doctor::WrongPoint> given;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const WrongPoint &point = points[i];
+        const glm::dvec2 &at = point.pixel;
+        if (!(at.x >= 0.0 && at.y >= 0.0 && at.x <= surface.widthPixels && at.y <= surface.heightPixels))
+            return valueError(
+                text::tr("%1: %2,%3 lies outside the view of %4x%5; give device pixels from its top left corner",
+                         nameOf(i, points.size()), text::shortestText(at.x), text::shortestText(at.y),
+                         surface.widthPixels, surface.heightPixels));
+        given.push_back({geometry::DevicePoint(at), point.depth, point.got, point.lastDigit,
+                         options.space == Space::Eye ? doctor::PointSpace::Eye : doctor::PointSpace::World, 0,
+                         point.depthLastDigit});
+    }
+    const auto diagnosis = doctor::diagnose(scene, given);
+    if (diagnosis)
+        return publicDiagnosis(*diagnosis, given[diagnosis->firstPoint()]);
+    const geometry::Error &error = diagnosis.error();
+    if (error.code == geometry::ErrorCode::DepthOutsideRange)
+        return valueError("depth: "
+                          + doctor::depthOutsideText(text::shortestText(error.value), scene.setup.depthRange));
+    return valueError(error);
+}
+
+} // namespace
+
+Result<WrongPoint> wrongPoint(const std::string &pixel, const std::string &depth, const std::string &got)
+{
+    const auto point = doctor::wrongPointOf(pixel, depth, got);
+    if (!point)
+        return valueError(point.error());
+    return publicPoint(*point);
+}
+
+Result<Diagnosis> diagnose(const Setup &setup, std::span<const WrongPoint> points, const DiagnoseOptions &options)
+{
+    return diagnosed({SetupAccess::of(setup), {}, {}, {}, {}}, points, options);
+}
+
+Result<Diagnosis> diagnose(const Scene &scene, std::span<const WrongPoint> points, const DiagnoseOptions &options)
+{
+    const opening::OpenedScene &opened = SceneAccess::of(scene);
+    doctor::Case examined{SetupAccess::of(scene.setup()), {}, {}, {}, {}};
+    for (const scene::SceneObject &object : opened.objects)
+        examined.models.push_back({object.name, geometry::worldFromObject(object.transform)});
+    if (!opened.objects.empty()) {
+        const SceneAccess::Rays rays = SceneAccess::rays(scene, examined.setup);
+        if (!rays)
+            return rays.error();
+        examined.depthOnMesh = ray::MeshDepth(*rays);
+        examined.verticesIn = [&opened](const geometry::Box &world) {
+            return doctor::verticesIn(opened.objects, world);
+        };
+    }
+    return diagnosed(std::move(examined), points, options);
+}
 
 } // namespace unprojector

@@ -1,7 +1,253 @@
+#include "unprojector/landmarks.h"
+
+#include "core/python/arrays.h"
 #include "core/python/bindings.h"
 
-namespace unprojector::python {
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
 
-void bindLandmarks(py::module_ &) {}
+namespace unprojector::python {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+const char *wordOf(const Landmark &landmark)
+{
+    if (landmark.world)
+        return "";
+    switch (landmark.absence) {
+    case Absence::NotPlaced: return "not placed";
+    case Absence::Skipped: return "skipped";
+    case Absence::Missing: return "missing";
+    }
+    return "";
+}
+
+/// An array of a vector a row; NaN where a row has none.
+template <class Rows, class Of>
+py::array_t<double> arrayOf(const Rows &rows, const Of &of)
+{
+    py::array_t<double> array({static_cast<py::ssize_t>(rows.size()), py::ssize_t{3}});
+    auto numbers = array.mutable_unchecked<2>();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const std::optional<glm::dvec3> vector = of(rows[i]);
+        for (py::ssize_t k = 0; k < 3; ++k)
+            numbers(static_cast<py::ssize_t>(i), k) = vector ? (*vector)[static_cast<glm::length_t>(k)] : kNaN;
+    }
+    return array;
+}
+
+py::array_t<double> pointsOf(const Specimen &specimen)
+{
+    return arrayOf(specimen.landmarks, [](const Landmark &landmark) { return landmark.world; });
+}
+
+std::vector<std::string> namesOf(const Specimen &specimen)
+{
+    std::vector<std::string> names;
+    for (const Landmark &landmark : specimen.landmarks)
+        names.push_back(landmark.name);
+    return names;
+}
+
+std::vector<std::string> absencesOf(const Specimen &specimen)
+{
+    std::vector<std::string> words;
+    for (const Landmark &landmark : specimen.landmarks)
+        words.emplace_back(wordOf(landmark));
+    return words;
+}
+
+/// The position of the one landmark of a name.
+py::array_t<double> pointNamed(const Specimen &specimen, const std::string &name)
+{
+    const auto isIt = [&name](const Landmark &landmark) { return landmark.name == name; };
+    const auto &all = specimen.landmarks;
+    const auto count = std::count_if(all.begin(), all.end(), isIt);
+    if (count != 1) {
+        std::string names;
+        for (const Landmark &landmark : all)
+            names += (names.empty() ? "" : ", ") + landmark.name;
+        throw py::key_error(count == 0 ? "there is no landmark \"" + name + "\"; there are " + names
+                                       : std::to_string(count) + " landmarks have the name \"" + name
+                                             + "\"; take one by its index in points");
+    }
+    const glm::dvec3 point = std::find_if(all.begin(), all.end(), isIt)->world.value_or(glm::dvec3(kNaN));
+    return py::array_t<double>(3, &point.x);
+}
+
+std::string specimenText(const Specimen &specimen)
+{
+    const auto absent = std::count_if(specimen.landmarks.begin(), specimen.landmarks.end(),
+                                      [](const Landmark &landmark) { return !landmark.world; });
+    return (specimen.name.empty() ? std::string() : specimen.name + ": ") + std::to_string(specimen.landmarks.size())
+           + (specimen.landmarks.size() == 1 ? " landmark" : " landmarks")
+           + (absent > 0 ? ", " + std::to_string(absent) + " without a position" : "")
+           + (specimen.curves.empty() ? "" : ", " + std::to_string(specimen.curves.size()) + " curves");
+}
+
+/// The only specimen.
+const Specimen &onlyOf(const Landmarks &landmarks)
+{
+    if (landmarks.specimens().size() != 1)
+        throw py::value_error("there are " + std::to_string(landmarks.specimens().size())
+                              + " specimens; take one from specimens");
+    return landmarks.specimens().front();
+}
+
+Specimen specimenFrom(const std::vector<std::string> &names, const py::object &points)
+{
+    const py::array given = numbersOf("points", points).array;
+    const std::vector<py::ssize_t> shape = shapeOf(given);
+    if (shape.size() != 2 || shape[1] != 3)
+        throw py::value_error("points has the shape " + shapeText(shape) + "; give (n, 3)");
+    if (names.size() != static_cast<std::size_t>(shape[0]))
+        throw py::value_error("there are " + std::to_string(names.size()) + " names and " + std::to_string(shape[0])
+                              + " points; give one name a point");
+    const py::array_t<double, py::array::c_style | py::array::forcecast> numbers(given);
+    Specimen specimen;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto row = static_cast<py::ssize_t>(i);
+        const glm::dvec3 point(numbers.at(row, 0), numbers.at(row, 1), numbers.at(row, 2));
+        const auto nans = std::isnan(point.x) + std::isnan(point.y) + std::isnan(point.z);
+        if ((nans > 0 && nans < 3) || std::isinf(point.x) || std::isinf(point.y) || std::isinf(point.z))
+            throw py::value_error("point " + std::to_string(i) + " (" + names[i]
+                                  + ") has a coordinate that is not finite; give three numbers, or three nan for a "
+                                    "landmark without a position");
+        Landmark &landmark = specimen.landmarks.emplace_back();
+        landmark.name = names[i];
+        if (nans == 0)
+            landmark.world = point;
+    }
+    return specimen;
+}
+
+std::vector<std::string> written(const std::filesystem::path &file, const Landmarks &landmarks)
+{
+    std::vector<std::string> notes = valueOrRaise([&] {
+        const py::gil_scoped_release released;
+        return landmarks.write(file);
+    }());
+    for (const std::string &note : notes) {
+        if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0)
+            throw py::error_already_set(); // warnings are errors
+    }
+    return notes;
+}
+
+void bindSpecimen(py::module_ &module)
+{
+    py::class_<Curve>(module, "Curve", "A line through landmarks, with semilandmarks in equal steps.")
+        .def_readonly("name", &Curve::name)
+        .def_readonly("landmarks", &Curve::landmarks, "The names of its landmarks, in order.")
+        .def_property_readonly(
+            "points",
+            [](const Curve &curve) {
+                return arrayOf(curve.semilandmarks, [](const glm::dvec3 &p) { return std::optional(p); });
+            },
+            "The semilandmarks, float64 of shape (n, 3).");
+    py::class_<Specimen>(module, "Specimen", "The landmarks of one specimen.")
+        .def_readonly("name", &Specimen::name, "The name of the specimen; may be empty.")
+        .def_readonly("unit", &Specimen::unit, "The unit of the coordinates, as \"mm\"; empty: unknown.")
+        .def_readonly("placing", &Specimen::placing, "Which of the repeated placings it is, from 1.")
+        .def_readonly("curves", &Specimen::curves, "The curves: a list of Curve.")
+        .def_property_readonly("names", &namesOf, "The names of the landmarks.")
+        .def_property_readonly("points", &pointsOf,
+                               "The positions, float64 of shape (n, 3); nan for a landmark without one, see absence.")
+        .def_property_readonly(
+            "absence", &absencesOf,
+            "For each landmark: \"\" with a position, else \"not placed\", \"skipped\" or \"missing\".")
+        .def_property_readonly(
+            "uncertainty",
+            [](const Specimen &s) {
+                return arrayOf(s.landmarks, [](const Landmark &landmark) { return landmark.uncertainty; });
+            },
+            "The largest error of each coordinate, float64 of shape (n, 3); nan where the file has none.")
+        .def("__len__", [](const Specimen &s) { return s.landmarks.size(); })
+        .def("__getitem__", &pointNamed, py::arg("name"), "The position of the landmark of a name, (3,).")
+        .def("__repr__", [](const Specimen &s) { return "<Specimen: " + specimenText(s) + '>'; });
+}
+
+} // namespace
+
+void bindLandmarks(py::module_ &module)
+{
+    py::options options;
+    options.disable_function_signatures();
+    bindSpecimen(module);
+    py::class_<Landmarks>(module, "Landmarks", R"(The landmarks of a file: of one or several specimens.
+
+With one specimen, its names, points, absence and curves are here too, and
+landmarks["bregma"] is a position.)")
+        .def_property_readonly("specimens", &Landmarks::specimens, "The specimens: a list of Specimen.")
+        .def_property_readonly("notes", &Landmarks::notes, "What reading changed or dropped: a list of sentences.")
+        .def_property_readonly(
+            "names", [](const Landmarks &l) { return namesOf(onlyOf(l)); }, "See Specimen.names.")
+        .def_property_readonly(
+            "points", [](const Landmarks &l) { return pointsOf(onlyOf(l)); }, "See Specimen.points.")
+        .def_property_readonly(
+            "absence", [](const Landmarks &l) { return absencesOf(onlyOf(l)); }, "See Specimen.absence.")
+        .def_property_readonly(
+            "curves", [](const Landmarks &l) { return onlyOf(l).curves; }, "See Specimen.curves.")
+        .def_property_readonly(
+            "unit", [](const Landmarks &l) { return onlyOf(l).unit; }, "See Specimen.unit.")
+        .def("__len__", [](const Landmarks &l) { return onlyOf(l).landmarks.size(); })
+        .def("__getitem__", [](const Landmarks &l, const std::string &name) { return pointNamed(onlyOf(l), name); })
+        .def("__repr__", [](const Landmarks &l) {
+            std::string text;
+            for (const Specimen &specimen : l.specimens())
+                text += (text.empty() ? "" : "; ") + specimenText(specimen);
+            return "<Landmarks: " + text + '>';
+        });
+    module.def(
+        "read_landmarks",
+        [](const std::filesystem::path &file) {
+            return valueOrRaise([&] {
+                const py::gil_scoped_release released;
+                return Landmarks::read(file);
+            }());
+        },
+        py::arg("file"), R"(The landmarks of a file.
+
+read_landmarks(file)
+
+file : path
+    CSV, MeshLab (.pp, .pptpl), 3D Slicer (.mrk.json, .fcsv), IDAV (.pts), TPS, NTSYS
+    (.nts, .dta), Amira (.landmarkAscii) or landmarker.io (.ljson), by its suffix.
+
+Returns Landmarks. Its notes list what reading changed or dropped.
+Raises FileNotFoundError or OSError for a file that cannot be read; ValueError names the
+file and the line that is wrong.)");
+    module.def(
+        "write_landmarks",
+        [](const std::filesystem::path &file, const py::object &landmarks, const py::object &points) {
+            if (py::isinstance<Landmarks>(landmarks) && points.is_none())
+                return written(file, landmarks.cast<Landmarks>());
+            if (py::isinstance<Specimen>(landmarks) && points.is_none())
+                return written(file, Landmarks::of({landmarks.cast<Specimen>()}));
+            if (points.is_none())
+                throw py::type_error("write_landmarks needs Landmarks, a Specimen, or names and points");
+            return written(file, Landmarks::of({specimenFrom(landmarks.cast<std::vector<std::string>>(), points)}));
+        },
+        py::arg("file"), py::arg("landmarks"), py::arg("points") = py::none(), R"(Writes a landmark file.
+
+write_landmarks(file, landmarks)
+write_landmarks(file, names, points)
+
+file : path
+    Its suffix is the format; see read_landmarks. .landmarkAscii and .ljson are read only.
+    An existing file is replaced.
+landmarks : Landmarks or Specimen
+    Landmarks that were read keep all that their file had.
+names : list of str
+points : array_like of shape (n, 3)
+    nan for a landmark without a position.
+
+Returns a list of sentences about what the format cannot hold. Each is also a
+UserWarning.)");
+}
 
 } // namespace unprojector::python

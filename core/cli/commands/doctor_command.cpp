@@ -10,6 +10,7 @@
 #include "core/cli/rows/scene_input.h"
 #include "core/doctor/mesh_vertices.h"
 #include "core/doctor/program.h"
+#include "core/doctor/report_text.h"
 #include "core/doctor/written_points.h"
 #include "core/files/path_text.h"
 #include "core/opening/models.h"
@@ -254,7 +255,7 @@ ExitCode runDoctor(const DoctorOptions &options)
     if (options.isJson)
         sink.write(doctorJson(*diagnosis));
     else
-        sink.print(doctorText(*diagnosis, given.points[diagnosis->firstPoint()]));
+        sink.print(reportText(*diagnosis, given.points[diagnosis->firstPoint()]));
     const ExitCode written = sink.finish();
     return written == ExitCode::Done && !given.isComplete ? ExitCode::SomeRowsBad : written;
 }

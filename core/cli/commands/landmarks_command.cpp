@@ -9,6 +9,7 @@
 #include "core/files/path_text.h"
 #include "core/landmark_files/landmark_folder.h"
 #include "core/landmark_files/sliders.h"
+#include "core/landmark_files/specimen_table.h"
 #include "core/mesh/import/import_error_text.h"
 #include "core/mesh/import/mesh_import.h"
 #include "core/ray/tie_landmark.h"
@@ -175,31 +176,14 @@ ExitCode convert(const LandmarksOptions &options)
         }
         tying->tellFarthest();
     }
-    // In TPS and NTSYS, landmarks of several specimens belong together by their order.
-    const bool isTable = *to == Format::Tps || *to == Format::Nts;
-    const auto isNamed = [](const LandmarkSet &set) {
-        return std::any_of(set.landmarks.begin(), set.landmarks.end(),
-                           [](const Landmark &landmark) { return !landmark.name.empty(); });
-    };
-    const bool isAligned =
-        isTable && read->sets.size() > 1 && std::any_of(read->sets.begin(), read->sets.end(), isNamed);
-    // NTSYS rows are specimens by name. Where the input has no name, the file's name is used.
-    if (*to == Format::Nts && options.input != "-") {
-        for (std::size_t i = 0; i < read->sets.size(); ++i) {
-            if (read->sets[i].name.empty())
-                read->sets[i].name = specimenOf(pathFromUtf8(options.input))
-                                     + (read->sets.size() > 1 ? '_' + std::to_string(i + 1) : "");
-        }
-    }
-    const auto table = isAligned ? specimenTable(read->sets, *to == Format::Tps ? TableForm::Tps : TableForm::Nts)
-                                 : Result<WrittenTable, LandmarkFileError>(WrittenTable{});
+    const auto table =
+        convertedText(std::move(read->sets), *to,
+                      options.input == "-" ? std::string() : specimenOf(pathFromUtf8(options.input)), textsOf(options));
     if (!table)
         return write(options.output, table.error(), inputs);
-    const ExitCode written = isAligned
-                                 ? write(options.output, WrittenLandmarks{table->text, table->notes}, inputs)
-                                 : write(options.output, landmarksText(read->sets, *to, textsOf(options)), inputs);
+    const ExitCode written = write(options.output, WrittenLandmarks{table->text, table->notes}, inputs);
     inputs.push_back(options.output);
-    return writeSliders(options.sliders, isAligned ? table->sliders : slidersOf(read->sets), inputs, written);
+    return writeSliders(options.sliders, table->sliders, inputs, written);
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace unprojector::cli {
 using namespace geometry;
@@ -57,35 +58,11 @@ std::string rowErrorText(const PointRow &row, std::size_t index)
 
 std::optional<WrongPoint> wrongPoint(const std::string &pixel, const std::string &depth, const std::string &got)
 {
-    WrongPoint point;
-    const auto position = numbersOrFault(pixel, 2);
-    if (!position) {
-        complain("--pixel " + pixel + ": "
-                 + faultText(position.error(), tr("device pixels from the top left corner, as in 400.5,300.5")));
-        return std::nullopt;
-    }
-    point.pixel = DevicePoint((*position)[0].value, (*position)[1].value);
-    if (!depth.empty()) {
-        const std::optional<WrittenNumber> number = writtenNumber(depth);
-        if (!number) {
-            complain(tr("--depth %1: give a depth in the scene's depth range, as in 0.838331, or leave it out", depth));
-            return std::nullopt;
-        }
-        point.depth = number->value;
-        point.depthLastDigit = depthLastDigit(*number);
-    }
-    const auto coordinates = numbersOrFault(got, 3);
-    if (!coordinates) {
-        complain("--got " + got + ": "
-                 + faultText(coordinates.error(), tr("the three coordinates as the program printed them, as in "
-                                                     "0.7051,-0.4122,0.0918 or vec3(0.7051, -0.4122, 0.0918)")));
-        return std::nullopt;
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-        point.got[axis] = (*coordinates)[std::size_t(axis)].value;
-        point.lastDigit[axis] = (*coordinates)[std::size_t(axis)].lastDigit;
-    }
-    return point;
+    auto point = wrongPointOf(pixel, depth, got, {"--pixel", "--depth", "--got"});
+    if (point)
+        return std::move(point).value();
+    complain(point.error());
+    return std::nullopt;
 }
 
 std::optional<WrongPoints> wrongPoints(const std::string &file)

@@ -55,7 +55,7 @@ struct Hit {
     std::int64_t vertex;  ///< the nearest of these; or the point of a point cloud
     std::int64_t edge[2]; ///< the vertices of the nearest edge
     bool isHit;
-    bool isOutside; ///< the pixel lies outside the viewport, or has no ray: no surface was looked for
+    bool isOutside;          ///< the pixel lies outside the viewport, or has no ray: no surface was looked for
     std::uint8_t padding[6]; ///< 0: hits can be compared byte by byte
 };
 
