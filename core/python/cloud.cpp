@@ -1,7 +1,342 @@
-#include "core/python/bindings.h"
+#include "unprojector/cloud.h"
+
+#include "core/python/arrays.h"
+#include "core/python/loops.h"
+
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace unprojector::python {
+namespace {
 
-void bindCloud(SetupClass &) {}
+constexpr const char *kCloudHelp = R"(The points under the pixels of a depth image.
+
+cloud(depth, *, depth_is, scale=None, baseline=None, method="formula", out=None,
+      dtype=None, counts=False, threads=None)
+
+depth : array of shape (..., height, width)
+    A depth image of the setup's size, or a stack of them: uint8, uint16, other whole
+    numbers, float32 or float64, of any strides. It is read in place.
+depth_is : str
+    "buffer"     window depths, in the setup's depth range; uint8 and uint16 are shares
+                 of 255 and 65535
+    "range"      0 to 1 over the setup's depth range
+    "z"          distances from the eye along the view axis
+    "distance"   distances from the eye along the pixel's ray
+    "disparity"  pixels between two cameras side by side: z = fx baseline / disparity
+scale : float, optional
+    The numbers are divided by it: 1000 for millimetres in a world of metres.
+baseline : float, optional
+    The distance of the two cameras of a disparity, world units.
+method : "formula" or "matrix"
+    See unproject.
+out : array of shape (..., height, width, 3), float32 or float64, optional
+    Receives the points.
+dtype : float64 or float32, optional
+    The type of a new array; None: float64.
+counts : bool
+    Whether to return the number of pixels without a point, too.
+threads : int, optional
+    The maximum number of threads; None: all cores.
+
+Returns world coordinates of shape (..., height, width, 3): nan for a pixel without a
+point, where nothing was measured, or that lies before the near plane, on the far plane
+or behind it. With counts, a tuple of the points and a dict: "kept", "zero", "nan",
+"infinite", "negative", "before near", "at far", "outside range".
+
+A UserWarning says that no pixel has a point. The digits are those of `unproject cloud`.)";
+
+DepthIs meaningOf(const std::string &word)
+{
+    if (word == "buffer")
+        return DepthIs::Buffer;
+    if (word == "range")
+        return DepthIs::Range;
+    if (word == "z")
+        return DepthIs::Z;
+    if (word == "distance")
+        return DepthIs::Distance;
+    if (word == "disparity")
+        return DepthIs::Disparity;
+    refuseWord("depth_is", word, "\"buffer\", \"range\", \"z\", \"distance\" or \"disparity\"");
+}
+
+/// A depth image of any strides.
+struct Depths {
+    py::array array;
+    NumberType type = NumberType::Float64;
+    bool isConverted = false;
+
+    /// Copies numbers of a row.
+    void read(const char *row, py::ssize_t step, std::size_t count, std::vector<double> &numbers) const
+    {
+        numbers.resize(count);
+        const auto copy = [&]<class Number>(const Number *) {
+            const char *from = row;
+            for (double &number : numbers) {
+                number = static_cast<double>(*reinterpret_cast<const Number *>(from));
+                from += step;
+            }
+        };
+        if (isConverted)
+            return copy(static_cast<const double *>(nullptr));
+        switch (type) {
+        case NumberType::Uint8: return copy(static_cast<const std::uint8_t *>(nullptr));
+        case NumberType::Uint16: return copy(static_cast<const std::uint16_t *>(nullptr));
+        case NumberType::Int32: return copy(static_cast<const std::int32_t *>(nullptr));
+        case NumberType::Float32: return copy(static_cast<const float *>(nullptr));
+        case NumberType::Float64: return copy(static_cast<const double *>(nullptr));
+        }
+    }
+};
+
+Depths depthsOf(const py::object &argument)
+{
+    Depths depths{py::array::ensure(argument)};
+    if (!depths.array) {
+        PyErr_Clear();
+        throw py::type_error("depth is no array of numbers");
+    }
+    const bool isAligned = py::cast<bool>(depths.array.attr("flags").attr("aligned"));
+    for (const auto &[name, type] : {std::pair("uint8", NumberType::Uint8), std::pair("uint16", NumberType::Uint16),
+                                     std::pair("int32", NumberType::Int32), std::pair("float32", NumberType::Float32),
+                                     std::pair("float64", NumberType::Float64)}) {
+        if (isAligned && depths.array.dtype().equal(py::dtype(name))) {
+            depths.type = type;
+            return depths;
+        }
+    }
+    const char kind = depths.array.dtype().kind();
+    const py::ssize_t size = depths.array.dtype().itemsize();
+    if (kind == 'u' && size <= 2)
+        depths.type = size == 1 ? NumberType::Uint8 : NumberType::Uint16;
+    else
+        depths.type = kind == 'f' ? (size == 4 ? NumberType::Float32 : NumberType::Float64) : NumberType::Int32;
+    depths.array = numbersOf("depth", depths.array).array;
+    // numbersOf keeps single precision only where it is aligned and native; then it was taken above.
+    depths.isConverted = true;
+    return depths;
+}
+
+/// The rows of an array's images: strides of all axes but the last two, and of those.
+struct Rows {
+    explicit Rows(const py::array &array, py::ssize_t lastAxes)
+        : shape(array.shape(), array.shape() + array.ndim() - lastAxes),
+          strides(array.strides(), array.strides() + array.ndim() - lastAxes)
+    {
+    }
+    /// The offset of a row, counted through all images.
+    py::ssize_t offset(std::size_t row) const
+    {
+        py::ssize_t sum = 0;
+        for (std::size_t axis = shape.size(); axis-- > 0;) {
+            const auto length = static_cast<std::size_t>(shape[axis]);
+            sum += static_cast<py::ssize_t>(row % length) * strides[axis];
+            row /= length;
+        }
+        return sum;
+    }
+
+    std::vector<py::ssize_t> shape, strides;
+};
+
+/// Receives the points of a row in an array of any strides.
+template <class Scalar>
+class PointRows {
+public:
+    explicit PointRows(py::array &array)
+        : m_rows(array, 2), m_data(static_cast<char *>(array.mutable_data())), m_pixel(array.strides(array.ndim() - 2)),
+          m_component(array.strides(array.ndim() - 1))
+    {
+    }
+    bool areDense() const { return m_component == py::ssize_t{sizeof(Scalar)} && m_pixel == 3 * m_component; }
+    Scalar *at(std::size_t row, std::size_t first) const
+    {
+        return reinterpret_cast<Scalar *>(m_data + m_rows.offset(row) + static_cast<py::ssize_t>(first) * m_pixel);
+    }
+    void write(std::size_t row, std::size_t first, const Scalar *points, std::size_t count) const
+    {
+        char *to = reinterpret_cast<char *>(at(row, first));
+        for (std::size_t i = 0; i < count; ++i, to += m_pixel) {
+            for (py::ssize_t k = 0; k < 3; ++k)
+                *reinterpret_cast<Scalar *>(to + k * m_component) = *points++;
+        }
+    }
+
+private:
+    Rows m_rows;
+    char *m_data;
+    py::ssize_t m_pixel, m_component;
+};
+
+struct Outcome {
+    bool hasPoint = false;
+    CloudCounts counts;
+};
+
+template <class Scalar>
+Outcome computed(const Cloud &cloud, const Depths &depths, py::array &points, bool hasCounts, std::size_t threads)
+{
+    const Rows rows(depths.array, 1);
+    const PointRows<Scalar> results(points);
+    const auto *data = static_cast<const char *>(depths.array.data());
+    const py::ssize_t step = depths.array.strides(depths.array.ndim() - 1);
+    std::size_t count = 1;
+    for (const py::ssize_t length : rows.shape)
+        count *= static_cast<std::size_t>(length);
+    const auto width = static_cast<std::size_t>(cloud.width()), height = static_cast<std::size_t>(cloud.height());
+    std::atomic<bool> hasPoint = false;
+    std::mutex mutex;
+    CloudCounts counts;
+    const py::gil_scoped_release released;
+    constexpr std::size_t kTask = 16; // rows
+    threads::inParallelRanges(
+        count, kTask, {},
+        [&](std::size_t begin, std::size_t end) {
+            std::vector<double> numbers;
+            std::vector<Scalar> scratch(3 * kBlock);
+            CloudCounts own;
+            bool hasOwn = false;
+            for (std::size_t row = begin; row < end; ++row) {
+                const char *const from = data + rows.offset(row);
+                if (hasCounts) {
+                    depths.read(from, step, width, numbers);
+                    cloud.count(row % height, numbers, own);
+                }
+                for (std::size_t first = 0; first < width; first += kBlock) {
+                    const std::size_t size = std::min(kBlock, width - first);
+                    depths.read(from + static_cast<py::ssize_t>(first) * step, step, size, numbers);
+                    Scalar *const to = results.areDense() ? results.at(row, first) : scratch.data();
+                    cloud.row(row % height, first, numbers, to);
+                    for (std::size_t i = 0; !hasOwn && i < size; ++i)
+                        hasOwn = !std::isnan(to[3 * i]);
+                    if (!results.areDense())
+                        results.write(row, first, to, size);
+                }
+            }
+            if (hasOwn)
+                hasPoint = true;
+            const std::lock_guard lock(mutex);
+            counts.kept += own.kept;
+            counts.zero += own.zero;
+            counts.notANumber += own.notANumber;
+            counts.infinite += own.infinite;
+            counts.negative += own.negative;
+            counts.beforeNear += own.beforeNear;
+            counts.atFar += own.atFar;
+            counts.outsideRange += own.outsideRange;
+        },
+        threads);
+    return {hasPoint, counts};
+}
+
+py::dict dictOf(const CloudCounts &counts)
+{
+    py::dict dict;
+    dict["kept"] = counts.kept;
+    dict["zero"] = counts.zero;
+    dict["nan"] = counts.notANumber;
+    dict["infinite"] = counts.infinite;
+    dict["negative"] = counts.negative;
+    dict["before near"] = counts.beforeNear;
+    dict["at far"] = counts.atFar;
+    dict["outside range"] = counts.outsideRange;
+    return dict;
+}
+
+py::object cloudOf(const Setup &setup, const py::object &depth, const std::string &depthIs, std::optional<double> scale,
+                   std::optional<double> baseline, const std::string &method, const py::object &out,
+                   const py::object &dtype, bool hasCounts, const py::object &threads)
+{
+    const Depths depths = depthsOf(depth);
+    CloudOptions options;
+    options.depthIs = meaningOf(depthIs);
+    options.scale = scale;
+    options.baseline = baseline;
+    options.method = methodOf(method);
+    options.type = depths.type;
+    const std::size_t most = threadsOf(threads);
+    const Cloud cloud = valueOrRaise(Cloud::of(setup, options));
+    std::vector<py::ssize_t> shape = shapeOf(depths.array);
+    const std::size_t axes = shape.size();
+    if (axes < 2 || shape[axes - 2] != cloud.height() || shape[axes - 1] != cloud.width())
+        throw py::value_error("depth has the shape " + shapeText(shape) + "; the setup's window has "
+                              + std::to_string(cloud.height()) + " rows and " + std::to_string(cloud.width())
+                              + " columns");
+    shape.push_back(3);
+    py::array points;
+    if (out.is_none()) {
+        const py::dtype type = dtype.is_none() ? py::dtype("float64") : py::dtype::from_args(dtype);
+        if (!type.equal(py::dtype("float64")) && !type.equal(py::dtype("float32")))
+            throw py::value_error("dtype is " + py::str(static_cast<const py::handle &>(type)).cast<std::string>()
+                                  + "; give float64 or float32");
+        points = py::array(type, shape);
+    } else {
+        if (!dtype.is_none())
+            throw py::value_error("out has a type of its own; leave dtype out");
+        shape.pop_back();
+        points = Output("out", out, shape, 3).array();
+        refuseOverlap("out", points, {{"depth", &depths.array}});
+    }
+    const Outcome outcome = points.dtype().equal(py::dtype("float32"))
+                                ? computed<float>(cloud, depths, points, hasCounts, most)
+                                : computed<double>(cloud, depths, points, hasCounts, most);
+    if (!outcome.hasPoint && depths.array.size() > 0
+        && PyErr_WarnEx(PyExc_UserWarning, "no pixel has a point; check depth_is, scale, near and far", 1) != 0)
+        throw py::error_already_set();
+    if (hasCounts)
+        return py::make_tuple(points, dictOf(outcome.counts));
+    return points;
+}
+
+py::array arrayOf(const DepthImage &image)
+{
+    return std::visit(
+        [&image](const auto &numbers) -> py::array {
+            using Number = typename std::remove_cvref_t<decltype(numbers)>::value_type;
+            return py::array_t<Number>({image.height, image.width}, numbers.data());
+        },
+        image.numbers);
+}
+
+} // namespace
+
+void bindCloud(py::module_ &module, SetupClass &setup)
+{
+    py::options options;
+    options.disable_function_signatures();
+    setup.def("cloud", &cloudOf, py::arg("depth"), py::kw_only(), py::arg("depth_is"), py::arg("scale") = py::none(),
+              py::arg("baseline") = py::none(), py::arg("method") = "formula", py::arg("out") = py::none(),
+              py::arg("dtype") = py::none(), py::arg("counts") = false, py::arg("threads") = py::none(), kCloudHelp);
+    module.def(
+        "read_depth",
+        [](const std::filesystem::path &file, const std::string &channel) {
+            const DepthImage image = valueOrRaise([&] {
+                const py::gil_scoped_release released;
+                return readDepth(file, channel);
+            }());
+            for (const std::string &note : image.notes) {
+                if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0)
+                    throw py::error_already_set();
+            }
+            return arrayOf(image);
+        },
+        py::arg("file"), py::kw_only(), py::arg("channel") = "", R"(The numbers of a depth image.
+
+read_depth(file, *, channel="")
+
+file : path
+    PNG, TIFF, OpenEXR, PFM, PGM or NumPy's .npy, by its contents.
+channel : str
+    The channel of OpenEXR. Empty: the one named Z or depth.
+
+Returns an array of shape (height, width) in the type of the file: uint8, uint16,
+float32 or float64. What was chosen or ignored is a UserWarning.)");
+}
 
 } // namespace unprojector::python

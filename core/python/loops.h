@@ -54,4 +54,11 @@ inline Space spaceOf(const std::string &word)
     return word == "eye" ? Space::Eye : Space::World;
 }
 
+inline Method methodOf(const std::string &word)
+{
+    if (word != "formula" && word != "matrix")
+        refuseWord("method", word, "\"formula\" or \"matrix\"");
+    return word == "matrix" ? Method::Matrix : Method::Formula;
+}
+
 } // namespace unprojector::python

@@ -8,7 +8,7 @@ PYBIND11_MODULE(_core, module)
     SetupClass setup = bindSetup(module);
     bindUnproject(setup);
     bindProject(setup);
-    bindCloud(setup);
+    bindCloud(module, setup);
     bindScene(module);
     bindDiagnose(module);
     bindLandmarks(module);

@@ -50,13 +50,6 @@ are not included.
 A point is (nan, nan, nan) where its depth is outside the depth range, a number is
 not finite, or the point is at infinity.)";
 
-Method methodOf(const std::string &word)
-{
-    if (word != "formula" && word != "matrix")
-        refuseWord("method", word, "\"formula\" or \"matrix\"");
-    return word == "matrix" ? Method::Matrix : Method::Formula;
-}
-
 DepthBuffer depthBufferOf(const py::object &bits)
 {
     DepthBuffer buffer;

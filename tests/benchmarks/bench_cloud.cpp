@@ -3,7 +3,7 @@
 // numbers of one run.
 
 #include "core/cli/commands/cloud_command.h"
-#include "core/cli/rows/depth_cloud.h"
+#include "core/clouds/depth_cloud.h"
 
 #include <benchmark/benchmark.h>
 #include <nlohmann/json.hpp>
@@ -18,7 +18,7 @@
 #include <string>
 
 using namespace unprojector;
-using namespace unprojector::cli;
+using namespace unprojector::clouds;
 using namespace unprojector::geometry;
 using namespace unprojector::text;
 using namespace unprojector::unproject;

@@ -2,10 +2,11 @@
 
 #include "core/cli/commands/size_text.h"
 #include "core/cli/rows/byte_stream.h"
-#include "core/cli/rows/depth_cloud.h"
 #include "core/cli/rows/depth_image.h"
 #include "core/cli/rows/scene_input.h"
 #include "core/cli/terminal/progress_bar.h"
+#include "core/clouds/depth_cloud.h"
+#include "core/clouds/organized_cloud.h"
 #include "core/images/byte_order.h"
 #include "core/text/error_text.h"
 #include "core/text/number_text.h"
@@ -25,6 +26,7 @@
 #include <vector>
 
 namespace unprojector::cli {
+using namespace clouds;
 using namespace geometry;
 using namespace scene_file;
 using namespace unproject;
@@ -269,24 +271,12 @@ PixelCounts countsOf(const images::NumberImage &image, const DepthRows &rows, co
     return counts;
 }
 
-/// The fault of the options that tell what the numbers are; empty if there is none.
-std::string faultOf(const DepthNumbers &numbers)
-{
-    const bool isOfWindow = numbers.meaning == DepthMeaning::Buffer || numbers.meaning == DepthMeaning::Range;
-    if (numbers.scale && isOfWindow)
-        return tr("--depth-scale goes with --depth-is z, distance or disparity; depths of the window have no unit");
-    if (numbers.meaning == DepthMeaning::Disparity && !numbers.baseline)
-        return tr("--depth-is disparity needs --baseline, the distance of the two cameras in world units");
-    if (numbers.meaning != DepthMeaning::Disparity && numbers.baseline)
-        return tr("--baseline goes with --depth-is disparity");
-    return {};
-}
-
 } // namespace
 
 ExitCode runCloud(const CloudOptions &options)
 {
-    if (const std::string fault = faultOf(options.numbers); !fault.empty()) {
+    if (const std::string fault = faultOf(options.numbers, {"--depth-is", "--depth-scale", "--baseline"});
+        !fault.empty()) {
         complain(fault);
         return ExitCode::UnusableInput;
     }

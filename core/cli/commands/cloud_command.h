@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/cli/commands/points_command.h"
-#include "core/cli/rows/depth_numbers.h"
+#include "core/clouds/depth_numbers.h"
 #include "core/cli/terminal/exit_code.h"
 
 #include <string>
@@ -19,7 +19,7 @@ struct CloudOptions {
     std::string size;    ///< "WxH", for raw floats
     std::string channel; ///< of OpenEXR; empty: by its name
     std::string output;  ///< a PLY file, "-" for stdout
-    DepthNumbers numbers;
+    clouds::DepthNumbers numbers;
     unproject::Method method = unproject::Method::Formula;
     PointPrecision precision = PointPrecision::Float;
 };

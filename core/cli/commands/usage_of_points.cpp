@@ -16,6 +16,7 @@
 #include <vector>
 
 namespace unprojector::cli {
+using namespace clouds;
 using namespace unproject;
 using text::tr;
 namespace {

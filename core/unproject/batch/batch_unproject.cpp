@@ -67,11 +67,25 @@ std::size_t BatchUnprojection::operator()(const batch::DepthRow &row, Scalar *po
         return run(batch::kernelsOf(set).rowsOfFloats);
 }
 
+template <class Scalar>
+void BatchUnprojection::operator()(const batch::DepthLine &line, Scalar *points, InstructionSet set) const
+{
+    const auto run = [&](const auto &loops) {
+        withLoop(loops, [&](auto loop, const auto &constants) { loop(constants, line, points); });
+    };
+    if constexpr (std::is_same_v<Scalar, double>)
+        run(batch::kernelsOf(set).linesOfDoubles);
+    else
+        run(batch::kernelsOf(set).linesOfFloats);
+}
+
 template void BatchUnprojection::operator()<double>(const BatchInput<double> &, const BatchOutput<double> &,
                                                     std::size_t, InstructionSet) const;
 template void BatchUnprojection::operator()<float>(const BatchInput<float> &, const BatchOutput<float> &, std::size_t,
                                                    InstructionSet) const;
 template std::size_t BatchUnprojection::operator()<double>(const batch::DepthRow &, double *, InstructionSet) const;
 template std::size_t BatchUnprojection::operator()<float>(const batch::DepthRow &, float *, InstructionSet) const;
+template void BatchUnprojection::operator()<double>(const batch::DepthLine &, double *, InstructionSet) const;
+template void BatchUnprojection::operator()<float>(const batch::DepthLine &, float *, InstructionSet) const;
 
 } // namespace unprojector::unproject

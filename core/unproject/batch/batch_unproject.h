@@ -78,6 +78,12 @@ public:
     std::size_t operator()(const batch::DepthRow &row, Scalar *points,
                            InstructionSet set = availableInstructionSets().back()) const;
 
+    /// The points under the pixels of a row with window depths, one a pixel.
+    /// @param points  x, y, z of each pixel; that of a NaN is NaN
+    template <class Scalar>
+    void operator()(const batch::DepthLine &line, Scalar *points,
+                    InstructionSet set = availableInstructionSets().back()) const;
+
 private:
     /// Calls the matching loop of a table with its constants.
     template <class Loops, class Call>

@@ -90,6 +90,25 @@ struct DepthRow {
     bool canOverflow;      ///< whether points may leave the range of their numbers; those are skipped too
 };
 
+/// A row of pixels with their window depths, or with their distances from the plane of the eye:
+/// values[i] belongs to the device position (px + i, py). The point of a NaN is NaN.
+struct DepthLine {
+    const double *values;
+    std::size_t count;
+    double px, py;
+};
+
+/// @param points  x, y, z of each pixel, one after the other
+template <class Scalar, class Constants>
+using LineKernel = void (*)(const Constants &, const DepthLine &, Scalar *points);
+
+template <class Scalar>
+struct LineKernelsOf {
+    LineKernel<Scalar, ClosedFormConstants> perspective, box;
+    LineKernel<Scalar, MatrixConstants> matrix;
+    LineKernel<Scalar, ClosedFormConstants> perspectiveDistances;
+};
+
 /// @param points  room for count of them, x, y, z one after the other; the rest after the results
 ///         is scratch
 /// @return the number of points written
@@ -108,6 +127,8 @@ struct Kernels {
     KernelsOf<float> ofFloats;
     RowKernelsOf<double> rowsOfDoubles;
     RowKernelsOf<float> rowsOfFloats;
+    LineKernelsOf<double> linesOfDoubles;
+    LineKernelsOf<float> linesOfFloats;
     ClickKernels clicks;
 };
 

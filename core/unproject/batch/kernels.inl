@@ -28,8 +28,11 @@ public:
     }
     void unproject(const Constants &c, Pack px, Pack d, Pack (&p)[3]) const
     {
-        const Pack distance =
-            Pack(c.nearTerm) / ((Pack(c.depthAtFar) - d) + (d - Pack(c.depthAtNear)) * Pack(c.farTerm));
+        atDistance(c, px, Pack(c.nearTerm) / ((Pack(c.depthAtFar) - d) + (d - Pack(c.depthAtNear)) * Pack(c.farTerm)),
+                   p);
+    }
+    void atDistance(const Constants &c, Pack px, Pack distance, Pack (&p)[3]) const
+    {
         const Pack x = (px - Pack(c.axisX)) - Pack(c.axisXRest);
         for (int k = 0; k < 3; ++k)
             p[k] = Pack(c.origin[k]) + (Pack(c.across[k]) * x + m_direction[k]) * distance;
@@ -314,6 +317,42 @@ std::size_t unprojectRow(const typename Method::Constants &constants, const Dept
     return static_cast<std::size_t>(next - points) / 3;
 }
 
+/// Perspective with known distances instead of depths.
+class PerspectiveDistances : public Perspective {
+public:
+    using Perspective::Perspective;
+    void unproject(const Constants &c, Pack px, Pack distance, Pack (&p)[3]) const { atDistance(c, px, distance, p); }
+};
+
+template <class Method, class Scalar>
+void unprojectLine(const typename Method::Constants &constants, const DepthLine &line, Scalar *points)
+{
+    const typename Method::Constants c = constants; // no store can change it
+    const Method method(c, Pack(line.py));
+    Pack px = Pack::counted() + Pack(line.px);
+    std::size_t i = 0;
+    for (; i + Pack::kLanes <= line.count; i += Pack::kLanes, px = px + Pack(double(Pack::kLanes))) {
+        Pack p[3];
+        method.unproject(c, px, Pack::loaded(line.values + i), p);
+        points = appended(p, kAllLanes, points);
+    }
+    if (i == line.count)
+        return;
+    double values[Pack::kLanes] = {};
+    for (std::size_t lane = 0; i + lane < line.count; ++lane)
+        values[lane] = line.values[i + lane];
+    Pack p[3];
+    method.unproject(c, px, Pack::loaded(values), p);
+    Scalar last[3 * Pack::kLanes];
+    appended(p, kAllLanes, last);
+    for (std::size_t k = 0; k < 3 * (line.count - i); ++k)
+        points[k] = last[k];
+}
+
+template <class Scalar>
+constexpr LineKernelsOf<Scalar> kLines{unprojectLine<Perspective, Scalar>, unprojectLine<Box, Scalar>,
+                                       unprojectLine<Matrix, Scalar>, unprojectLine<PerspectiveDistances, Scalar>};
+
 #include "core/unproject/batch/precise.inl"
 
 } // namespace
@@ -323,6 +362,8 @@ const Kernels UNPROJECTOR_KERNELS{
     {unproject<Perspective, float>, unproject<Box, float>, unproject<Matrix, float>},
     {unprojectRow<Perspective, double>, unprojectRow<Box, double>, unprojectRow<Matrix, double>},
     {unprojectRow<Perspective, float>, unprojectRow<Box, float>, unprojectRow<Matrix, float>},
+    kLines<double>,
+    kLines<float>,
     {unprojectPrecisely<true>, unprojectPrecisely<false>, unproject<ClickMatrix, double>}};
 
 } // namespace unprojector::unproject::batch

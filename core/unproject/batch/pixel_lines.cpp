@@ -1,12 +1,14 @@
 #include "core/unproject/batch/pixel_lines.h"
 
 #include "core/geometry/finite.h"
+#include "core/unproject/batch/batch_unproject.h"
 #include "core/unproject/batch/line_constants.h"
 
 #include <glm/geometric.hpp>
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <variant>
 
 namespace unprojector::unproject {
@@ -86,6 +88,8 @@ Result<PixelLines> PixelLines::byFormula(const Setup &setup)
     lines.m_axisY = c.axisY;
     lines.m_axisYRest = c.axisYRest;
     lines.m_focalPixels = 1.0 / glm::length(vectorOf(c.across));
+    if (constants->perspective)
+        lines.m_perspective = c;
     return lines;
 }
 
@@ -133,5 +137,27 @@ PixelLine PixelLines::at(double px, double py) const
     const double x = (px - m_axisX) - m_axisXRest, y = (py - m_axisY) - m_axisYRest;
     return {m_start.at(x, y), m_ahead.at(x, y) / (m_rate.x * x + (m_rate.y * y + m_rate.z))};
 }
+
+template <class Scalar>
+void PixelLines::operator()(const batch::DepthLine &line, Scalar *points) const
+{
+    if (m_perspective) {
+        const batch::Kernels &kernels = batch::kernelsOf(availableInstructionSets().back());
+        if constexpr (std::is_same_v<Scalar, double>)
+            kernels.linesOfDoubles.perspectiveDistances(*m_perspective, line, points);
+        else
+            kernels.linesOfFloats.perspectiveDistances(*m_perspective, line, points);
+        return;
+    }
+    for (std::size_t i = 0; i < line.count; ++i) {
+        const PixelLine of = at(line.px + static_cast<double>(i), line.py);
+        const glm::dvec3 point = of.start + line.values[i] * of.ahead;
+        for (glm::length_t k = 0; k < 3; ++k)
+            *points++ = static_cast<Scalar>(point[k]);
+    }
+}
+
+template void PixelLines::operator()<double>(const batch::DepthLine &, double *) const;
+template void PixelLines::operator()<float>(const batch::DepthLine &, float *) const;
 
 } // namespace unprojector::unproject

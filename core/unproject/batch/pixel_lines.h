@@ -6,6 +6,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include <optional>
+
 namespace unprojector::unproject {
 
 /// The line of all points that a position of the view shows: start + z ahead, world space. z is the
@@ -39,6 +41,12 @@ public:
     /// @param px, py  device position, origin top-left
     PixelLine at(double px, double py) const;
 
+    /// The points under the pixels of a row at known distances, one a pixel.
+    /// @param line    distances from the plane of the eye
+    /// @param points  x, y, z of each pixel; that of a NaN is NaN
+    template <class Scalar>
+    void operator()(const batch::DepthLine &line, Scalar *points) const;
+
     bool isPerspective() const { return m_isPerspective; }
     /// Focal length in pixels along a row of the image: fx. @pre isPerspective()
     double focalPixels() const { return m_focalPixels; }
@@ -55,6 +63,7 @@ private:
     double m_axisX = 0.0, m_axisY = 0.0, m_axisXRest = 0.0, m_axisYRest = 0.0;
     double m_focalPixels = 1.0;
     bool m_isPerspective = true;
+    std::optional<batch::ClosedFormConstants> m_perspective; ///< of the formulas, for many pixels at once
 };
 
 } // namespace unprojector::unproject

@@ -6,10 +6,11 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-namespace unprojector::cli {
+namespace unprojector::clouds {
 
 /// The meaning of a depth image's numbers, in every format.
 enum class DepthMeaning {
@@ -53,28 +54,38 @@ struct DistanceRow {
     std::vector<PixelKind> kinds;
 };
 
-/// Converts the rows of a depth image to window depths (Buffer, Range) or to z (all others), in
+/// Converts the numbers of a depth image to window depths (Buffer, Range) or to z (all others), in
 /// double precision.
-class DepthRows {
+class DepthValues {
 public:
-    /// @param image, lines  kept by reference; lines and clip are not used for window depths
-    DepthRows(const images::NumberImage &image, const DepthNumbers &numbers, const geometry::Setup &setup,
-              const unproject::PixelLines &lines, const unproject::ClipDistances &clip);
+    /// The type of an image's numbers.
+    struct Type {
+        bool isSingle = false; ///< single precision
+        double greatest = 0.0; ///< of whole numbers: the greatest possible one; 0: fractions
+    };
+    /// @param lines  kept by reference; lines and clip are not used for window depths
+    DepthValues(const Type &type, const DepthNumbers &numbers, const geometry::Setup &setup,
+                const unproject::PixelLines &lines, const unproject::ClipDistances &clip);
 
     /// True for window depths.
     bool isOfWindow() const
     {
         return m_numbers.meaning == DepthMeaning::Buffer || m_numbers.meaning == DepthMeaning::Range;
     }
-    /// @param j  row index from the top
-    void read(std::size_t j, DistanceRow &row) const;
+    /// Converts the numbers of a row in place.
+    /// @param j      row index from the top
+    /// @param first  column of the first number
+    /// @param row    its values are the image's numbers
+    void convert(std::size_t j, std::size_t first, DistanceRow &row) const;
+    /// The same without kinds and fast; a pixel that is not kept becomes NaN.
+    void convert(std::size_t j, std::size_t first, std::span<double> values) const;
 
 private:
     PixelKind kindOfDepth(double depth) const;
     PixelKind kindOfNumber(double number) const;
     PixelKind kindOfDistance(double z) const;
 
-    const images::NumberImage &m_image;
+    Type m_type;
     DepthNumbers m_numbers;
     const unproject::PixelLines &m_lines;
     unproject::ClipDistances m_clip;
@@ -82,4 +93,20 @@ private:
     double m_lowest, m_highest, m_background = 1.0; ///< the window depths to compare with
 };
 
-} // namespace unprojector::cli
+/// The rows of a depth image.
+class DepthRows {
+public:
+    /// @param image, lines  kept by reference
+    DepthRows(const images::NumberImage &image, const DepthNumbers &numbers, const geometry::Setup &setup,
+              const unproject::PixelLines &lines, const unproject::ClipDistances &clip);
+
+    bool isOfWindow() const { return m_values.isOfWindow(); }
+    /// @param j  row index from the top
+    void read(std::size_t j, DistanceRow &row) const;
+
+private:
+    const images::NumberImage &m_image;
+    DepthValues m_values;
+};
+
+} // namespace unprojector::clouds

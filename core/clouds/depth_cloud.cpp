@@ -1,4 +1,4 @@
-#include "core/cli/rows/depth_cloud.h"
+#include "core/clouds/depth_cloud.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace unprojector::cli {
+namespace unprojector::clouds {
 using namespace geometry;
 using namespace unproject;
 
@@ -138,4 +138,4 @@ void DistanceCloud::row(std::size_t j, PointRow &points) const
 template class DepthCloud<float>;
 template class DepthCloud<double>;
 
-} // namespace unprojector::cli
+} // namespace unprojector::clouds

@@ -1,4 +1,4 @@
-#include "core/cli/rows/depth_numbers.h"
+#include "core/clouds/depth_numbers.h"
 
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
@@ -7,8 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-namespace unprojector::cli {
+namespace unprojector::clouds {
 using namespace geometry;
 using namespace unproject;
 using text::tr;
@@ -16,10 +17,9 @@ namespace {
 
 /// True if the file's numbers are in single precision, and compared with numbers of the scene: a
 /// renderer rounds its far plane and its depth range too.
-bool isRounded(const images::NumberImage &image, const DepthNumbers &numbers)
+bool isRounded(const DepthValues::Type &type, const DepthNumbers &numbers)
 {
-    return std::holds_alternative<std::unique_ptr<float[]>>(image.numbers)
-           && (numbers.meaning == DepthMeaning::Z || numbers.meaning == DepthMeaning::Buffer);
+    return type.isSingle && (numbers.meaning == DepthMeaning::Z || numbers.meaning == DepthMeaning::Buffer);
 }
 
 double asFloat(double number)
@@ -50,14 +50,14 @@ std::string leftOutText(const PixelCounts &counts, const std::optional<ClipDista
     return list;
 }
 
-DepthRows::DepthRows(const images::NumberImage &image, const DepthNumbers &numbers, const Setup &setup,
-                     const PixelLines &lines, const ClipDistances &clip)
-    : m_image(image), m_numbers(numbers), m_lines(lines), m_clip(clip),
+DepthValues::DepthValues(const Type &type, const DepthNumbers &numbers, const Setup &setup, const PixelLines &lines,
+                         const ClipDistances &clip)
+    : m_type(type), m_numbers(numbers), m_lines(lines), m_clip(clip),
       m_low(std::min(setup.depthRange.atNear, setup.depthRange.atFar)),
       m_high(std::max(setup.depthRange.atNear, setup.depthRange.atFar)), m_lowest(m_low), m_highest(m_high),
       m_background(setup.depthRange.atFar)
 {
-    if (!isRounded(image, numbers))
+    if (!isRounded(type, numbers))
         return;
     for (double *compared : {&m_lowest, &m_highest, &m_background})
         *compared = asFloat(*compared);
@@ -65,7 +65,7 @@ DepthRows::DepthRows(const images::NumberImage &image, const DepthNumbers &numbe
         *compared = std::min(*compared, asFloat(*compared));
 }
 
-PixelKind DepthRows::kindOfDepth(double depth) const
+PixelKind DepthValues::kindOfDepth(double depth) const
 {
     if (std::isnan(depth))
         return PixelKind::NotANumber;
@@ -76,7 +76,7 @@ PixelKind DepthRows::kindOfDepth(double depth) const
     return depth >= m_lowest && depth <= m_highest ? PixelKind::Kept : PixelKind::OutsideRange;
 }
 
-PixelKind DepthRows::kindOfNumber(double number) const
+PixelKind DepthValues::kindOfNumber(double number) const
 {
     if (std::isnan(number))
         return PixelKind::NotANumber;
@@ -87,22 +87,19 @@ PixelKind DepthRows::kindOfNumber(double number) const
     return number > 0.0 ? PixelKind::Kept : number < 0.0 ? PixelKind::Negative : PixelKind::Zero;
 }
 
-PixelKind DepthRows::kindOfDistance(double z) const
+PixelKind DepthValues::kindOfDistance(double z) const
 {
     if (z < m_clip.atNear)
         return PixelKind::BeforeNear;
     return z < m_clip.atFar ? PixelKind::Kept : PixelKind::AtFar;
 }
 
-void DepthRows::read(std::size_t j, DistanceRow &row) const
+void DepthValues::convert(std::size_t j, std::size_t first, DistanceRow &row) const
 {
-    const std::size_t width = m_image.size.width;
-    row.values.resize(width);
+    const std::size_t width = row.values.size();
     row.kinds.resize(width);
-    std::visit([&](const auto &numbers) { std::copy_n(numbers.get() + m_image.start(j), width, row.values.begin()); },
-               m_image.numbers);
     if (isOfWindow()) {
-        const double one = m_image.greatest > 0.0 ? m_image.greatest : 1.0; // whole numbers are shares
+        const double one = m_type.greatest > 0.0 ? m_type.greatest : 1.0; // whole numbers are shares
         for (std::size_t i = 0; i < width; ++i) {
             row.values[i] /= one;
             if (m_numbers.meaning == DepthMeaning::Range)
@@ -122,11 +119,52 @@ void DepthRows::read(std::size_t j, DistanceRow &row) const
         if (m_numbers.meaning == DepthMeaning::Disparity) {
             value = fxBaseline / value;
         } else if (m_numbers.meaning == DepthMeaning::Distance) {
-            const DevicePoint center = pixelCenter({static_cast<int>(i), static_cast<int>(j)});
+            const DevicePoint center = pixelCenter({static_cast<int>(first + i), static_cast<int>(j)});
             value /= glm::length(m_lines.at(center.x, center.y).ahead);
         }
         row.kinds[i] = kindOfDistance(value);
     }
 }
 
-} // namespace unprojector::cli
+void DepthValues::convert(std::size_t j, std::size_t first, std::span<double> values) const
+{
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    if (m_numbers.meaning == DepthMeaning::Buffer) {
+        const double one = m_type.greatest > 0.0 ? m_type.greatest : 1.0;
+        for (double &value : values) {
+            const double depth = value / one;
+            value = depth >= m_lowest && depth <= m_highest && depth != m_background ? depth : kNaN;
+        }
+        return;
+    }
+    if (m_numbers.meaning == DepthMeaning::Z && m_clip.atNear >= 0.0) {
+        const double scale = m_numbers.scale.value_or(1.0), atNear = m_clip.atNear, atFar = m_clip.atFar;
+        for (double &value : values) {
+            const double z = value / scale;
+            value = z > 0.0 && z >= atNear && z < atFar && z <= std::numeric_limits<double>::max() ? z : kNaN;
+        }
+        return;
+    }
+    DistanceRow row{{values.begin(), values.end()}, {}};
+    convert(j, first, row);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = row.kinds[i] == PixelKind::Kept ? row.values[i] : kNaN;
+}
+
+DepthRows::DepthRows(const images::NumberImage &image, const DepthNumbers &numbers, const Setup &setup,
+                     const PixelLines &lines, const ClipDistances &clip)
+    : m_image(image), m_values({std::holds_alternative<std::unique_ptr<float[]>>(image.numbers), image.greatest},
+                               numbers, setup, lines, clip)
+{
+}
+
+void DepthRows::read(std::size_t j, DistanceRow &row) const
+{
+    const std::size_t width = m_image.size.width;
+    row.values.resize(width);
+    std::visit([&](const auto &numbers) { std::copy_n(numbers.get() + m_image.start(j), width, row.values.begin()); },
+               m_image.numbers);
+    m_values.convert(j, 0, row);
+}
+
+} // namespace unprojector::clouds

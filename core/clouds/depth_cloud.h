@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/cli/rows/depth_numbers.h"
+#include "core/clouds/depth_numbers.h"
 #include "core/images/number_image.h"
 #include "core/unproject/batch/batch_unproject.h"
 
@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace unprojector::cli {
+namespace unprojector::clouds {
 
 /// Selects the depths of surfaces: inside the range, and not the clear value, which is the far
 /// end's.
@@ -83,4 +83,4 @@ private:
     const DepthRows &m_rows;
 };
 
-} // namespace unprojector::cli
+} // namespace unprojector::clouds
