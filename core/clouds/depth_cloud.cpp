@@ -18,10 +18,10 @@ bool isSafe(double number)
     return std::abs(number) < std::numeric_limits<Scalar>::max() / 4.0;
 }
 
-/// True if a corner of the window, at either end of the depth range, has a coordinate near the
-/// limit of Scalar. The numbers of all other pixels and depths lie between the corners'.
+} // namespace
+
 template <class Scalar>
-bool someCornerIsHuge(const BatchUnprojection &unprojection, const Setup &g)
+bool canOverflow(const BatchUnprojection &unprojection, const Setup &g)
 {
     const double w = g.surface.widthPixels, h = g.surface.heightPixels, n = g.depthRange.atNear, f = g.depthRange.atFar;
     const std::array<double, 8> px{0, w, 0, w, 0, w, 0, w}, py{0, 0, h, h, 0, 0, h, h}, depth{n, n, n, n, f, f, f, f};
@@ -37,7 +37,26 @@ bool someCornerIsHuge(const BatchUnprojection &unprojection, const Setup &g)
     return false;
 }
 
-} // namespace
+template <class Scalar>
+bool canOverflow(const PixelLines &lines, const Setup &setup, const ClipDistances &clip)
+{
+    for (const double px : {0.0, double(setup.surface.widthPixels)}) {
+        for (const double py : {0.0, double(setup.surface.heightPixels)}) {
+            const PixelLine line = lines.at(px, py);
+            for (const double distance : {clip.atNear, clip.atFar}) {
+                const glm::dvec3 point = line.start + distance * line.ahead;
+                if (!isSafe<Scalar>(point.x) || !isSafe<Scalar>(point.y) || !isSafe<Scalar>(point.z))
+                    return true;
+            }
+        }
+    }
+    return false;
+}
+
+template bool canOverflow<float>(const BatchUnprojection &, const Setup &);
+template bool canOverflow<double>(const BatchUnprojection &, const Setup &);
+template bool canOverflow<float>(const PixelLines &, const Setup &, const ClipDistances &);
+template bool canOverflow<double>(const PixelLines &, const Setup &, const ClipDistances &);
 
 Surfaces::Surfaces(const DepthRange &range)
 {
@@ -75,7 +94,7 @@ template <class Scalar>
 DepthCloud<Scalar>::DepthCloud(const BatchUnprojection &unprojection, const Setup &setup,
                                const images::NumberImage &image)
     : m_unprojection(unprojection), m_image(image), m_depths(std::get<std::unique_ptr<float[]>>(image.numbers).get()),
-      m_surfaces(setup.depthRange), m_canOverflow(someCornerIsHuge<Scalar>(unprojection, setup))
+      m_surfaces(setup.depthRange), m_canOverflow(clouds::canOverflow<Scalar>(unprojection, setup))
 {
 }
 
@@ -91,19 +110,8 @@ std::size_t DepthCloud<Scalar>::row(std::size_t j, Scalar *points) const
 template <class Scalar>
 bool DistanceCloud::canOverflow(const Setup &setup, const ClipDistances &clip) const
 {
-    if (m_rows.isOfWindow())
-        return someCornerIsHuge<Scalar>(m_unprojection, setup);
-    for (const double px : {0.0, double(setup.surface.widthPixels)}) {
-        for (const double py : {0.0, double(setup.surface.heightPixels)}) {
-            const PixelLine line = m_lines.at(px, py);
-            for (const double distance : {clip.atNear, clip.atFar}) {
-                const glm::dvec3 point = line.start + distance * line.ahead;
-                if (!isSafe<Scalar>(point.x) || !isSafe<Scalar>(point.y) || !isSafe<Scalar>(point.z))
-                    return true;
-            }
-        }
-    }
-    return false;
+    return m_rows.isOfWindow() ? clouds::canOverflow<Scalar>(m_unprojection, setup)
+                               : clouds::canOverflow<Scalar>(m_lines, setup, clip);
 }
 
 template bool DistanceCloud::canOverflow<float>(const Setup &, const ClipDistances &) const;

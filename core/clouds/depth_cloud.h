@@ -25,6 +25,15 @@ private:
     float m_low, m_high, m_background;
 };
 
+/// True if a corner of the window, at either end of the depth range, has a coordinate near the limit
+/// of Scalar. The numbers of all other pixels and depths lie between the corners'.
+template <class Scalar>
+bool canOverflow(const unproject::BatchUnprojection &unprojection, const geometry::Setup &setup);
+/// The same for distances.
+template <class Scalar>
+bool canOverflow(const unproject::PixelLines &lines, const geometry::Setup &setup,
+                 const unproject::ClipDistances &clip);
+
 /// Computes the points under the pixels of an image of window depths in single precision, a row at
 /// a time, so that all data stays in the processor's cache.
 /// @tparam Scalar  float or double

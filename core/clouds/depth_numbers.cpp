@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -149,6 +150,36 @@ void DepthValues::convert(std::size_t j, std::size_t first, std::span<double> va
     convert(j, first, row);
     for (std::size_t i = 0; i < values.size(); ++i)
         values[i] = row.kinds[i] == PixelKind::Kept ? row.values[i] : kNaN;
+}
+
+std::optional<DepthValues::Kept> DepthValues::kept() const
+{
+    const bool isBuffer = m_numbers.meaning == DepthMeaning::Buffer;
+    if (!isBuffer && (m_numbers.meaning != DepthMeaning::Z || m_clip.atNear < 0.0))
+        return std::nullopt;
+    const double divisor = !isBuffer ? m_numbers.scale.value_or(1.0) : m_type.greatest > 0.0 ? m_type.greatest : 1.0;
+    const auto isKept = [&](float number) {
+        std::array<double, 1> value{static_cast<double>(number)};
+        convert(0, 0, value);
+        return !std::isnan(value[0]);
+    };
+    // The ends of the interval lie within a few floats of the planes.
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    const double low = isBuffer ? m_lowest : std::max(0.0, m_clip.atNear), high = isBuffer ? m_highest : m_clip.atFar;
+    const auto endAt = [&](double plane, float outwards) {
+        auto end = static_cast<float>(std::clamp(plane * divisor, -double(std::numeric_limits<float>::max()),
+                                                 double(std::numeric_limits<float>::max())));
+        constexpr int kMostSteps = 8;
+        for (int step = 0; step < kMostSteps && std::nextafter(end, outwards) != outwards; ++step)
+            end = std::nextafter(end, outwards);
+        for (int step = 0; step < 3 * kMostSteps && !isKept(end); ++step)
+            end = std::nextafter(end, -outwards);
+        return end;
+    };
+    const Kept kept{endAt(low, -kInfinity), endAt(high, kInfinity), divisor};
+    if (!isKept(kept.lowest) || !isKept(kept.highest))
+        return std::nullopt;
+    return kept;
 }
 
 DepthRows::DepthRows(const images::NumberImage &image, const DepthNumbers &numbers, const Setup &setup,

@@ -79,6 +79,13 @@ public:
     void convert(std::size_t j, std::size_t first, DistanceRow &row) const;
     /// The same without kinds and fast; a pixel that is not kept becomes NaN.
     void convert(std::size_t j, std::size_t first, std::span<double> values) const;
+    /// The numbers in single precision that are kept, where these are an interval and need no
+    /// conversion but a division: [lowest, highest].
+    struct Kept {
+        float lowest, highest;
+        double divisor;
+    };
+    std::optional<Kept> kept() const;
 
 private:
     PixelKind kindOfDepth(double depth) const;

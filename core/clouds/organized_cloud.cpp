@@ -1,5 +1,6 @@
 #include "core/clouds/organized_cloud.h"
 
+#include "core/clouds/depth_cloud.h"
 #include "core/text/error_text.h"
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
@@ -57,34 +58,48 @@ Result<OrganizedCloud, std::string> OrganizedCloud::of(const Setup &setup, const
     cloud.m_clip = clip;
     cloud.m_values =
         std::make_shared<const DepthValues>(type, numbers, setup, *cloud.m_lines, clip.value_or(ClipDistances{}));
+    if (cloud.m_values->isOfWindow() || cloud.m_lines->canTakeFloats())
+        cloud.m_kept = cloud.m_values->kept();
+    cloud.m_canOverflow =
+        clip ? canOverflow<float>(*cloud.m_lines, setup, *clip) : canOverflow<float>(*unprojection, setup);
     return cloud;
+}
+
+template <class Line, class Scalar>
+void OrganizedCloud::line(const Line &line, Scalar *points) const
+{
+    if (m_values->isOfWindow())
+        m_unprojection.line(line, points);
+    else
+        m_lines->line(line, points);
+    // A point with a coordinate beyond the range of numbers is none.
+    constexpr Scalar kNaN = std::numeric_limits<Scalar>::quiet_NaN();
+    for (std::size_t i = 0; m_canOverflow && i < line.count; ++i, points += 3) {
+        if (!std::isfinite(points[0]) || !std::isfinite(points[1]) || !std::isfinite(points[2]))
+            points[0] = points[1] = points[2] = kNaN;
+    }
 }
 
 template <class Scalar>
 void OrganizedCloud::row(std::size_t j, std::size_t first, std::vector<double> &values, Scalar *points) const
 {
     m_values->convert(j, first, values);
-    const double px = static_cast<double>(first) + kHalfPixel, py = static_cast<double>(j) + kHalfPixel;
-    const batch::DepthLine line{values.data(), values.size(), px, py};
-    if (m_values->isOfWindow())
-        m_unprojection(line, points);
-    else
-        (*m_lines)(line, points);
-    // A coordinate beyond the range of numbers has no point.
-    Scalar sum = 0;
-    for (std::size_t i = 0; i < 3 * values.size(); ++i)
-        sum += points[i] * Scalar(0);
-    if (sum == Scalar(0))
-        return;
-    constexpr Scalar kNaN = std::numeric_limits<Scalar>::quiet_NaN();
-    for (std::size_t i = 0; i < values.size(); ++i, points += 3) {
-        if (!std::isfinite(points[0]) || !std::isfinite(points[1]) || !std::isfinite(points[2]))
-            points[0] = points[1] = points[2] = kNaN;
-    }
+    const DevicePoint at = pixelCenter({static_cast<int>(first), static_cast<int>(j)});
+    line(batch::DepthLine{values.data(), values.size(), at.x, at.y}, points);
 }
 
-template void OrganizedCloud::row<double>(std::size_t, std::size_t, std::vector<double> &, double *) const;
-template void OrganizedCloud::row<float>(std::size_t, std::size_t, std::vector<double> &, float *) const;
+template <class Scalar>
+void OrganizedCloud::row(std::size_t j, std::size_t first, std::span<const float> values, Scalar *points) const
+{
+    const DevicePoint at = pixelCenter({static_cast<int>(first), static_cast<int>(j)});
+    line(batch::FloatLine{values.data(), values.size(), at.x, at.y, m_kept->lowest, m_kept->highest, m_kept->divisor},
+         points);
+}
+
+template void OrganizedCloud::row(std::size_t, std::size_t, std::vector<double> &, double *) const;
+template void OrganizedCloud::row(std::size_t, std::size_t, std::vector<double> &, float *) const;
+template void OrganizedCloud::row(std::size_t, std::size_t, std::span<const float>, double *) const;
+template void OrganizedCloud::row(std::size_t, std::size_t, std::span<const float>, float *) const;
 
 void OrganizedCloud::count(std::size_t j, const std::vector<double> &values, PixelCounts &counts) const
 {

@@ -6,6 +6,8 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,11 @@ public:
     template <class Scalar>
     void row(std::size_t j, std::size_t first, std::vector<double> &values, Scalar *points) const;
 
+    /// The same of numbers in single precision that are not converted first, if canTakeFloats().
+    template <class Scalar>
+    void row(std::size_t j, std::size_t first, std::span<const float> values, Scalar *points) const;
+    bool canTakeFloats() const { return m_kept.has_value(); }
+
     /// Adds the kinds of a row's pixels.
     /// @param values  as above
     void count(std::size_t j, const std::vector<double> &values, PixelCounts &counts) const;
@@ -41,10 +48,15 @@ private:
     {
     }
 
+    template <class Line, class Scalar>
+    void line(const Line &line, Scalar *points) const;
+
     unproject::BatchUnprojection m_unprojection;
     std::shared_ptr<const unproject::PixelLines> m_lines; ///< at an address that m_values keeps
     std::optional<unproject::ClipDistances> m_clip;
     std::shared_ptr<const DepthValues> m_values;
+    std::optional<DepthValues::Kept> m_kept;
+    bool m_canOverflow = true; ///< a point may have a coordinate beyond the range of floats
 };
 
 /// The fault of numbers and their unit, as a sentence about the named options; empty if there is

@@ -43,6 +43,7 @@ clouds::DepthValues::Type internalType(NumberType type)
 struct Cloud::Data {
     clouds::OrganizedCloud cloud;
     int width, height;
+    bool canTakeFloats;
 };
 
 Result<Cloud> Cloud::of(const Setup &setup, const CloudOptions &options)
@@ -56,7 +57,11 @@ Result<Cloud> Cloud::of(const Setup &setup, const CloudOptions &options)
                                                                                     : unproject::Method::Matrix);
     if (!cloud)
         return valueError(cloud.error());
-    return Cloud(std::make_shared<const Data>(Data{*cloud, setup.width(), setup.height()}));
+    return Cloud(std::make_shared<const Data>(
+        Data{*cloud, setup.width(), setup.height(),
+             cloud->canTakeFloats()
+                 && (options.type == NumberType::Float32 || options.type == NumberType::Uint8
+                     || options.type == NumberType::Uint16)}));
 }
 
 int Cloud::width() const
@@ -77,6 +82,21 @@ void Cloud::row(std::size_t row, std::size_t first, std::vector<double> &numbers
 void Cloud::row(std::size_t row, std::size_t first, std::vector<double> &numbers, float *points) const
 {
     m_data->cloud.row(row, first, numbers, points);
+}
+
+void Cloud::row(std::size_t row, std::size_t first, std::span<const float> numbers, double *points) const
+{
+    m_data->cloud.row(row, first, numbers, points);
+}
+
+void Cloud::row(std::size_t row, std::size_t first, std::span<const float> numbers, float *points) const
+{
+    m_data->cloud.row(row, first, numbers, points);
+}
+
+bool Cloud::canTakeFloats() const
+{
+    return m_data->canTakeFloats;
 }
 
 void Cloud::count(std::size_t row, const std::vector<double> &numbers, CloudCounts &counts) const

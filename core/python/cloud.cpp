@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -68,6 +69,24 @@ DepthIs meaningOf(const std::string &word)
 
 /// A depth image of any strides.
 struct Depths {
+    /// Copies numbers of a row; in place where they are floats one after the other.
+    const float *floats(const char *row, py::ssize_t step, std::size_t count, float *scratch) const
+    {
+        const auto copy = [&]<class Number>(const Number *) {
+            for (std::size_t i = 0; i < count; ++i, row += step)
+                scratch[i] = static_cast<float>(*reinterpret_cast<const Number *>(row));
+        };
+        if (type == NumberType::Uint8)
+            copy(static_cast<const std::uint8_t *>(nullptr));
+        else if (type == NumberType::Uint16)
+            copy(static_cast<const std::uint16_t *>(nullptr));
+        else if (step == py::ssize_t{sizeof(float)})
+            return reinterpret_cast<const float *>(row);
+        else
+            copy(static_cast<const float *>(nullptr));
+        return scratch;
+    }
+
     py::array array;
     NumberType type = NumberType::Float64;
     bool isConverted = false;
@@ -190,6 +209,7 @@ Outcome computed(const Cloud &cloud, const Depths &depths, py::array &points, bo
     for (const py::ssize_t length : rows.shape)
         count *= static_cast<std::size_t>(length);
     const auto width = static_cast<std::size_t>(cloud.width()), height = static_cast<std::size_t>(cloud.height());
+    const bool takesFloats = cloud.canTakeFloats() && !depths.isConverted;
     std::atomic<bool> hasPoint = false;
     std::mutex mutex;
     CloudCounts counts;
@@ -199,6 +219,7 @@ Outcome computed(const Cloud &cloud, const Depths &depths, py::array &points, bo
         count, kTask, {},
         [&](std::size_t begin, std::size_t end) {
             std::vector<double> numbers;
+            std::vector<float> floats(kBlock);
             std::vector<Scalar> scratch(3 * kBlock);
             CloudCounts own;
             bool hasOwn = false;
@@ -210,9 +231,15 @@ Outcome computed(const Cloud &cloud, const Depths &depths, py::array &points, bo
                 }
                 for (std::size_t first = 0; first < width; first += kBlock) {
                     const std::size_t size = std::min(kBlock, width - first);
-                    depths.read(from + static_cast<py::ssize_t>(first) * step, step, size, numbers);
+                    const char *const start = from + static_cast<py::ssize_t>(first) * step;
                     Scalar *const to = results.areDense() ? results.at(row, first) : scratch.data();
-                    cloud.row(row % height, first, numbers, to);
+                    if (takesFloats) {
+                        cloud.row(row % height, first, std::span(depths.floats(start, step, size, floats.data()), size),
+                                  to);
+                    } else {
+                        depths.read(start, step, size, numbers);
+                        cloud.row(row % height, first, numbers, to);
+                    }
                     for (std::size_t i = 0; !hasOwn && i < size; ++i)
                         hasOwn = !std::isnan(to[3 * i]);
                     if (!results.areDense())

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -59,6 +60,12 @@ public:
     /// @param points   x, y, z of each pixel, one after the other
     void row(std::size_t row, std::size_t first, std::vector<double> &numbers, double *points) const;
     void row(std::size_t row, std::size_t first, std::vector<double> &numbers, float *points) const;
+
+    /// The same of an image in single precision, without a copy. Other numbers whose type floats
+    /// hold, as of 8 and 16 bits, may be given as floats too. @pre canTakeFloats()
+    void row(std::size_t row, std::size_t first, std::span<const float> numbers, double *points) const;
+    void row(std::size_t row, std::size_t first, std::span<const float> numbers, float *points) const;
+    bool canTakeFloats() const;
 
     /// Adds the pixels of a row to the counts.
     void count(std::size_t row, const std::vector<double> &numbers, CloudCounts &counts) const;

@@ -67,8 +67,8 @@ std::size_t BatchUnprojection::operator()(const batch::DepthRow &row, Scalar *po
         return run(batch::kernelsOf(set).rowsOfFloats);
 }
 
-template <class Scalar>
-void BatchUnprojection::operator()(const batch::DepthLine &line, Scalar *points, InstructionSet set) const
+template <class Line, class Scalar>
+void BatchUnprojection::line(const Line &line, Scalar *points, InstructionSet set) const
 {
     const auto run = [&](const auto &loops) {
         withLoop(loops, [&](auto loop, const auto &constants) { loop(constants, line, points); });
@@ -85,7 +85,9 @@ template void BatchUnprojection::operator()<float>(const BatchInput<float> &, co
                                                    InstructionSet) const;
 template std::size_t BatchUnprojection::operator()<double>(const batch::DepthRow &, double *, InstructionSet) const;
 template std::size_t BatchUnprojection::operator()<float>(const batch::DepthRow &, float *, InstructionSet) const;
-template void BatchUnprojection::operator()<double>(const batch::DepthLine &, double *, InstructionSet) const;
-template void BatchUnprojection::operator()<float>(const batch::DepthLine &, float *, InstructionSet) const;
+template void BatchUnprojection::line(const batch::DepthLine &, double *, InstructionSet) const;
+template void BatchUnprojection::line(const batch::DepthLine &, float *, InstructionSet) const;
+template void BatchUnprojection::line(const batch::FloatLine &, double *, InstructionSet) const;
+template void BatchUnprojection::line(const batch::FloatLine &, float *, InstructionSet) const;
 
 } // namespace unprojector::unproject

@@ -80,9 +80,9 @@ public:
 
     /// The points under the pixels of a row with window depths, one a pixel.
     /// @param points  x, y, z of each pixel; that of a NaN is NaN
-    template <class Scalar>
-    void operator()(const batch::DepthLine &line, Scalar *points,
-                    InstructionSet set = availableInstructionSets().back()) const;
+    /// @tparam Line  batch::DepthLine or batch::FloatLine
+    template <class Line, class Scalar>
+    void line(const Line &line, Scalar *points, InstructionSet set = availableInstructionSets().back()) const;
 
 private:
     /// Calls the matching loop of a table with its constants.

@@ -98,9 +98,31 @@ struct DepthLine {
     double px, py;
 };
 
+/// The same of numbers in single precision. The point of a number outside [lowest, highest] is NaN;
+/// the others are divided.
+struct FloatLine {
+    const float *values;
+    std::size_t count;
+    double px, py;
+    float lowest, highest;
+    double divisor = 1.0;
+};
+
 /// @param points  x, y, z of each pixel, one after the other
 template <class Scalar, class Constants>
-using LineKernel = void (*)(const Constants &, const DepthLine &, Scalar *points);
+struct LineKernel {
+    void (*ofDoubles)(const Constants &, const DepthLine &, Scalar *points);
+    void (*ofFloats)(const Constants &, const FloatLine &, Scalar *points);
+
+    void operator()(const Constants &constants, const DepthLine &line, Scalar *points) const
+    {
+        ofDoubles(constants, line, points);
+    }
+    void operator()(const Constants &constants, const FloatLine &line, Scalar *points) const
+    {
+        ofFloats(constants, line, points);
+    }
+};
 
 template <class Scalar>
 struct LineKernelsOf {

@@ -349,9 +349,58 @@ void unprojectLine(const typename Method::Constants &constants, const DepthLine 
         points[k] = last[k];
 }
 
+/// The point of a pixel without one.
+constexpr double kNoCoordinate = std::numeric_limits<double>::quiet_NaN();
+
+template <class Method, bool divides, class Scalar>
+void unprojectFloats(const typename Method::Constants &constants, const FloatLine &line, Scalar *points)
+{
+    const typename Method::Constants c = constants; // no store can change it
+    const Method method(c, Pack(line.py));
+    const Pack divisor(line.divisor);
+    const auto addPoints = [&](const float *values, Pack px, Scalar *to) {
+        const unsigned lanes = Pack::between(values, line.lowest, line.highest);
+        Pack value = Pack::loaded(values), p[3];
+        if constexpr (divides)
+            value = value / divisor;
+        method.unproject(c, px, value, p);
+        Scalar *const next = appended(p, kAllLanes, to);
+        for (std::size_t lane = 0; lanes != kAllLanes && lane < Pack::kLanes; ++lane) {
+            for (int k = 0; (lanes >> lane & 1) == 0 && k < 3; ++k)
+                to[3 * lane + static_cast<std::size_t>(k)] = static_cast<Scalar>(kNoCoordinate);
+        }
+        return next;
+    };
+    Pack px = Pack::counted() + Pack(line.px);
+    std::size_t i = 0;
+    for (; i + Pack::kLanes <= line.count; i += Pack::kLanes, px = px + Pack(double(Pack::kLanes)))
+        points = addPoints(line.values + i, px, points);
+    if (i == line.count)
+        return;
+    float values[Pack::kLanes] = {};
+    for (std::size_t lane = 0; i + lane < line.count; ++lane)
+        values[lane] = line.values[i + lane];
+    Scalar last[3 * Pack::kLanes];
+    addPoints(values, px, last);
+    for (std::size_t k = 0; k < 3 * (line.count - i); ++k)
+        points[k] = last[k];
+}
+
+template <class Method, class Scalar>
+void unprojectFloats(const typename Method::Constants &constants, const FloatLine &line, Scalar *points)
+{
+    if (line.divisor == 1.0)
+        unprojectFloats<Method, false>(constants, line, points);
+    else
+        unprojectFloats<Method, true>(constants, line, points);
+}
+
+template <class Method, class Scalar>
+constexpr LineKernel<Scalar, typename Method::Constants> kLine{unprojectLine<Method, Scalar>,
+                                                               unprojectFloats<Method, Scalar>};
 template <class Scalar>
-constexpr LineKernelsOf<Scalar> kLines{unprojectLine<Perspective, Scalar>, unprojectLine<Box, Scalar>,
-                                       unprojectLine<Matrix, Scalar>, unprojectLine<PerspectiveDistances, Scalar>};
+constexpr LineKernelsOf<Scalar> kLines{kLine<Perspective, Scalar>, kLine<Box, Scalar>, kLine<Matrix, Scalar>,
+                                       kLine<PerspectiveDistances, Scalar>};
 
 #include "core/unproject/batch/precise.inl"
 

@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <limits>
-#include <type_traits>
 #include <variant>
 
 namespace unprojector::unproject {
@@ -138,15 +137,27 @@ PixelLine PixelLines::at(double px, double py) const
     return {m_start.at(x, y), m_ahead.at(x, y) / (m_rate.x * x + (m_rate.y * y + m_rate.z))};
 }
 
+namespace {
+
+template <class Line>
+void perspectiveLine(const batch::ClosedFormConstants &constants, const Line &line, double *points)
+{
+    batch::kernelsOf(availableInstructionSets().back()).linesOfDoubles.perspectiveDistances(constants, line, points);
+}
+
+template <class Line>
+void perspectiveLine(const batch::ClosedFormConstants &constants, const Line &line, float *points)
+{
+    batch::kernelsOf(availableInstructionSets().back()).linesOfFloats.perspectiveDistances(constants, line, points);
+}
+
+} // namespace
+
 template <class Scalar>
-void PixelLines::operator()(const batch::DepthLine &line, Scalar *points) const
+void PixelLines::line(const batch::DepthLine &line, Scalar *points) const
 {
     if (m_perspective) {
-        const batch::Kernels &kernels = batch::kernelsOf(availableInstructionSets().back());
-        if constexpr (std::is_same_v<Scalar, double>)
-            kernels.linesOfDoubles.perspectiveDistances(*m_perspective, line, points);
-        else
-            kernels.linesOfFloats.perspectiveDistances(*m_perspective, line, points);
+        perspectiveLine(*m_perspective, line, points);
         return;
     }
     for (std::size_t i = 0; i < line.count; ++i) {
@@ -157,7 +168,15 @@ void PixelLines::operator()(const batch::DepthLine &line, Scalar *points) const
     }
 }
 
-template void PixelLines::operator()<double>(const batch::DepthLine &, double *) const;
-template void PixelLines::operator()<float>(const batch::DepthLine &, float *) const;
+template <class Scalar>
+void PixelLines::line(const batch::FloatLine &line, Scalar *points) const
+{
+    perspectiveLine(*m_perspective, line, points);
+}
+
+template void PixelLines::line(const batch::DepthLine &, double *) const;
+template void PixelLines::line(const batch::DepthLine &, float *) const;
+template void PixelLines::line(const batch::FloatLine &, double *) const;
+template void PixelLines::line(const batch::FloatLine &, float *) const;
 
 } // namespace unprojector::unproject

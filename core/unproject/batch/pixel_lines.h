@@ -45,7 +45,11 @@ public:
     /// @param line    distances from the plane of the eye
     /// @param points  x, y, z of each pixel; that of a NaN is NaN
     template <class Scalar>
-    void operator()(const batch::DepthLine &line, Scalar *points) const;
+    void line(const batch::DepthLine &line, Scalar *points) const;
+    /// The same of numbers in single precision. @pre canTakeFloats()
+    template <class Scalar>
+    void line(const batch::FloatLine &line, Scalar *points) const;
+    bool canTakeFloats() const { return m_perspective.has_value(); }
 
     bool isPerspective() const { return m_isPerspective; }
     /// Focal length in pixels along a row of the image: fx. @pre isPerspective()
