@@ -24,7 +24,7 @@ int main()
         }
         double point[3];
         (*unproject)(&px, &py, &depth, point, 1);
-        std::printf("%-8s %.12g %.12g %.12g\n", method == up::Method::Formula ? "formula" : "matrix", point[0], point[1],
-                    point[2]);
+        std::printf("%-8s %.12g %.12g %.12g\n", method == up::Method::Formula ? "formula" : "matrix", point[0],
+                    point[1], point[2]);
     }
 }
