@@ -18,8 +18,11 @@ check() {
 
 library=$(find "$prefix" -name 'libunprojector.so')
 [ -n "$library" ] || fail "there is no library below $prefix"
-cmake -S "$example" -B "$work/build" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_BUILD_TYPE=Release >"$work/log.txt" 2>&1 &&
-    cmake --build "$work/build" >>"$work/log.txt" 2>&1 || { cat "$work/log.txt"; fail "the example does not build"; }
+if ! cmake -S "$example" -B "$work/build" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_BUILD_TYPE=Release >"$work/log.txt" 2>&1 ||
+    ! cmake --build "$work/build" >>"$work/log.txt" 2>&1; then
+    cat "$work/log.txt"
+    fail "the example does not build"
+fi
 check "$work/build/click"
 # A program that wants another minor version does not get this one.
 for version in 0.0 0.2 1.0; do
@@ -31,7 +34,8 @@ for version in 0.0 0.2 1.0; do
     grep -q 'compatible with requested version' "$work/log.txt" || { cat "$work/log.txt"; fail "version $version: another error"; }
 done
 if command -v pkg-config >/dev/null; then
-    export PKG_CONFIG_PATH=$(dirname -- "$library")/pkgconfig
+    PKG_CONFIG_PATH=$(dirname -- "$library")/pkgconfig
+    export PKG_CONFIG_PATH
     # shellcheck disable=SC2046 # words
     "${CXX:-c++}" -std=c++20 "$example/main.cpp" -o "$work/click" $(pkg-config --cflags --libs unprojector)
     check "$work/click"
