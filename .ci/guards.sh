@@ -203,7 +203,7 @@ windows() {
 filesIn() { find "$1" -path "$1/var" -prune -o ! -type d -print; }
 
 # Whether the preset ci builds the Python module.
-hasPythonModule() { grep -q ' unprojector_python:' <<<"$(cmake --build --preset ci --target help)"; }
+hasPythonModule() { grep -q '^unprojector_wheel:' <<<"$(cmake --build --preset ci --target help)"; }
 
 # runModule WHAT PYTHON…: the module's version is that of its distribution, and it computes.
 runModule() {

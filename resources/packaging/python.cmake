@@ -6,12 +6,10 @@ if(NOT python_dir AND Python_EXECUTABLE STREQUAL "/usr/bin/python3" AND EXISTS /
 elseif(NOT python_dir)
     set(python_dir lib/python${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}/site-packages)
 endif()
-set(numpy_minimum "${Python_NumPy_VERSION}")
 string(REGEX MATCH "^[0-9]+[.][0-9]+" numpy_minimum "${Python_NumPy_VERSION}")
 configure_file(METADATA.in ${CMAKE_CURRENT_BINARY_DIR}/METADATA @ONLY)
 
-get_target_property(module_dir unprojector_python LIBRARY_OUTPUT_DIRECTORY)
-set(module_files ${module_dir}/__init__.py ${module_dir}/__init__.pyi ${module_dir}/py.typed)
+get_target_property(module_files unprojector_python UNPROJECTOR_PACKAGE_FILES)
 install(TARGETS unprojector_python LIBRARY DESTINATION ${python_dir}/unprojector COMPONENT python)
 install(FILES ${module_files} DESTINATION ${python_dir}/unprojector COMPONENT python)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/METADATA DESTINATION ${python_dir}/unprojector-${PROJECT_VERSION}.dist-info COMPONENT python)

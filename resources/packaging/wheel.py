@@ -7,6 +7,7 @@ FILE: the files of the package. The wheel has the same bytes for the same files.
 
 import argparse
 import base64
+import email
 import hashlib
 import pathlib
 import subprocess
@@ -36,7 +37,7 @@ def main() -> None:
     arguments = parser.parse_args()
 
     metadata = arguments.metadata.read_text(encoding="utf-8")
-    fields = dict(line.split(": ", 1) for line in metadata.splitlines())
+    fields = email.message_from_string(metadata)
     name = f"{fields['Name']}-{fields['Version']}"
     python = f"cp{sys.version_info.major}{sys.version_info.minor}"
     platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
