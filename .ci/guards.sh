@@ -95,7 +95,7 @@ isReleaseDebian12() {
 
 format() {
     isDebian12s clang-format || return 0
-    find core gui tests '(' -name '*.cpp' -o -name '*.h' -o -name '*.inl' ')' -print0 | xargs -0 clang-format --dry-run --Werror
+    find core gui tests resources/examples '(' -name '*.cpp' -o -name '*.h' -o -name '*.inl' ')' -print0 | xargs -0 clang-format --dry-run --Werror
 }
 
 release() { bash .ci/test.sh optimised; }
