@@ -1,5 +1,5 @@
-# The package for Debian and Ubuntu. It depends on the libraries that the programs were linked with:
-# it is for the release that it was built on, and later ones as long as they keep those libraries.
+# The packages for Debian and Ubuntu. They depend on the libraries that their programs were linked with:
+# they are for the release that they were built on, and later ones as long as they keep those libraries.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
