@@ -24,7 +24,11 @@ onVirtualDisplay() {
     env -u WAYLAND_DISPLAY QT_QPA_PLATFORM=xcb xvfb-run -a -s "-screen 0 1280x1024x24 +extension GLX" "$@"
 }
 
-# What the tests need besides the program: the fonts that tests/fonts names, lld, which links 200 tests in seconds, and the
-# NumPy that runs the scene's code.
+# The Python module, which is built where these are installed.
+pythonPackages=(python3-dev pybind11-dev python3-numpy)
+# What the tests need besides the program: the fonts that tests/fonts names, lld, which links 200
+# tests in seconds, and the NumPy that runs the scene's code. For the module: pytest, exact numbers
+# to compare with, a cluster, and figures.
 # shellcheck disable=SC2034 # for the scripts that source this
-testPackages=(fonts-noto-cjk fonts-noto-core fonts-noto-mono fonts-liberation lld python3-numpy)
+testPackages=(fonts-noto-cjk fonts-noto-core fonts-noto-mono fonts-liberation lld "${pythonPackages[@]}"
+    python3-pytest python3-mpmath python3-dask python3-distributed python3-matplotlib)

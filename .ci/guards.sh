@@ -5,9 +5,10 @@
 #   format   clang-format changes nothing
 #   release  the release build: compiler warnings are errors, and the tests with the label
 #            "optimised" pass
-#   package  the Debian package of the release build: lintian finds nothing, both programs work from
-#            the package's folders, no file is left after its removal. It uses a root folder of its
-#            own: nothing is installed here
+#   package  the three Debian packages of the release build: lintian finds nothing, both programs,
+#            the example for the library and the Python module work from the packages' folders, no
+#            file is left after their removal. It uses a root folder of its own: nothing is installed
+#            here. The wheel works in a new virtual environment
 #   asan     everything compiles with Clang without a warning; all tests pass under the address and
 #            undefined behaviour sanitizers, with all assertions. Runs with the label "variant" are
 #            left to the night. Without Clang: all tests pass in the release build
@@ -47,7 +48,7 @@ for name in "${@-push}"; do
 done
 
 bash .ci/setup.sh git clang clang-format clang-tidy libclang-rt-dev llvm ccache \
-    dpkg-dev file lintian desktop-file-utils appstream "${testPackages[@]}" ||
+    dpkg-dev file lintian desktop-file-utils appstream pkg-config python3-venv "${testPackages[@]}" ||
     echo "The tools could not be installed: checks that need them are skipped."
 useCcache
 
@@ -94,7 +95,7 @@ isReleaseDebian12() {
 
 format() {
     isDebian12s clang-format || return 0
-    find core gui tests '(' -name '*.cpp' -o -name '*.h' -o -name '*.inl' ')' -print0 | xargs -0 clang-format --dry-run --Werror
+    find core gui tests resources/examples '(' -name '*.cpp' -o -name '*.h' -o -name '*.inl' ')' -print0 | xargs -0 clang-format --dry-run --Werror
 }
 
 release() { bash .ci/test.sh optimised; }
@@ -201,12 +202,40 @@ windows() {
 # The files in a root folder, except dpkg's own.
 filesIn() { find "$1" -path "$1/var" -prune -o ! -type d -print; }
 
+# Whether the preset ci builds the Python module.
+hasPythonModule() { grep -q '^unprojector_wheel:' <<<"$(cmake --build --preset ci --target help)"; }
+
+# runModule WHAT PYTHON…: the module's version is that of its distribution, and it computes.
+runModule() {
+    local what=$1
+    shift
+    "$@" - <<'END' || { echo "$what does not work"; return 1; }
+import importlib.metadata
+import numpy as np
+import unprojector as up
+
+assert up.__version__ == importlib.metadata.version("unprojector"), up.__version__
+setup = up.Setup.perspective(fovy=45, near=0.1, far=100, eye=(3, 2, 5), center=(0, 0, 0), size=(800, 600))
+print(up.__file__, setup)
+END
+}
+
+# useWheel FOLDER WHEEL: installs the wheel in a new virtual environment, without a network.
+useWheel() {
+    /usr/bin/python3 -m venv --system-site-packages "$1" || { skip "python3 makes no virtual environments (Debian: python3-venv)"; return 0; }
+    "$1/bin/pip" install --quiet --no-index --disable-pip-version-check "$2" && runModule "The wheel" "$1/bin/python3" &&
+        "$1/bin/pip" uninstall --quiet --yes unprojector || return
+    [ -z "$(find "$1/lib" -iname '*unprojector*')" ] || { echo "The wheel leaves files behind"; return 1; }
+}
+
 package() {
     isThere dpkg-shlibdeps && isThere file || return 0
     [ "$(id -u)" -eq 0 ] || { skip "Only root unpacks packages"; return 0; }
-    local work=$root/build/ci/package lib=var/lib/dpkg tree share
+    local work=$root/build/ci/package lib=var/lib/dpkg tree share file packages=() targets=(unproject unprojector unprojector_manual unprojector_shared)
     rm -rf "$work" && mkdir -p "$work/root/$lib/info" "$work/root/$lib/updates" && touch "$work/root/$lib/status"
-    cmake --preset ci >/dev/null && cmake --build --preset ci --target unproject unprojector unprojector_manual &&
+    cmake --preset ci >/dev/null || return
+    ! hasPythonModule || targets+=(unprojector_wheel)
+    cmake --build --preset ci --target "${targets[@]}" &&
         cpack --config build/ci/CPackConfig.cmake -B "$work" || return
     ! isReleaseDebian12 lintian || lintian --allow-root --fail-on error,warning "$work"/*.deb || return
     tree=$work/root share=$work/root/usr/share
@@ -229,9 +258,18 @@ package() {
         return 1
     fi
     [ -s "$work/window.png" ] || { echo "There is no picture of the window"; return 1; }
-    dpkg --root="$tree" --purge unprojector || return
-    [ -z "$(filesIn "$tree")" ] || { echo "The package leaves behind:"; filesIn "$tree"; return 1; }
-    echo "$(du -h "$work"/*.deb | cut -f 1) package: installed, both programs ran, removed without a trace"
+    bash tests/library/use_library.sh resources/examples/library "$tree/usr" || return
+    if hasPythonModule; then
+        runModule "The package's module" env PYTHONPATH="$tree/usr/lib/python3/dist-packages" PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 &&
+            useWheel "$work/venv" build/ci/unprojector-*.whl || return
+    else
+        skip "The build has no Python module"
+    fi
+    for file in "$work"/*.deb; do packages+=("$(dpkg-deb --field "$file" Package)"); done
+    dpkg --root="$tree" --purge "${packages[@]}" || return
+    [ -z "$(filesIn "$tree")" ] || { echo "The packages leave behind:"; filesIn "$tree"; return 1; }
+    du -h "$work"/*.deb | sed "s|$work/||"
+    echo "Installed, the programs, the library and the module ran, removed without a trace"
 }
 
 # "HITS MISSES" of the compiler cache so far; empty without one.

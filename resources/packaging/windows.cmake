@@ -2,9 +2,10 @@
 # files.
 set(CPACK_GENERATOR ZIP)
 set(CPACK_SYSTEM_NAME windows-x64)
+# The library for C++ is in the same folder: its headers in include, its CMake package in lib.
+set(modules $<TARGET_FILE:unprojector_shared>)
 if(UNPROJECTOR_BUILD_GUI)
     # Files that Qt loads when the program runs.
-    set(modules)
     foreach(plugin platforms/QWindowsIntegrationPlugin styles/QWindowsVistaStylePlugin styles/QModernWindowsStylePlugin
                    imageformats/QJpegPlugin)
         cmake_path(GET plugin FILENAME target)

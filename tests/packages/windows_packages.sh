@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # bash windows_packages.sh EMULATOR BUILD [PROGRAM]: packs the program for Windows in the folder
 # BUILD, as zip and as installer. Uses both as a person does, by EMULATOR (Wine): opens a model,
-# clicks on it, uninstalls. PROGRAM: unprojector for this system, which must pick the same.
+# clicks on it, uninstalls. Builds the example against the library in the zip. PROGRAM: unprojector for this system, which must pick the same.
 set -euo pipefail
 emulator=$1 build=$2 program=${3:-}
-work=$(mktemp -d)
+work=$(mktemp -d) sysroot=${QT_MINGW_PREFIX:-}
 export LC_ALL=C.UTF-8
 # A Windows of our own, and no libraries but the package's.
 export WINEPREFIX=$work/wine QT_MINGW_PREFIX=$work/none WINEDEBUG=-all
@@ -47,6 +47,22 @@ printed=$(windows "$folder/unproject.exe" --version)
 if [ -n "$program" ]; then
     here=$(picks "$program")
     [ "$here" = "$zipped" ] || fail "this system picks $here"
+fi
+
+toolchain=$(sed -n 's/^CMAKE_TOOLCHAIN_FILE:[^=]*=//p' "$build/CMakeCache.txt")
+if [ -n "$toolchain" ]; then
+    example=$(dirname -- "$0")/../../resources/examples/library
+    if ! env -u QT_MINGW_PREFIX ${sysroot:+"QT_MINGW_PREFIX=$sysroot"} \
+        cmake -S "$example" -B "$work/example" -DCMAKE_TOOLCHAIN_FILE="$toolchain" \
+        -DUnprojector_DIR="$folder/lib/cmake/Unprojector" -DCMAKE_BUILD_TYPE=Release >"$work/example.txt" 2>&1 ||
+        ! cmake --build "$work/example" >>"$work/example.txt" 2>&1; then
+        cat "$work/example.txt"
+        fail "the example does not build"
+    fi
+    cp "$work/example/click.exe" "$folder/" # beside the library
+    [ "$(windows "$folder/click.exe" | grep -c '^\(formula\|matrix\) *-0.0400816438')" = 2 ] || fail "the example says something else"
+    rm "$folder/click.exe"
+    echo "library: the example built and ran"
 fi
 
 if [ -s "$setup" ]; then
