@@ -56,7 +56,7 @@ public:
     static Landmarks of(const std::vector<Specimen> &specimens);
 
     const std::vector<Specimen> &specimens() const;
-    /// What reading changed or dropped, one sentence each.
+    /// Sentences about what reading changed or dropped.
     const std::vector<std::string> &notes() const;
 
     /// Writes a file by its suffix. An existing file is replaced in one step. Several specimens go

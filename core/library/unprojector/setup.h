@@ -136,7 +136,7 @@ public:
     std::optional<Projection> projection() const;
     std::optional<Camera> camera() const;
 
-    /// What is odd about the given matrices, one sentence each: transposed, mirrored, a far plane at
+    /// Sentences about what is odd in the given matrices: transposed, mirrored, a far plane at
     /// infinity, reversed depths, axes that are not perpendicular. It may be intended.
     const std::vector<std::string> &findings() const;
     /// The same setup with these findings.
