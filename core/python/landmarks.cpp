@@ -141,7 +141,7 @@ std::vector<std::string> written(const std::filesystem::path &file, const Landma
 void bindSpecimen(py::module_ &module)
 {
     py::class_<Curve>(module, "Curve", "A line through landmarks, with semilandmarks in equal steps.")
-        .def_readonly("name", &Curve::name)
+        .def_readonly("name", &Curve::name, "The name of the curve.")
         .def_readonly("landmarks", &Curve::landmarks, "The names of its landmarks, in order.")
         .def_property_readonly(
             "points",
