@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -45,18 +46,29 @@ Result<Batch> batchOf(const geometry::Setup &setup, const UnprojectOptions &opti
     return batch ? Result<Batch>(*batch) : valueError(batch.error());
 }
 
-/// The error bounds of many points.
-struct Uncertainties {
+/// What the error bounds of many points need.
+struct Bounds {
+    Batch otherSpace; ///< beside the points' own: bounds need both
     unproject::Certainties certainties;
     unproject::DepthFormat format;
 
     unproject::Uncertainty of(const glm::dvec3 &eye, const glm::dvec3 &world, double depth) const
     {
         const unproject::DepthError error{format.halfStep(depth), 0.0};
-        const geometry::EyePoint eyePoint(eye);
-        return certainties.of(eyePoint, geometry::WorldPoint(world), certainties.at(-eye.z, error));
+        return certainties.of(geometry::EyePoint(eye), geometry::WorldPoint(world), certainties.at(-eye.z, error));
     }
 };
+
+std::optional<Bounds> boundsOf(const geometry::Setup &setup, const UnprojectOptions &options)
+{
+    const Result<Batch> other = batchOf(setup, options, options.space == Space::World ? Space::Eye : Space::World);
+    const auto known = geometry::byParameters(setup);
+    if (!other || !known)
+        return std::nullopt;
+    return Bounds{*other, unproject::Certainties(*known),
+                  options.depthBuffer.isFloat ? unproject::DepthFormat::floatingPoint()
+                                              : unproject::DepthFormat(options.depthBuffer.bits)};
+}
 
 } // namespace
 
@@ -64,9 +76,21 @@ struct Unprojection::Data {
     geometry::Setup setup;
     UnprojectOptions options;
     Batch batch;
-    std::optional<Batch> otherSpace; ///< for the uncertainties, which need both spaces
-    std::optional<Uncertainties> uncertainties;
     double lowest, highest; ///< ends of the depth range
+
+    Data(const geometry::Setup &ofSetup, const UnprojectOptions &givenOptions, Batch itsBatch)
+        : setup(ofSetup), options(givenOptions), batch(std::move(itsBatch)),
+          lowest(std::min(setup.depthRange.atNear, setup.depthRange.atFar)),
+          highest(std::max(setup.depthRange.atNear, setup.depthRange.atFar))
+    {
+    }
+
+    /// Computed at the first call: most callers need none. Empty where the setup has none.
+    const std::optional<Bounds> &bounds() const
+    {
+        std::call_once(areBoundsComputed, [this] { computedBounds = boundsOf(setup, options); });
+        return computedBounds;
+    }
 
     /// Unprojects at most kBlock pixels.
     void block(const double *px, const double *py, const double *depth, double *points, double *ofPoints,
@@ -74,12 +98,13 @@ struct Unprojection::Data {
     {
         std::array<Block, 3> results, others;
         run(batch, px, py, depth, results, count);
-        const bool hasBounds = ofPoints != nullptr && uncertainties.has_value();
+        const bool hasBounds = ofPoints != nullptr && bounds().has_value();
         if (hasBounds)
-            run(*otherSpace, px, py, depth, others, count);
+            run(bounds()->otherSpace, px, py, depth, others, count);
         for (std::size_t i = 0; i < count; ++i) {
             const double x = results[0][i], y = results[1][i], z = results[2][i];
-            const bool isValid = depth[i] >= lowest && depth[i] <= highest && std::isfinite(x + y + z);
+            const bool isValid =
+                depth[i] >= lowest && depth[i] <= highest && std::isfinite(x) && std::isfinite(y) && std::isfinite(z);
             points[3 * i] = isValid ? x : kNaN;
             points[3 * i + 1] = isValid ? y : kNaN;
             points[3 * i + 2] = isValid ? z : kNaN;
@@ -96,11 +121,13 @@ struct Unprojection::Data {
     glm::dvec3 boundOf(const glm::dvec3 &point, const glm::dvec3 &other, double depth) const
     {
         if (options.space == Space::World)
-            return uncertainties->of(other, point, depth).world.coordinates();
-        return uncertainties->of(point, other, depth).eye.coordinates();
+            return bounds()->of(other, point, depth).world.coordinates();
+        return bounds()->of(point, other, depth).eye.coordinates();
     }
 
-private:
+    mutable std::once_flag areBoundsComputed;
+    mutable std::optional<Bounds> computedBounds;
+
     static void run(const Batch &batch, const double *px, const double *py, const double *depth,
                     std::array<Block, 3> &results, std::size_t count)
     {
@@ -124,24 +151,7 @@ Result<Unprojection> Unprojection::of(const Setup &setup, const UnprojectOptions
     Result<Batch> batch = batchOf(SetupAccess::of(setup), options, options.space);
     if (!batch)
         return batch.error();
-    const auto &[atNear, atFar] = SetupAccess::of(setup).depthRange;
-    auto data = std::make_shared<Data>(Data{SetupAccess::of(setup),
-                                            options,
-                                            std::move(batch).value(),
-                                            {},
-                                            {},
-                                            std::min(atNear, atFar),
-                                            std::max(atNear, atFar)});
-    Result<Batch> other =
-        batchOf(SetupAccess::of(setup), options, options.space == Space::World ? Space::Eye : Space::World);
-    const auto known = geometry::byParameters(SetupAccess::of(setup));
-    if (other && known) {
-        data->otherSpace = std::move(other).value();
-        data->uncertainties =
-            Uncertainties{unproject::Certainties(*known), buffer.isFloat ? unproject::DepthFormat::floatingPoint()
-                                                                         : unproject::DepthFormat(buffer.bits)};
-    }
-    return Unprojection(std::shared_ptr<const Data>(std::move(data)));
+    return Unprojection(std::make_shared<const Data>(SetupAccess::of(setup), options, std::move(batch).value()));
 }
 
 Result<glm::dvec3> Unprojection::at(const glm::dvec2 &pixel, double depth) const
@@ -180,7 +190,7 @@ Result<glm::dvec3> Unprojection::uncertaintyAt(const glm::dvec2 &pixel, double d
 
 bool Unprojection::hasUncertainty() const
 {
-    return m_data->uncertainties.has_value();
+    return m_data->bounds().has_value();
 }
 
 void Unprojection::operator()(const double *px, const double *py, const double *depth, double *points,
