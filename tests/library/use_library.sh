@@ -10,7 +10,7 @@ fail() { echo "FAIL: $*" >&2; exit 1; }
 
 # check PROGRAM: it loads the library of PREFIX, and both methods give the point that gluUnProject gives.
 check() {
-    LD_LIBRARY_PATH=$(dirname -- "$library") ldd "$1" | grep -qF "=> $(dirname -- "$library")/" || fail "$1 loads another library"
+    LD_LIBRARY_PATH=$(dirname -- "$library") ldd "$1" | grep -F "=> $(dirname -- "$library")/" >/dev/null || fail "$1 loads another library"
     LD_LIBRARY_PATH=$(dirname -- "$library") "$1" >"$work/out.txt" || fail "$1: $(cat "$work/out.txt")"
     [ "$(grep -cE '^(formula|matrix) +-0\.04008164381[0-9]* -0\.03375573101[0-9]* -0\.07519692645[0-9]*' "$work/out.txt")" = 2 ] ||
         fail "$1 says $(cat "$work/out.txt")"
