@@ -140,6 +140,9 @@ def on_cluster(arguments, jobs, parts, options):
     import dask.array
     from distributed import Client, LocalCluster, progress
 
+    # Dask has workers give memory back after each part, and the system clear it again for the next.
+    keep = {"MALLOC_TRIM_THRESHOLD_": 2**30, "MALLOC_MMAP_THRESHOLD_": 2**30, "OMP_NUM_THREADS": 1}
+    dask.config.set({"distributed.nanny.pre-spawn-environ": keep})
     address = arguments.scheduler
     cluster = None if address else LocalCluster(n_workers=arguments.workers, threads_per_worker=1, dashboard_address=None)
     with Client(address or cluster) as client:
