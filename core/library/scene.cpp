@@ -50,6 +50,19 @@ Result<scene_file::SceneFile> sceneIn(std::string_view text, const std::string &
     return clicks.front().scene;
 }
 
+/// The scene file of a setup, without objects. A perspective with the viewport's aspect keeps to it at
+/// another size.
+scene_file::SceneFile fileOf(const Setup &setup)
+{
+    auto parsed = scene_file::parseScene(setup.sceneText(), "scene");
+    scene_file::SceneFile file = std::move(parsed).value();
+    const geometry::Viewport &viewport = SetupAccess::of(setup).viewport;
+    const auto *projection = std::get_if<geometry::Projection>(&file.projection);
+    const auto *perspective = projection ? std::get_if<geometry::Perspective>(projection) : nullptr;
+    file.aspectFromViewport = perspective != nullptr && perspective->aspect == viewport.width / viewport.height;
+    return file;
+}
+
 } // namespace
 
 Result<Scene> Scene::load(const std::filesystem::path &file)
@@ -79,7 +92,11 @@ Result<Scene> Scene::of(const Setup &setup, std::span<const double> vertices, st
                         const std::string &name)
 {
     const std::size_t count = vertices.size() / 3;
-    if (triangles.size() < 3)
+    if (vertices.size() % 3 != 0)
+        return valueError(text::tr("vertices has %1 numbers; give three coordinates a vertex", vertices.size()));
+    if (triangles.size() % 3 != 0)
+        return valueError(text::tr("triangles has %1 numbers; give three vertex numbers a triangle", triangles.size()));
+    if (triangles.empty())
         return valueError(text::tr("the mesh has no triangle; give three vertex numbers a triangle"));
     const auto wrong = std::find_if(vertices.begin(), vertices.end(), [](double v) { return !std::isfinite(v); });
     if (wrong != vertices.end())
@@ -119,7 +136,11 @@ Result<Setup> Scene::setupAt(int width, int height) const
     const geometry::Surface surface{width, height, 1.0};
     if (const geometry::Check valid = check(surface); !valid)
         return valueError(valid.error());
-    const auto setup = opening::setupOf(m_data->opened, surface);
+    opening::OpenedScene opened = m_data->opened;
+    const bool isOfArrays = !opened.file && opened.objects.front().file.empty();
+    if (isOfArrays)
+        opened.file = fileOf(m_data->setup);
+    const auto setup = opening::setupOf(opened, surface);
     if (!setup)
         return publicError(setup.error());
     return SetupAccess::make(*setup);
@@ -137,8 +158,7 @@ Result<std::monostate> Scene::save(const std::filesystem::path &file) const
         scene = *m_data->opened.file;
         scene.objects.clear();
     } else {
-        auto parsed = scene_file::parseScene(m_data->setup.sceneText(), "scene");
-        scene = std::move(parsed).value();
+        scene = fileOf(m_data->setup);
     }
     for (std::size_t i = 0; i < m_data->opened.objects.size(); ++i) {
         const scene::SceneObject &object = m_data->opened.objects[i];

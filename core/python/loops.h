@@ -15,12 +15,16 @@ namespace unprojector::python {
 constexpr std::size_t kBlock = 512;
 
 /// The value of the argument threads: a number of threads, or None for all cores.
-/// @return ValueError: less than 1
+/// Throws TypeError for anything but a whole number, ValueError for less than 1.
 inline std::size_t threadsOf(const py::object &threads)
 {
     if (threads.is_none())
         return 0;
-    const auto count = threads.cast<py::ssize_t>();
+    if (PyIndex_Check(threads.ptr()) == 0)
+        throw py::type_error("threads is no whole number; give 1 or more, or None for all cores");
+    const py::ssize_t count = PyNumber_AsSsize_t(threads.ptr(), nullptr); // a number beyond 64 bits: the largest one
+    if (count == -1 && PyErr_Occurred() != nullptr)
+        throw py::error_already_set();
     if (count < 1)
         throw py::value_error("threads is " + std::to_string(count) + "; give 1 or more, or None for all cores");
     return static_cast<std::size_t>(count);

@@ -148,6 +148,23 @@ py::array rowsOfThree(const char *name, const py::array &array)
     return array;
 }
 
+/// The indices as 32 bits. They are read as 64 bits, so that negative and large ones are found.
+template <class Index>
+std::vector<std::uint32_t> indicesOf(const py::array &triangles, std::size_t count)
+{
+    const py::array_t<Index, py::array::c_style | py::array::forcecast> wide(triangles);
+    std::vector<std::uint32_t> indices(static_cast<std::size_t>(wide.size()));
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        const Index index = wide.data()[i];
+        // A negative number is a large one without its sign.
+        if (static_cast<std::uint64_t>(index) >= count)
+            throw py::value_error("triangle " + std::to_string(i / 3) + " has the vertex " + std::to_string(index)
+                                  + "; there are " + std::to_string(count) + " vertices, from 0");
+        indices[i] = static_cast<std::uint32_t>(index);
+    }
+    return indices;
+}
+
 Scene fromArrays(const Setup &setup, const py::object &vertices, const py::object &triangles, const std::string &name)
 {
     const py::array_t<double, py::array::c_style | py::array::forcecast> positions(
@@ -158,18 +175,11 @@ Scene fromArrays(const Setup &setup, const py::object &vertices, const py::objec
         throw py::type_error("triangles is no array of whole numbers");
     }
     rowsOfThree("triangles", given);
-    // As 64 bits first: negative numbers and numbers beyond 32 bits are found.
-    const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast> wide(given);
-    std::vector<std::uint32_t> indices(static_cast<std::size_t>(wide.size()));
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-        const std::int64_t index = wide.data()[i];
-        if (index < 0 || index >= positions.shape(0))
-            throw py::value_error("triangle " + std::to_string(i / 3) + " has the vertex " + std::to_string(index)
-                                  + "; there are " + std::to_string(positions.shape(0)) + " vertices, from 0");
-        indices[i] = static_cast<std::uint32_t>(index);
-    }
-    return valueOrRaise(
-        Scene::of(setup, {positions.data(), static_cast<std::size_t>(positions.size())}, indices, name));
+    const auto count = static_cast<std::size_t>(positions.shape(0));
+    const std::vector<std::uint32_t> indices =
+        given.dtype().kind() == 'u' ? indicesOf<std::uint64_t>(given, count) : indicesOf<std::int64_t>(given, count);
+    const double *const coordinates = positions.data();
+    return withoutGil([&] { return Scene::of(setup, {coordinates, 3 * count}, indices, name); });
 }
 
 std::string sceneText(const Scene &scene)
@@ -269,6 +279,8 @@ triangles : array_like of int, shape (m, 3)
             py::arg("width"), py::arg("height"), R"(The setup that the window uses at another size.
 
 setup_at(width, height)
+
+A scene of arrays keeps the camera and the projection of its setup.
 
 width, height : int
     Device pixels.)")

@@ -112,7 +112,9 @@ void TestLibraryFiles::aModelIsOpenedAndSaved()
     QVERIFY(Picker::of(*scene).value().at(400.5, 300.5).isHit);
     QCOMPARE(scene->setupAt(80, 60).value().width(), 80);
     QVERIFY(!scene->setupAt(0, 60));
-    QVERIFY(!Scene::of(setup(), kSquare, kTriangles).value().save(file));
+    const Scene made = Scene::of(setup(), kSquare, kTriangles).value();
+    QVERIFY(!made.save(file));
+    QVERIFY(made.setupAt(800, 600).value() == setup());
 }
 
 void TestLibraryFiles::missingFilesAreTold()
@@ -141,6 +143,11 @@ void TestLibraryFiles::wrongMeshesAreNamed()
     QCOMPARE(Scene::of(setup(), kSquare, outside).error().message,
              std::string("triangle 0 has the vertex 4; there are 4 vertices, from 0"));
     QVERIFY(!Scene::of(setup(), kSquare, {}));
+    const std::array<std::uint32_t, 4> more{0, 1, 2, 3};
+    QCOMPARE(Scene::of(setup(), kSquare, more).error().message,
+             std::string("triangles has 4 numbers; give three vertex numbers a triangle"));
+    QCOMPARE(Scene::of(setup(), std::span(kSquare).first(11), std::span(more).first(3)).error().message,
+             std::string("vertices has 11 numbers; give three coordinates a vertex"));
 }
 
 void TestLibraryFiles::landmarksComeBack()

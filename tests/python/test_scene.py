@@ -128,6 +128,30 @@ def test_another_setup_sees_the_scene_from_elsewhere(folder):
     assert np.allclose(hits["world"][:2], [0.005, -0.005]) and hits["distance"] > 4 - 0.3
 
 
+def test_a_scene_of_arrays_keeps_its_camera_at_another_size():
+    view = {"near": 1, "far": 9, "eye": (0, 3, 5), "center": (0, 0, 0)}
+    made = up.Scene.from_arrays(up.Setup.perspective(fovy=30, size=(80, 60), **view), *terrain())
+    assert made.setup_at(80, 60) == made.setup
+    assert made.setup_at(200, 100) == up.Setup.perspective(fovy=30, size=(200, 100), **view)
+    squeezed = up.Setup.perspective(fovy=30, aspect=2, size=(80, 60), **view)
+    assert np.array_equal(up.Scene.from_arrays(squeezed, *terrain()).setup_at(200, 200).projection, squeezed.projection)
+    matrices = up.Setup.from_matrices(squeezed.projection, squeezed.view, size=(80, 60))
+    # The window finds the camera in the matrix, to its last digits.
+    assert np.allclose(up.Scene.from_arrays(matrices, *terrain()).setup_at(200, 200).view, squeezed.view, atol=1e-13)
+
+
+@pytest.mark.parametrize("snap", ["surface", "vertex", "edge", "face"])
+def test_a_scene_without_objects_is_never_hit(snap):
+    empty = up.Scene.parse(
+        '{"unprojector": 1, "window": {"width": 80, "height": 60}, "projection": {"type": "perspective", "fovy": 45, "near": 1, "far": 90},'
+        ' "view": {"eye": [0, 0, 15], "center": [0, 0, 0], "up": [0, 1, 0]}, "objects": []}'
+    )
+    hits = empty.pick([40, -3, np.nan], 30, snap=snap)
+    assert hits["outside"].tolist() == [False, True, True] and not hits["hit"].any()
+    assert (hits["object"] == -1).all() and np.isnan(hits["world"]).all()
+    assert repr(empty).startswith("<Scene: no objects, perspective")
+
+
 def test_objects_and_texts(folder):
     scene = up.Scene.load(folder / "scene.json")
     ground, veil = scene.objects
@@ -188,6 +212,7 @@ def test_wrong_files_and_arguments_are_named(folder, unproject_command):
         (np.eye(3) * np.nan, good[1], ValueError, "vertex 0 has the coordinate nan"),
         (good[0], [[0, 1, 3]], ValueError, "triangle 0 has the vertex 3; there are 3 vertices"),
         (good[0], [[0, 1, -1]], ValueError, "triangle 0 has the vertex -1"),
+        (good[0], np.array([[0, 1, 2**64 - 1]], np.uint64), ValueError, "triangle 0 has the vertex 18446744073709551615"),
         (np.eye(4), good[1], ValueError, r"vertices has the shape \(4, 4\); give \(n, 3\)"),
         (good[0], [0, 1, 2], ValueError, r"triangles has the shape \(3,\); give \(n, 3\)"),
         (good[0], np.empty((0, 3), int), ValueError, "no triangle"),
@@ -197,3 +222,7 @@ def test_wrong_files_and_arguments_are_named(folder, unproject_command):
             up.Scene.from_arrays(setup, vertices, triangles)
     with pytest.raises(ValueError, match='snap is "corner"'):
         up.Scene.from_arrays(setup, *good).pick(1, 1, snap="corner")
+    for threads, kind in [(0, ValueError), ("all", TypeError), (2.5, TypeError)]:
+        with pytest.raises(kind, match="threads is"):
+            up.Scene.from_arrays(setup, *good).pick(1, 1, threads=threads)
+    assert up.Scene.from_arrays(setup, *good).pick(1, 1, threads=2**70).shape == ()

@@ -74,13 +74,15 @@ public:
     /// A scene of one mesh.
     /// @param vertices   x, y, z of each vertex, world space
     /// @param triangles  three indices of vertices each, from 0
-    /// @return Value: a coordinate that is not finite, an index out of range, no triangle
+    /// @return Value: a coordinate that is not finite, an index out of range, no triangle, a number
+    ///         of coordinates or indices that is no multiple of 3
     static Result<Scene> of(const Setup &setup, std::span<const double> vertices,
                             std::span<const std::uint32_t> triangles, const std::string &name = "mesh");
 
     /// The setup of the scene file; for a model, the setup of the window on opening, 800 x 600.
     const Setup &setup() const;
-    /// The setup that the window uses at another size.
+    /// The setup that the window uses at another size. A scene of arrays keeps the camera and the
+    /// projection of its setup.
     /// @return Value: a size below 1 pixel
     Result<Setup> setupAt(int width, int height) const;
 
