@@ -18,7 +18,7 @@ using SetupClass = py::class_<Setup>;
 
 SetupClass bindSetup(py::module_ &module);
 void bindUnproject(SetupClass &setup);
-void bindProject(SetupClass &setup);
+void bindProject(py::module_ &module, SetupClass &setup);
 void bindCloud(py::module_ &module, SetupClass &setup);
 void bindScene(py::module_ &module);
 void bindDiagnose(py::module_ &module);

@@ -14,19 +14,28 @@ namespace unprojector::python {
 /// The number of points of a block: its arrays fit the processor's first cache.
 constexpr std::size_t kBlock = 512;
 
+/// A whole number; one beyond the range of ssize_t is the nearer end of the range.
+/// @return TypeError: another type; it names the argument and says what to give
+inline py::ssize_t wholeNumberOf(const char *name, const py::object &argument, const char *give)
+{
+    if (PyIndex_Check(argument.ptr()) == 0)
+        throw py::type_error(std::string(name) + " is " + std::string(py::repr(argument)) + "; give " + give);
+    const py::ssize_t number = PyNumber_AsSsize_t(argument.ptr(), nullptr);
+    if (number == -1 && PyErr_Occurred() != nullptr)
+        throw py::error_already_set();
+    return number;
+}
+
 /// The value of the argument threads: a number of threads, or None for all cores.
-/// Throws TypeError for anything but a whole number, ValueError for less than 1.
+/// @return ValueError: less than 1; TypeError
 inline std::size_t threadsOf(const py::object &threads)
 {
     if (threads.is_none())
         return 0;
-    if (PyIndex_Check(threads.ptr()) == 0)
-        throw py::type_error("threads is no whole number; give 1 or more, or None for all cores");
-    const py::ssize_t count = PyNumber_AsSsize_t(threads.ptr(), nullptr); // a number beyond 64 bits: the largest one
-    if (count == -1 && PyErr_Occurred() != nullptr)
-        throw py::error_already_set();
+    constexpr const char *kGive = "1 or more, or None for all cores";
+    const py::ssize_t count = wholeNumberOf("threads", threads, kGive);
     if (count < 1)
-        throw py::value_error("threads is " + std::to_string(count) + "; give 1 or more, or None for all cores");
+        throw py::value_error("threads is " + std::string(py::str(threads)) + "; give " + kGive);
     return static_cast<std::size_t>(count);
 }
 

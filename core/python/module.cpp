@@ -7,7 +7,7 @@ PYBIND11_MODULE(_core, module)
     module.doc() = "World coordinates under pixels, by closed-form inverse formulas and by the inverted matrix.";
     SetupClass setup = bindSetup(module);
     bindUnproject(setup);
-    bindProject(setup);
+    bindProject(module, setup);
     bindCloud(module, setup);
     bindScene(module);
     bindDiagnose(module);

@@ -39,6 +39,9 @@ bottom-left corner, and the window depth. With stages, a named tuple of arrays:
 Numbers are nan from the first stage on that a point does not have: in the plane of the
 eye it has no NDC. The digits are those of `unproject project`.)";
 
+constexpr const char *kModule = "unprojector._core";
+constexpr const char *kStagesType = "Stages";
+
 /// The components of a stage within Stages.
 struct StageMember {
     const char *name;
@@ -55,16 +58,16 @@ constexpr std::array kStageMembers{
 };
 constexpr std::size_t kWindow = 3;
 
-/// The named tuple of the stages, defined once.
-py::object stagesType()
+/// Adds the named tuple of the stages to the module, so that pickle finds it there.
+void addStagesType(py::module_ &module)
 {
-    static py::handle type = [] {
-        py::list names;
-        for (const StageMember &member : kStageMembers)
-            names.append(member.name);
-        return py::module_::import("collections").attr("namedtuple")("Stages", names).release();
-    }();
-    return py::reinterpret_borrow<py::object>(type);
+    py::list names;
+    for (const StageMember &member : kStageMembers)
+        names.append(member.name);
+    py::object type = py::module_::import("collections")
+                          .attr("namedtuple")(kStagesType, names, py::arg("module") = module.attr("__name__"));
+    type.attr("__doc__") = "Points in each space on their way to a pixel, see Setup.project.";
+    module.attr(kStagesType) = type;
 }
 
 py::object project(const Setup &setup, const py::object &points, const std::string &space, bool hasStages,
@@ -120,13 +123,14 @@ py::object project(const Setup &setup, const py::object &points, const std::stri
     py::tuple arrays(outputs.size());
     for (std::size_t i = 0; i < outputs.size(); ++i)
         arrays[i] = outputs[i].second.array();
-    return stagesType()(*arrays);
+    return py::module_::import(kModule).attr(kStagesType)(*arrays);
 }
 
 } // namespace
 
-void bindProject(SetupClass &setup)
+void bindProject(py::module_ &module, SetupClass &setup)
 {
+    addStagesType(module);
     py::options options;
     options.disable_function_signatures();
     setup.def("project", &project, py::arg("points"), py::kw_only(), py::arg("space") = "world",

@@ -17,8 +17,10 @@ that all of them see.
 
 import argparse
 import glob
+import hashlib
 import os
 import pathlib
+import socket
 import sys
 import warnings
 
@@ -57,14 +59,16 @@ def read_setups(arguments, count):
             raise ValueError(f"{arguments.cameras}: there is no array {sorted(missing)[0]}; give K, R and t")
         if not arguments.size:
             raise ValueError("--cameras needs --size, the width and height of the images")
+        if len(cameras["R"]) != count or len(cameras["t"]) != count:
+            lengths = f"{len(cameras['R'])} rotations R and {len(cameras['t'])} translations t"
+            raise ValueError(f"{arguments.cameras}: there are {count} images, {lengths}; give one an image")
         size = tuple(int(side) for side in arguments.size.lower().split("x"))
-        setups = [
+        return [
             up.Setup.from_opencv(K, R, t, size=size, near=arguments.near, far=arguments.far)
-            for K, R, t in zip(np.broadcast_to(cameras["K"], (len(cameras["R"]), 3, 3)), cameras["R"], cameras["t"])
+            for K, R, t in zip(np.broadcast_to(cameras["K"], (count, 3, 3)), cameras["R"], cameras["t"])
         ]
-    else:
-        files = [file for word in arguments.setups for file in (sorted(glob.glob(word)) if glob.has_magic(word) else [word])]
-        setups = [up.Setup.from_scene(pathlib.Path(file).read_text(encoding="utf-8")) for file in files]
+    files = [file for word in arguments.setups for file in (sorted(glob.glob(word)) if glob.has_magic(word) else [word])]
+    setups = [up.Setup.from_scene(pathlib.Path(file).read_text(encoding="utf-8")) for file in files]
     if len(setups) == 1:
         return setups * count
     if len(setups) != count:
@@ -72,12 +76,23 @@ def read_setups(arguments, count):
     return setups
 
 
+def check_same_run(folder, jobs, options):
+    """Refuses a folder whose parts were made from other images, setups or options."""
+    run = hashlib.sha256(repr([(source, setup.to_scene()) for source, setup in jobs] + [options]).encode()).hexdigest()
+    note = pathlib.Path(folder, ".cluster-run")
+    if note.exists() and note.read_text() != run:
+        raise ValueError(f"{folder}: its parts were made from other images, setups or options; give another --out")
+    note.write_text(run)
+
+
 class Parts:
     """A folder with one .npy file an image."""
 
-    def __init__(self, folder, count, dtype):
+    def __init__(self, folder, dtype):
         self.folder, self.dtype = os.path.abspath(folder), np.dtype(dtype)
         os.makedirs(self.folder, exist_ok=True)
+        for partial in glob.glob(os.path.join(glob.escape(self.folder), "*.partial")):
+            os.unlink(partial)  # of a worker that was killed
 
     def file(self, i):
         return os.path.join(self.folder, f"{i:06}.npy")
@@ -91,7 +106,7 @@ class Parts:
         return part.dtype == self.dtype and part.shape == (size[1], size[0], 3)
 
     def write(self, i, points):
-        partial = f"{self.file(i)}.{os.getpid()}.partial"
+        partial = f"{self.file(i)}.{socket.gethostname()}-{os.getpid()}.partial"
         with open(partial, "wb") as file:
             np.save(file, points)
             file.flush()
@@ -169,8 +184,9 @@ def main():
     parser.add_argument("--near", type=float, help="the near plane of --cameras")
     parser.add_argument("--far", type=float, help="the far plane of --cameras")
     parser.add_argument("--size", help="the size of the images of --cameras: 640x480")
-    parser.add_argument("--depth-is", required=True, choices=["buffer", "range", "z", "distance"], help="the meaning of the numbers")
+    parser.add_argument("--depth-is", required=True, choices=["buffer", "range", "z", "distance", "disparity"], help="the meaning of the numbers")
     parser.add_argument("--scale", type=float, help="the numbers are divided by it: 1000 for millimetres")
+    parser.add_argument("--baseline", type=float, help="the distance of the two cameras of a disparity")
     parser.add_argument("--dtype", default="float32", choices=["float32", "float64"], help="of the points (default: float32)")
     parser.add_argument("--out", required=True, help="a folder for .npy parts, or NAME.zarr")
     parser.add_argument("--workers", type=int, default=os.cpu_count(), help="of the cluster on this machine (default: its cores)")
@@ -181,17 +197,20 @@ def main():
     try:
         sources = image_sources(arguments.images)
         setups = read_setups(arguments, len(sources))
-        options = {"depth_is": arguments.depth_is, "scale": arguments.scale, "dtype": arguments.dtype}
+        options = {"depth_is": arguments.depth_is, "scale": arguments.scale, "baseline": arguments.baseline, "dtype": arguments.dtype}
         if arguments.out.endswith(".zarr"):
+            if len({setup.size for setup in setups}) > 1:
+                raise ValueError("the setups have several sizes, which a Zarr array cannot hold; give a folder as --out")
             parts = ZarrParts(arguments.out, len(sources), arguments.dtype, setups[0].size)
         else:
-            parts = Parts(arguments.out, len(sources), arguments.dtype)
+            parts = Parts(arguments.out, arguments.dtype)
+        check_same_run(arguments.out, list(zip(sources, setups)), options)
         jobs = {i: job for i, job in enumerate(zip(sources, setups)) if not parts.has(i, job[1].size)}
         if jobs and arguments.single:
             counts = [make_part(i, *job, parts, options) for i, job in jobs.items()]
         else:
             counts = on_cluster(arguments, jobs, parts, options) if jobs else []
-    except (OSError, ValueError, ImportError) as error:
+    except Exception as error:  # also Dask's own, of a part that keeps killing its worker
         sys.exit(f"cluster.py: {error}")
     print(f"{arguments.out}: {len(counts)} parts made, {len(sources) - len(counts)} were there; {int(np.sum(counts))} new points")
     if len(counts) and not np.all(counts):

@@ -108,7 +108,7 @@ def test_what_is_missing_is_made_again(folder, distributed):
     printed = run(folder, "--out", "parts", "--workers", "2").stdout
     assert f"parts: 2 parts made, {COUNT - 2} were there" in printed
     assert parts_of(folder / "parts") == whole
-    changed = {file.name for file in (folder / "parts").iterdir() if file.stat().st_mtime_ns != times[file.name]}
+    changed = {file.name for file in (folder / "parts").glob("*.npy") if file.stat().st_mtime_ns != times[file.name]}
     assert changed == {"000003.npy", "000007.npy"}
 
 
@@ -154,6 +154,22 @@ def test_wrong_arguments_are_named(folder, words, message):
     result = run(folder, check=False, arguments=arguments)
     assert result.returncode != 0
     assert message in result.stderr and "Traceback" not in result.stderr
+
+
+def test_cameras_of_another_number_are_named(folder):
+    np.savez(folder / "cameras.npz", K=np.eye(3), R=np.stack([np.eye(3)] * 5), t=np.zeros((1, 3)))
+    words = ["depth.npy", "--cameras", "cameras.npz", "--near", "1", "--far", "2", "--size", "160x120", "--depth-is", "z", "--out", "p", "--single"]
+    result = run(folder, check=False, arguments=[sys.executable, str(EXAMPLE), *words])
+    assert f"there are {COUNT} images, 5 rotations R and 1 translations t" in result.stderr
+
+
+def test_parts_of_other_options_are_not_taken(folder):
+    run(folder, "--out", "parts", "--single")
+    (folder / "parts" / "000001.npy.host-1.partial").write_text("left behind")
+    result = run(folder, "--out", "parts", "--single", "--scale", "2", check=False)
+    assert result.returncode != 0 and "parts: its parts were made from other images, setups or options" in result.stderr
+    assert "0 parts made" in run(folder, "--out", "parts", "--single").stdout
+    assert not list((folder / "parts").glob("*.partial"))
 
 
 def test_an_image_of_another_size_is_named(folder):

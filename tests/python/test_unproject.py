@@ -1,3 +1,4 @@
+import pickle
 import subprocess
 import threading
 import time
@@ -108,7 +109,11 @@ def test_wrong_arguments_are_named(setup):
         ((1, 1, 0.5), {"space": "clip"}, ValueError, 'space is "clip"'),
         ((1, 1, 0.5), {"depth_bits": 0}, ValueError, "depth buffer of 0 bits"),
         ((1, 1, 0.5), {"depth_bits": "double"}, ValueError, 'depth_bits is "double"'),
+        ((1, 1, 0.5), {"depth_bits": 2**40}, ValueError, "depth_bits is 1099511627776"),
+        ((1, 1, 0.5), {"depth_bits": 24.5}, TypeError, 'depth_bits is 24.5; give 1 to 32, or "float"'),
         ((1, 1, 0.5), {"threads": 0}, ValueError, "threads is 0"),
+        ((1, 1, 0.5), {"threads": -(2**70)}, ValueError, f"threads is -{2**70}"),
+        ((1, 1, 0.5), {"threads": "2"}, TypeError, "threads is '2'; give 1 or more"),
         (("a", 1, 0.5), {}, TypeError, "px has the type"),
         ((1, 1j, 0.5), {}, TypeError, "py has the type complex128"),
         ((1, 1, [[1], [1, 2]]), {}, TypeError, "depth is no array of numbers|depth has the type object"),
@@ -187,6 +192,13 @@ def test_projecting_undoes_unprojecting(setup):
     assert setup.project([0, 0, 0]).shape == (3,)
     with pytest.raises(ValueError, match=r"points has the shape \(2,\); give \(\.\.\., 3\)"):
         setup.project([1, 2])
+
+
+def test_stages_survive_pickling(setup):
+    stages = setup.project([[0, 0, 0], [1, 0, 0]], stages=True)
+    again = pickle.loads(pickle.dumps(stages))
+    assert type(again) is up.Stages
+    assert all(np.array_equal(a, b) for a, b in zip(again, stages))
 
 
 def test_a_point_in_the_plane_of_the_eye_has_no_window_position(setup):

@@ -21,9 +21,13 @@ enum class Space { World, Eye };
 
 /// The number of digits that a point is computed with.
 enum class Digits {
-    Exact,  ///< about 30, rounded once: the digits of a click. At most half a unit in the last place of the
-            ///< largest coordinate off, where window height - py is exact, as at pixel centres
-    Double, ///< plain double, several times faster: 8 units in the last place of the largest coordinate for 99.99 %
+    /// About 30, rounded once: the digits of a click. The formulas are at most half a unit in the
+    /// last place of the largest coordinate off where window height - py is exact, as at pixel
+    /// centres. The inverted matrix loses what rounding to its double elements loses.
+    Exact,
+    /// Plain double, several times faster: 8 units in the last place of the largest coordinate for
+    /// 99.99 % of the points of a usual setup.
+    Double,
 };
 
 /// The format of a depth buffer.
@@ -46,8 +50,9 @@ struct UnprojectOptions {
 /// Depths are window depths, in the setup's depth range.
 ///
 /// The uncertainty of a coordinate is its error bound for the rounding of the depth in the depth
-/// buffer: half a step, extended along the pixel's ray; plus half a unit in the last place. The
-/// errors of a rasteriser, which depend on its triangles, are not included.
+/// buffer: half a step, extended along the pixel's ray; plus half a unit in the last place, the
+/// rounding of Digits::Exact. The errors of a rasteriser, which depend on its triangles, are not
+/// included.
 class UNPROJECTOR_PUBLIC Unprojection {
 public:
     /// @return Value: the matrix has no inverse; the formulas do not apply, since the matrix is no
