@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/cli/commands/points_command.h"
-#include "core/clouds/depth_numbers.h"
 #include "core/cli/terminal/exit_code.h"
+#include "core/clouds/depth_numbers.h"
 
 #include <string>
 
