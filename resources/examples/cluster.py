@@ -28,18 +28,25 @@ import numpy as np
 import unprojector as up
 
 
+def files_of(words):
+    """The files of names and patterns, those of a pattern in the order of their names."""
+    files = []
+    for word in words:
+        found = sorted(glob.glob(word)) if glob.has_magic(word) else [word]
+        if not found:
+            raise ValueError(f"{word}: no file matches")
+        files += found
+    return files
+
+
 def image_sources(words):
     """What each image is read from: (file, index in it, or None)."""
     sources = []
-    for word in words:
-        files = sorted(glob.glob(word)) if glob.has_magic(word) else [word]
-        if not files:
-            raise ValueError(f"{word}: no file matches")
-        for file in files:
-            if file.endswith(".npy") and len(shape := np.load(file, mmap_mode="r").shape) == 3:
-                sources += [(os.path.abspath(file), i) for i in range(shape[0])]
-            else:
-                sources.append((os.path.abspath(file), None))
+    for file in files_of(words):
+        if file.endswith(".npy") and len(shape := np.load(file, mmap_mode="r").shape) == 3:
+            sources += [(os.path.abspath(file), i) for i in range(shape[0])]
+        else:
+            sources.append((os.path.abspath(file), None))
     return sources
 
 
@@ -49,31 +56,29 @@ def read_image(source):
     return up.read_depth(file) if index is None else np.load(file, mmap_mode="r")[index]
 
 
-def read_setups(arguments, count):
+def read_setups(arguments, sources):
     """One setup for each image."""
-    if arguments.cameras:
-        if arguments.near is None or arguments.far is None:
-            raise ValueError("--cameras needs --near and --far")
-        cameras = np.load(arguments.cameras)
-        if missing := {"K", "R", "t"} - set(cameras.files):
-            raise ValueError(f"{arguments.cameras}: there is no array {sorted(missing)[0]}; give K, R and t")
-        if not arguments.size:
-            raise ValueError("--cameras needs --size, the width and height of the images")
-        if len(cameras["R"]) != count or len(cameras["t"]) != count:
-            lengths = f"{len(cameras['R'])} rotations R and {len(cameras['t'])} translations t"
-            raise ValueError(f"{arguments.cameras}: there are {count} images, {lengths}; give one an image")
-        size = tuple(int(side) for side in arguments.size.lower().split("x"))
-        return [
-            up.Setup.from_opencv(K, R, t, size=size, near=arguments.near, far=arguments.far)
-            for K, R, t in zip(np.broadcast_to(cameras["K"], (count, 3, 3)), cameras["R"], cameras["t"])
-        ]
-    files = [file for word in arguments.setups for file in (sorted(glob.glob(word)) if glob.has_magic(word) else [word])]
-    setups = [up.Setup.from_scene(pathlib.Path(file).read_text(encoding="utf-8")) for file in files]
-    if len(setups) == 1:
-        return setups * count
-    if len(setups) != count:
-        raise ValueError(f"there are {count} images and {len(setups)} setups; give one setup, or one an image")
-    return setups
+    count = len(sources)
+    if not arguments.cameras:
+        setups = [up.Setup.from_scene(pathlib.Path(file).read_text(encoding="utf-8")) for file in files_of(arguments.setups)]
+        if len(setups) not in (1, count):
+            raise ValueError(f"there are {count} images and {len(setups)} setups; give one setup, or one an image")
+        return setups * count if len(setups) == 1 else setups
+    if arguments.near is None or arguments.far is None:
+        raise ValueError("--cameras needs --near and --far")
+    cameras = np.load(arguments.cameras)
+    for name in ("K", "R", "t"):
+        if name not in getattr(cameras, "files", ()):
+            raise ValueError(f"{arguments.cameras}: there is no array {name}; give an .npz file with K, R and t")
+    K = cameras["K"] if cameras["K"].ndim == 3 else np.repeat(cameras["K"][None], count, axis=0)
+    for name, array in (("K", K), ("R", cameras["R"]), ("t", cameras["t"])):
+        if len(array) != count:
+            raise ValueError(f"{arguments.cameras}: there are {count} images and {len(array)} of {name}; give one an image")
+    size = read_image(sources[0]).shape[::-1]
+    return [
+        up.Setup.from_opencv(*camera, size=size, near=arguments.near, far=arguments.far)
+        for camera in zip(K, cameras["R"], cameras["t"])
+    ]
 
 
 def check_same_run(folder, jobs, options):
@@ -91,8 +96,11 @@ class Parts:
     def __init__(self, folder, dtype):
         self.folder, self.dtype = os.path.abspath(folder), np.dtype(dtype)
         os.makedirs(self.folder, exist_ok=True)
+
+    def remove_partial(self):
+        """Removes what killed workers left."""
         for partial in glob.glob(os.path.join(glob.escape(self.folder), "*.partial")):
-            os.unlink(partial)  # of a worker that was killed
+            os.unlink(partial)
 
     def file(self, i):
         return os.path.join(self.folder, f"{i:06}.npy")
@@ -124,6 +132,9 @@ class ZarrParts:
         self.array = zarr.open(folder, mode="a", shape=shape, chunks=(1, *shape[1:]), dtype=dtype, fill_value=np.nan)
         if self.array.shape != shape or self.array.dtype != np.dtype(dtype):
             raise ValueError(f"{folder}: holds {self.array.dtype}{self.array.shape}, not {np.dtype(dtype)}{shape}; give another --out")
+
+    def remove_partial(self):
+        pass
 
     def has(self, i, size):
         return f"{i}.0.0.0" in self.array.store or f"{self.array.path}/{i}.0.0.0".lstrip("/") in self.array.store
@@ -183,7 +194,6 @@ def main():
     cameras.add_argument("--cameras", help="an .npz file with K, R (N, 3, 3) and t (N, 3), as OpenCV has them")
     parser.add_argument("--near", type=float, help="the near plane of --cameras")
     parser.add_argument("--far", type=float, help="the far plane of --cameras")
-    parser.add_argument("--size", help="the size of the images of --cameras: 640x480")
     parser.add_argument("--depth-is", required=True, choices=["buffer", "range", "z", "distance", "disparity"], help="the meaning of the numbers")
     parser.add_argument("--scale", type=float, help="the numbers are divided by it: 1000 for millimetres")
     parser.add_argument("--baseline", type=float, help="the distance of the two cameras of a disparity")
@@ -196,7 +206,7 @@ def main():
     arguments = parser.parse_args()
     try:
         sources = image_sources(arguments.images)
-        setups = read_setups(arguments, len(sources))
+        setups = read_setups(arguments, sources)
         options = {"depth_is": arguments.depth_is, "scale": arguments.scale, "baseline": arguments.baseline, "dtype": arguments.dtype}
         if arguments.out.endswith(".zarr"):
             if len({setup.size for setup in setups}) > 1:
@@ -205,6 +215,7 @@ def main():
         else:
             parts = Parts(arguments.out, arguments.dtype)
         check_same_run(arguments.out, list(zip(sources, setups)), options)
+        parts.remove_partial()
         jobs = {i: job for i, job in enumerate(zip(sources, setups)) if not parts.has(i, job[1].size)}
         if jobs and arguments.single:
             counts = [make_part(i, *job, parts, options) for i, job in jobs.items()]

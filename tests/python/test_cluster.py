@@ -130,7 +130,7 @@ def test_files_and_cameras_are_taken_in_order(folder):
         (folder / f"ä {i}.pgm").write_bytes(b"P5 %d %d 65535\n" % SIZE + millimetres.tobytes())
     K, R, t = np.array([[150, 0, 79.5], [0, 150, 59.5], [0, 0, 1]]), np.stack([np.eye(3)] * 3), np.arange(9.0).reshape(3, 3)
     np.savez(folder / "cameras.npz", K=K, R=R, t=t)
-    words = ["ä*.pgm", "--cameras", "cameras.npz", "--near", "0.1", "--far", "80", "--size", "160x120", "--depth-is", "z",
+    words = ["ä*.pgm", "--cameras", "cameras.npz", "--near", "0.1", "--far", "80", "--depth-is", "z",
              "--scale", "1000", "--out", "files", "--single", "--dtype", "float64"]
     run(folder, arguments=[sys.executable, str(EXAMPLE), *words])
     for i in range(3):
@@ -146,7 +146,9 @@ def test_files_and_cameras_are_taken_in_order(folder):
         (["none.npy", "--setups", "scene.json"], "none.npy"),
         (["depth.npy", "--setups", "none.json"], "none.json"),
         (["depth.npy", "--setups", "scene.json", "scene.json"], f"there are {COUNT} images and 2 setups"),
+        (["depth.npy", "--setups", "none*.json"], "none*.json: no file matches"),
         (["depth.npy", "--cameras", "depth.npy"], "--cameras needs --near and --far"),
+        (["depth.npy", "--cameras", "depth.npy", "--near", "1", "--far", "2"], "depth.npy: there is no array K"),
     ],
 )
 def test_wrong_arguments_are_named(folder, words, message):
@@ -156,11 +158,28 @@ def test_wrong_arguments_are_named(folder, words, message):
     assert message in result.stderr and "Traceback" not in result.stderr
 
 
+def test_a_running_scheduler_is_used(folder, distributed):
+    scheduler = subprocess.Popen(
+        [sys.executable, "-c", "from distributed import LocalCluster; import sys\n"
+         "if __name__ == '__main__':\n"
+         "    cluster = LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None, processes=False, protocol='tcp')\n"
+         "    print(cluster.scheduler_address, flush=True); sys.stdin.read()"],
+        stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, cwd=folder,
+    )
+    try:
+        address = scheduler.stdout.readline().strip()
+        assert "parts made" in run(folder, "--out", "there", "--scheduler", address).stdout
+    finally:
+        scheduler.communicate("", timeout=60)
+    run(folder, "--out", "single", "--single")
+    assert parts_of(folder / "there") == parts_of(folder / "single")
+
+
 def test_cameras_of_another_number_are_named(folder):
     np.savez(folder / "cameras.npz", K=np.eye(3), R=np.stack([np.eye(3)] * 5), t=np.zeros((1, 3)))
-    words = ["depth.npy", "--cameras", "cameras.npz", "--near", "1", "--far", "2", "--size", "160x120", "--depth-is", "z", "--out", "p", "--single"]
+    words = ["depth.npy", "--cameras", "cameras.npz", "--near", "1", "--far", "2", "--depth-is", "z", "--out", "p", "--single"]
     result = run(folder, check=False, arguments=[sys.executable, str(EXAMPLE), *words])
-    assert f"there are {COUNT} images, 5 rotations R and 1 translations t" in result.stderr
+    assert f"cameras.npz: there are {COUNT} images and 5 of R; give one an image" in result.stderr
 
 
 def test_parts_of_other_options_are_not_taken(folder):
