@@ -125,6 +125,68 @@ Specimen specimenFrom(const std::vector<std::string> &names, const py::object &p
     return specimen;
 }
 
+/// The specimens of an argument: of Landmarks, a Specimen, or a sequence of them.
+std::vector<Specimen> specimensOf(const py::object &argument)
+{
+    if (py::isinstance<Specimen>(argument))
+        return {argument.cast<Specimen>()};
+    if (py::isinstance<Landmarks>(argument))
+        return argument.cast<Landmarks>().specimens();
+    std::vector<Specimen> specimens;
+    if (py::isinstance<py::sequence>(argument) && !py::isinstance<py::str>(argument)) {
+        for (const py::handle item : argument) {
+            for (Specimen &specimen : specimensOf(py::reinterpret_borrow<py::object>(item)))
+                specimens.push_back(std::move(specimen));
+        }
+        return specimens;
+    }
+    throw py::type_error(std::string(py::repr(argument)) + " is no Landmarks, Specimen or sequence of them");
+}
+
+/// The names of all specimens' landmarks, in the order of their first appearance.
+std::vector<std::string> namesOfAll(const std::vector<Specimen> &specimens)
+{
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < specimens.size(); ++i) {
+        std::vector<std::string> own;
+        for (const Landmark &landmark : specimens[i].landmarks) {
+            const std::string specimen =
+                "specimen " + std::to_string(i) + (specimens[i].name.empty() ? "" : " (" + specimens[i].name + ")");
+            if (landmark.name.empty())
+                throw py::value_error(specimen + " has a landmark without a name; landmarks belong together by name");
+            if (std::find(own.begin(), own.end(), landmark.name) != own.end())
+                throw py::value_error(specimen + " has the name \"" + landmark.name
+                                      + "\" twice; landmarks belong together by name");
+            own.push_back(landmark.name);
+            if (std::find(names.begin(), names.end(), landmark.name) == names.end())
+                names.push_back(landmark.name);
+        }
+    }
+    return names;
+}
+
+py::tuple tableOf(const py::object &argument)
+{
+    const std::vector<Specimen> specimens = specimensOf(argument);
+    const std::vector<std::string> names = namesOfAll(specimens);
+    py::array_t<double> points(
+        {static_cast<py::ssize_t>(specimens.size()), static_cast<py::ssize_t>(names.size()), py::ssize_t{3}});
+    auto numbers = points.mutable_unchecked<3>();
+    std::vector<std::string> specimenNames;
+    for (std::size_t i = 0; i < specimens.size(); ++i) {
+        specimenNames.push_back(specimens[i].name);
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            const auto found = std::find_if(specimens[i].landmarks.begin(), specimens[i].landmarks.end(),
+                                            [&](const Landmark &landmark) { return landmark.name == names[k]; });
+            const bool isThere = found != specimens[i].landmarks.end() && found->world;
+            for (py::ssize_t axis = 0; axis < 3; ++axis)
+                numbers(static_cast<py::ssize_t>(i), static_cast<py::ssize_t>(k), axis) =
+                    isThere ? (*found->world)[static_cast<glm::length_t>(axis)] : kNaN;
+        }
+    }
+    return py::make_tuple(specimenNames, names, points);
+}
+
 std::vector<std::string> written(const std::filesystem::path &file, const Landmarks &landmarks)
 {
     std::vector<std::string> notes = valueOrRaise([&] {
@@ -228,6 +290,9 @@ file and the line that is wrong.)");
                 return written(file, landmarks.cast<Landmarks>());
             if (py::isinstance<Specimen>(landmarks) && points.is_none())
                 return written(file, Landmarks::of({landmarks.cast<Specimen>()}));
+            if (points.is_none() && py::isinstance<py::sequence>(landmarks) && py::len(landmarks) > 0
+                && !py::isinstance<py::str>(landmarks[py::int_(0)]))
+                return written(file, Landmarks::of(specimensOf(landmarks)));
             if (points.is_none())
                 throw py::type_error("write_landmarks needs Landmarks, a Specimen, or names and points");
             return written(file, Landmarks::of({specimenFrom(landmarks.cast<std::vector<std::string>>(), points)}));
@@ -240,14 +305,26 @@ write_landmarks(file, names, points)
 file : path
     Its suffix is the format; see read_landmarks. .landmarkAscii and .ljson are read only.
     An existing file is replaced.
-landmarks : Landmarks or Specimen
-    Landmarks that were read keep all that their file had.
+landmarks : Landmarks, Specimen, or a sequence of them
+    Landmarks that were read keep all that their file had; a Specimen or a sequence keeps
+    what Specimen shows. Several specimens go into CSV, TPS and NTSYS: landmarks belong
+    together by name.
 names : list of str
 points : array_like of shape (n, 3)
     nan for a landmark without a position.
 
 Returns a list of sentences about what the format cannot hold. Each is also a
 UserWarning.)");
+    module.def("landmark_table", &tableOf, py::arg("landmarks"), R"(The landmarks of several specimens as one array.
+
+landmark_table(landmarks)
+
+landmarks : Landmarks, Specimen, or a sequence of them
+
+Returns a tuple: the names of the specimens, the names of the landmarks in the order of
+their first appearance, and the points, float64 of shape (specimens, landmarks, 3) with
+nan where a specimen lacks one. Landmarks belong together by name; ValueError names a
+specimen with a name twice.)");
 }
 
 } // namespace unprojector::python

@@ -74,6 +74,26 @@ def test_several_specimens_are_not_mistaken_for_one(tmp_path):
     assert np.array_equal(up.read_landmarks(tmp_path / "one.csv").points, [[1, 2, 0], [3, 4, 0]])
 
 
+def test_specimens_make_a_table(tmp_path, unproject_command):
+    write(tmp_path / "a.csv", ["nasion", "bregma"], [[1, 2, 3], [4, 5, 6]])
+    write(tmp_path / "b.csv", ["lambda", "nasion"], [[7, 8, 9], [np.nan] * 3])
+    read = [up.read_landmarks(tmp_path / f"{name}.csv") for name in "ab"]
+    specimens, names, points = up.landmark_table(read)
+    assert len(specimens) == 2 and names == ["nasion", "bregma", "lambda"]
+    nothing = [np.nan] * 3
+    assert np.array_equal(points, [[[1, 2, 3], [4, 5, 6], nothing], [nothing, nothing, [7, 8, 9]]], equal_nan=True)
+    write(tmp_path / "both.tps", read)
+    again = up.read_landmarks(tmp_path / "both.tps")
+    assert [len(s) for s in again.specimens] == [3, 3]
+    assert np.array_equal(again.specimens[1].points[2], [7, 8, 9])
+    assert up.landmark_table(read[0])[2].shape == (1, 2, 3)
+    write(tmp_path / "c.csv", ["a", "a"], [[1, 2, 3], [4, 5, 6]])
+    with pytest.raises(ValueError, match='specimen 1.* has the name "a" twice'):
+        up.landmark_table([read[0], up.read_landmarks(tmp_path / "c.csv")])
+    with pytest.raises(TypeError, match="'a.csv' is no Landmarks"):
+        up.landmark_table("a.csv")
+
+
 def test_wrong_files_and_arguments_are_named(tmp_path, unproject_command):
     with pytest.raises(FileNotFoundError, match="none.csv"):
         up.read_landmarks(tmp_path / "none.csv")
