@@ -13,6 +13,8 @@
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace unprojector {
@@ -74,7 +76,8 @@ Result<Diagnosis> diagnosed(doctor::Case scene, std::span<const WrongPoint> poin
         return valueError(
             text::tr("there is no point to examine; give a pixel and the coordinate that the program got"));
     if (points.size() > doctor::kMostWrongPoints)
-        points = points.first(doctor::kMostWrongPoints);
+        return valueError(text::tr("there are %1 points; give at most %2, more add no information", points.size(),
+                                   doctor::kMostWrongPoints));
     if (options.otherSize) {
         scene.otherSize = geometry::Surface{options.otherSize->first, options.otherSize->second, 1.0};
         if (const geometry::Check valid = check(*scene.otherSize); !valid)
@@ -90,6 +93,11 @@ Result<Diagnosis> diagnosed(doctor::Case scene, std::span<const WrongPoint> poin
                 text::tr("%1: %2,%3 lies outside the view of %4x%5; give device pixels from its top left corner",
                          nameOf(i, points.size()), text::shortestText(at.x), text::shortestText(at.y),
                          surface.widthPixels, surface.heightPixels));
+        const glm::dvec3 &digit = point.lastDigit;
+        if (!(digit.x > 0.0 && digit.y > 0.0 && digit.z > 0.0 && std::isfinite(digit.x + digit.y + digit.z)))
+            return valueError(text::tr("%1: the unit of a last digit is %2; it must be greater than 0",
+                                       nameOf(i, points.size()),
+                                       text::shortestText(std::min({digit.x, digit.y, digit.z}))));
         given.push_back({geometry::DevicePoint(at), point.depth, point.got, point.lastDigit,
                          options.space == Space::Eye ? doctor::PointSpace::Eye : doctor::PointSpace::World, 0,
                          point.depthLastDigit});

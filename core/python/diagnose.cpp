@@ -19,9 +19,10 @@ setup : Setup or Scene
     With a scene, an unknown depth is that of its meshes, and mistakes of model matrices
     are tried.
 pixel : (2,) or (n, 2)
-    The clicked pixels: device pixels from the top-left corner.
+    The clicked pixels: device pixels from the top-left corner; n is at most 100.
 depth : float, (n,) or None
-    The right depths; None: unknown.
+    The right depths; None: unknown. A depth that prints with four decimals or more counts
+    as rounded to them, one with fewer as exact.
 got : (3,) or (n, 3)
     The wrong program's coordinates, of one program. Strings count as they were printed:
     "0.7051 -0.4122 0.0918", or one string a coordinate. Numbers count with the digits
@@ -53,10 +54,12 @@ std::vector<std::string> rowsOf(const char *name, const py::object &argument, st
                || (py::isinstance<py::array>(item) && py::reinterpret_borrow<py::array>(item).ndim() > 0);
     };
     std::vector<std::string> rows;
+    const auto isText = [](const py::handle &item) { return py::isinstance<py::str>(item); };
+    // As many strings as a row has numbers are one row.
     const bool areRows =
         std::all_of(items.begin(), items.end(), isRow)
-        || (items.size() != width && std::all_of(items.begin(), items.end(), [](const py::handle &item) {
-                return py::isinstance<py::str>(item);
+        || (items.size() != width && std::all_of(items.begin(), items.end(), [&](const py::handle &item) {
+                return isRow(item) || isText(item);
             }));
     if (areRows) {
         for (const py::handle item : items) {
@@ -102,8 +105,12 @@ Diagnosis diagnosed(const py::object &setup, const py::object &pixel, const py::
         throw py::value_error("there are " + std::to_string(pixels.size()) + " pixels, " + std::to_string(depths.size())
                               + " depths and " + std::to_string(answers.size()) + " coordinates; give as many of each");
     std::vector<WrongPoint> points;
-    for (std::size_t i = 0; i < pixels.size(); ++i)
-        points.push_back(valueOrRaise(wrongPoint(pixels[i], depths[i], answers[i])));
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        Result<WrongPoint> point = wrongPoint(pixels[i], depths[i], answers[i]);
+        if (!point && pixels.size() > 1)
+            point = Error{point.error().kind, "point " + std::to_string(i) + ": " + point.error().message};
+        points.push_back(valueOrRaise(std::move(point)));
+    }
     DiagnoseOptions options;
     options.space = spaceOf(space);
     options.otherSize = otherSize;

@@ -61,6 +61,12 @@ std::vector<std::string> absencesOf(const Specimen &specimen)
     return words;
 }
 
+bool hasName(const Specimen &specimen, const std::string &name)
+{
+    return std::any_of(specimen.landmarks.begin(), specimen.landmarks.end(),
+                       [&name](const Landmark &landmark) { return landmark.name == name; });
+}
+
 /// The position of the one landmark of a name.
 py::array_t<double> pointNamed(const Specimen &specimen, const std::string &name)
 {
@@ -229,6 +235,8 @@ void bindSpecimen(py::module_ &module)
             },
             "The largest error of each coordinate, float64 of shape (n, 3); nan where the file has none.")
         .def("__len__", [](const Specimen &s) { return s.landmarks.size(); })
+        .def("__iter__", [](const Specimen &s) { return py::iter(py::cast(namesOf(s))); })
+        .def("__contains__", [](const Specimen &s, const std::string &name) { return hasName(s, name); })
         .def("__getitem__", &pointNamed, py::arg("name"), "The position of the landmark of a name, (3,).")
         .def("__repr__", [](const Specimen &s) { return "<Specimen: " + specimenText(s) + '>'; });
 }
@@ -243,7 +251,7 @@ void bindLandmarks(py::module_ &module)
     py::class_<Landmarks>(module, "Landmarks", R"(The landmarks of a file: of one or several specimens.
 
 With one specimen, its names, points, absence and curves are here too, and
-landmarks["bregma"] is a position.)")
+landmarks["bregma"] is a position. Iterating gives the names.)")
         .def_property_readonly("specimens", &Landmarks::specimens, "The specimens: a list of Specimen.")
         .def_property_readonly("notes", &Landmarks::notes, "What reading changed or dropped: a list of sentences.")
         .def_property_readonly(
@@ -257,6 +265,8 @@ landmarks["bregma"] is a position.)")
         .def_property_readonly(
             "unit", [](const Landmarks &l) { return onlyOf(l).unit; }, "See Specimen.unit.")
         .def("__len__", [](const Landmarks &l) { return onlyOf(l).landmarks.size(); })
+        .def("__iter__", [](const Landmarks &l) { return py::iter(py::cast(namesOf(onlyOf(l)))); })
+        .def("__contains__", [](const Landmarks &l, const std::string &name) { return hasName(onlyOf(l), name); })
         .def("__getitem__", [](const Landmarks &l, const std::string &name) { return pointNamed(onlyOf(l), name); })
         .def("__repr__", [](const Landmarks &l) {
             std::string text;

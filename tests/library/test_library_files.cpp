@@ -213,6 +213,10 @@ void TestLibraryFiles::aMistakeIsFound()
     QVERIFY(!diagnosis->code.empty() && !diagnosis->sentence.empty());
     QVERIFY(diagnosis->report.find("y-not-flipped") != std::string::npos);
     QVERIFY(!diagnose(setup(), {}));
+    points[1].lastDigit.y = 0.0;
+    QCOMPARE(diagnose(setup(), points).error().message,
+             std::string("pixel[1]: the unit of a last digit is 0; it must be greater than 0"));
+    QVERIFY(!diagnose(setup(), std::vector<WrongPoint>(101, points[0])));
 }
 
 void TestLibraryFiles::aSetupComesBackFromItsText()

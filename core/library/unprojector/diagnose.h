@@ -71,7 +71,9 @@ struct DiagnoseOptions {
 
 /// Finds the mistake behind wrong points of one program: all known mistakes and all pairs of them
 /// are tried.
-/// @return Value: no point, a pixel outside the window, a depth outside the depth range
+/// @param points  at most 100
+/// @return Value: no point or too many, a pixel outside the window, a depth outside the depth range,
+///         a last digit that is not above 0
 UNPROJECTOR_PUBLIC Result<Diagnosis> diagnose(const Setup &setup, std::span<const WrongPoint> points,
                                               const DiagnoseOptions &options = {});
 /// The same with the scene's meshes: an unknown depth is the mesh's, mistakes of model matrices are
