@@ -268,4 +268,5 @@ def test_calls_keep_no_references_and_no_memory(setup):
     grown = tracemalloc.get_traced_memory()[0] - first
     tracemalloc.stop()
     assert [sys.getrefcount(a) for a in (*pixels, out, setup)] == before
-    assert grown < 10_000  # an array of one leaked result has 24,000 bytes
+    # Python keeps some freed objects for later use. A result a call would be 4.8 million bytes.
+    assert grown < 1_000_000
