@@ -210,17 +210,18 @@ Result<Setup> Setup::fromMatrices(const glm::dmat4 &clipFromEye, const glm::dmat
     return SetupAccess::make(setup, std::move(sentences));
 }
 
-Result<Setup> Setup::fromOpenCv(const glm::dmat3 &K, const glm::dmat3 &R, const glm::dvec3 &t, const Window &window,
-                                double nearDistance, double farDistance)
+Result<Setup> Setup::fromOpenCv(const glm::dmat3 &cameraMatrix, const glm::dmat3 &rotation,
+                                const glm::dvec3 &translation, const Window &window, double nearDistance,
+                                double farDistance)
 {
     for (const auto &[row, column, expected] : {std::array{1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {2, 2, 1}}) {
-        if (K[column][row] != expected)
+        if (cameraMatrix[column][row] != expected)
             return valueError(text::tr("K[%1, %2] is %3; give [fx s cx; 0 fy cy; 0 0 1]", row, column,
-                                       text::shortestText(K[column][row])));
+                                       text::shortestText(cameraMatrix[column][row])));
     }
-    const double deviation = [&R] {
-        double most = std::abs(glm::determinant(R) - 1.0);
-        const glm::dmat3 product = R * glm::transpose(R);
+    const double deviation = [&rotation] {
+        double most = std::abs(glm::determinant(rotation) - 1.0);
+        const glm::dmat3 product = rotation * glm::transpose(rotation);
         for (int column = 0; column < 3; ++column) {
             for (int row = 0; row < 3; ++row)
                 most = std::max(most, std::abs(product[column][row] - (row == column ? 1.0 : 0.0)));
@@ -234,16 +235,16 @@ Result<Setup> Setup::fromOpenCv(const glm::dmat3 &K, const glm::dmat3 &R, const 
     cameras::ForeignCamera camera;
     camera.program = "OpenCV";
     cameras::Intrinsics &intrinsics = camera.intrinsics.emplace();
-    intrinsics.fx = K[0][0];
-    intrinsics.fy = K[1][1];
-    intrinsics.cx = K[2][0];
-    intrinsics.cy = K[2][1];
-    intrinsics.skew = K[1][0];
+    intrinsics.fx = cameraMatrix[0][0];
+    intrinsics.fy = cameraMatrix[1][1];
+    intrinsics.cx = cameraMatrix[2][0];
+    intrinsics.cy = cameraMatrix[2][1];
+    intrinsics.skew = cameraMatrix[1][0];
     camera.size = cameras::ImageSize{window.width, window.height};
     camera.nearDistance = nearDistance;
     camera.farDistance = farDistance;
-    camera.pose = glm::dmat4(R);
-    (*camera.pose)[3] = glm::dvec4(t, 1.0);
+    camera.pose = glm::dmat4(rotation);
+    (*camera.pose)[3] = glm::dvec4(translation, 1.0);
     camera.isDirectionCertain = camera.areAxesCertain = true;
     camera.axes = cameras::EyeAxes::RightDownAhead;
     const auto converted = cameras::sceneCamera(camera, {}, std::nullopt);

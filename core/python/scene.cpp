@@ -116,12 +116,12 @@ Snap snapOf(const std::string &word)
     refuseWord("snap", word, "\"surface\", \"vertex\", \"edge\" or \"face\"");
 }
 
-py::array pick(const Scene &scene, const py::object &px, const py::object &py_, const std::string &snap,
+py::array pick(const Scene &scene, const py::object &pixelX, const py::object &pixelY, const std::string &snap,
                const std::optional<Setup> &setup, const py::object &threads)
 {
     const Snap target = snapOf(snap);
     const std::size_t most = threadsOf(threads);
-    const std::array<Numbers, 2> given{numbersOf("px", px), numbersOf("py", py_)};
+    const std::array<Numbers, 2> given{numbersOf("px", pixelX), numbersOf("py", pixelY)};
     const std::vector<py::ssize_t> shape = broadcastShape({{"px", &given[0].array}, {"py", &given[1].array}});
     py::array hits(hitType(), shape);
     auto *const results = static_cast<Hit *>(hits.mutable_data());

@@ -251,11 +251,12 @@ The matrices act on column vectors, M @ v. In conventions with row vectors ("dir
 inverse is accepted; `findings` reports what is odd about it.)");
     setup.def_static(
         "from_opencv",
-        [](const py::object &K, const py::object &R, const py::object &t, const Size &size, double nearDistance,
-           double farDistance, const Ends &depthRange) {
-            const py::object flat = py::module_::import("numpy").attr("ravel")(t);
-            return valueOrRaise(Setup::fromOpenCv(matrixOf<glm::dmat3>("K", K), rotationOf(R), vectorOf("t", flat),
-                                                  windowOf(size, std::nullopt, depthRange), nearDistance, farDistance));
+        [](const py::object &cameraMatrix, const py::object &rotation, const py::object &translation, const Size &size,
+           double nearDistance, double farDistance, const Ends &depthRange) {
+            const py::object flat = py::module_::import("numpy").attr("ravel")(translation);
+            return valueOrRaise(Setup::fromOpenCv(matrixOf<glm::dmat3>("K", cameraMatrix), rotationOf(rotation),
+                                                  vectorOf("t", flat), windowOf(size, std::nullopt, depthRange),
+                                                  nearDistance, farDistance));
         },
         py::arg("K"), py::arg("R"), py::arg("t"), py::kw_only(), py::arg("size"), py::arg("near"), py::arg("far"),
         py::arg("depth_range") = py::make_tuple(0.0, 1.0),

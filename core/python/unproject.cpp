@@ -72,7 +72,7 @@ DepthBuffer depthBufferOf(const py::object &bits)
     return buffer;
 }
 
-py::object unproject(const Setup &setup, const py::object &px, const py::object &py_, const py::object &depth,
+py::object unproject(const Setup &setup, const py::object &pixelX, const py::object &pixelY, const py::object &depth,
                      const std::string &method, const std::string &space, bool hasUncertainty,
                      const py::object &depthBits, bool isExact, const py::object &out, const py::object &threads)
 {
@@ -87,7 +87,7 @@ py::object unproject(const Setup &setup, const py::object &px, const py::object 
         throw py::value_error(
             "uncertainty: the matrix is no perspective and no parallel projection: its points have no uncertainty");
 
-    const std::array<Numbers, 3> given{numbersOf("px", px), numbersOf("py", py_), numbersOf("depth", depth)};
+    const std::array<Numbers, 3> given{numbersOf("px", pixelX), numbersOf("py", pixelY), numbersOf("depth", depth)};
     const std::vector<py::ssize_t> shape =
         broadcastShape({{"px", &given[0].array}, {"py", &given[1].array}, {"depth", &given[2].array}});
     Output points("out", out, shape, 3);

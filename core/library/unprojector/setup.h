@@ -106,11 +106,13 @@ public:
 
     /// Builds a setup from a camera of OpenCV without distortion: x_eye = R x + t,
     /// u = fx x / z + cx, v = fy y / z + cy. The centre of its first pixel is (0, 0).
+    /// @param cameraMatrix, rotation, translation  K, R and t
     /// @param window  its size is the image's
     /// @param nearDistance, farDistance  > 0, the planes between which window depths count
     /// @return Value: K is no camera matrix, R no rotation, near and far
-    static Result<Setup> fromOpenCv(const glm::dmat3 &K, const glm::dmat3 &R, const glm::dvec3 &t, const Window &window,
-                                    double nearDistance, double farDistance);
+    static Result<Setup> fromOpenCv(const glm::dmat3 &cameraMatrix, const glm::dmat3 &rotation,
+                                    const glm::dvec3 &translation, const Window &window, double nearDistance,
+                                    double farDistance);
 
     /// Reads the setup of a scene file's text.
     /// @param name  of the file, for messages
