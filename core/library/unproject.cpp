@@ -78,8 +78,8 @@ struct Unprojection::Data {
     Batch batch;
     double lowest, highest; ///< ends of the depth range
 
-    Data(const geometry::Setup &ofSetup, const UnprojectOptions &givenOptions, Batch itsBatch)
-        : setup(ofSetup), options(givenOptions), batch(std::move(itsBatch)),
+    Data(const geometry::Setup &ofSetup, const UnprojectOptions &givenOptions, const Batch &itsBatch)
+        : setup(ofSetup), options(givenOptions), batch(itsBatch),
           lowest(std::min(setup.depthRange.atNear, setup.depthRange.atFar)),
           highest(std::max(setup.depthRange.atNear, setup.depthRange.atFar))
     {
@@ -148,10 +148,10 @@ Result<Unprojection> Unprojection::of(const Setup &setup, const UnprojectOptions
     if (!buffer.isFloat && (buffer.bits < 1 || buffer.bits > kMostBits))
         return Error{Error::Kind::Value,
                      text::tr("a depth buffer of %1 bits; give 1 to 32 bits, or a float buffer", buffer.bits)};
-    Result<Batch> batch = batchOf(SetupAccess::of(setup), options, options.space);
+    const Result<Batch> batch = batchOf(SetupAccess::of(setup), options, options.space);
     if (!batch)
         return batch.error();
-    return Unprojection(std::make_shared<const Data>(SetupAccess::of(setup), options, std::move(batch).value()));
+    return Unprojection(std::make_shared<const Data>(SetupAccess::of(setup), options, *batch));
 }
 
 Result<glm::dvec3> Unprojection::at(const glm::dvec2 &pixel, double depth) const

@@ -215,9 +215,9 @@ void TestLibraryPoints::aCloudIsTheUnprojectedImage()
     QVERIFY(cloud && unprojection);
     QCOMPARE(cloud->canTakeFloats(), type == NumberType::Float32);
     constexpr std::size_t kRow = 13;
-    std::vector<float> floats;
-    for (int i = 0; i < 80; ++i)
-        floats.push_back(depthIs == DepthIs::Z ? 0.2F + float(i) : 0.5F + float(i) / 200.0F);
+    std::vector<float> floats(80);
+    for (std::size_t i = 0; i < floats.size(); ++i)
+        floats[i] = depthIs == DepthIs::Z ? 0.2F + float(i) : 0.5F + float(i) / 200.0F;
     floats[7] = 0.0F;
     std::vector<double> doubles(floats.begin(), floats.end()), points(240);
     std::vector<float> single(240);
