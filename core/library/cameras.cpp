@@ -73,6 +73,7 @@ Result<CameraRead> readCamera(const std::vector<CameraText> &texts, const Camera
     if (!internal)
         return internal.error();
     std::vector<cameras::NamedText> named;
+    named.reserve(texts.size());
     for (const CameraText &text : texts)
         named.push_back({text.name, text::utf8FromFile(text.text)});
     const std::string name = nameOf(texts);

@@ -34,6 +34,7 @@ Error publicError(const LandmarkFileError &error)
 std::vector<std::string> sentences(const std::filesystem::path &file, const std::vector<LandmarkNote> &notes)
 {
     std::vector<landmark_files::FileNote> named;
+    named.reserve(notes.size());
     for (const LandmarkNote &note : notes)
         named.push_back({files::utf8FromPath(file), note});
     return landmark_files::noteLines(named);

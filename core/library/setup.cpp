@@ -3,6 +3,7 @@
 #include "core/cameras/camera_matrices.h"
 #include "core/cameras/foreign_camera.h"
 #include "core/geometry/api_conventions.h"
+#include "core/geometry/condition_number.h"
 #include "core/library/internal.h"
 #include "core/matrices/matrix_findings.h"
 #include "core/scene_file/scene_error_text.h"
@@ -110,9 +111,19 @@ std::optional<Error> refusal(const char *name, const glm::dmat4 &matrix)
                                            text::shortestText(matrix[column][row])));
         }
     }
-    if (glm::determinant(matrix) == 0.0)
+    if (geometry::isSingular(matrix))
         return valueError(text::tr("%1 has no inverse; check whether it was copied completely", name));
     return std::nullopt;
+}
+
+/// The error of a window that no scene file may have.
+std::optional<Error> refusal(const Window &window)
+{
+    constexpr int kMost = scene_file::kMostWindowPixels;
+    if (window.width <= kMost && window.height <= kMost)
+        return std::nullopt;
+    return valueError(
+        text::tr("the window has %1x%2 pixels; give at most %3 a side", window.width, window.height, kMost));
 }
 
 std::string pointText(const glm::dvec3 &p)
@@ -159,6 +170,7 @@ std::string projectionText(const Projection &projection)
 std::vector<std::string> conventionKeys()
 {
     std::vector<std::string> keys;
+    keys.reserve(geometry::kApis.size());
     for (const geometry::Api api : geometry::kApis)
         keys.emplace_back(geometry::conventionsOf(api).key);
     return keys;
@@ -177,6 +189,8 @@ glm::dmat3 rotationFromAxis(const glm::dvec3 &axis)
 
 Result<Setup> Setup::of(const Projection &projection, const Camera &camera, const Window &window)
 {
+    if (const auto error = refusal(window))
+        return *error;
     geometry::Setup setup = inWindow(window);
     setup.lens = internalProjection(projection, setup.viewport);
     setup.pose = geometry::LookAt{geometry::WorldPoint(camera.eye), geometry::WorldPoint(camera.center),
@@ -192,6 +206,8 @@ Result<Setup> Setup::fromMatrices(const glm::dmat4 &clipFromEye, const glm::dmat
     const Result<geometry::Api> api = apiOf(conventions);
     if (!api)
         return api.error();
+    if (const auto error = refusal(window))
+        return *error;
     if (const auto error = refusal("projection", clipFromEye))
         return *error;
     if (const auto error = refusal("view", eyeFromWorld))
@@ -214,6 +230,8 @@ Result<Setup> Setup::fromOpenCv(const glm::dmat3 &cameraMatrix, const glm::dmat3
                                 const glm::dvec3 &translation, const Window &window, double nearDistance,
                                 double farDistance)
 {
+    if (const auto error = refusal(window))
+        return *error;
     for (const auto &[row, column, expected] : {std::array{1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {2, 2, 1}}) {
         if (cameraMatrix[column][row] != expected)
             return valueError(text::tr("K[%1, %2] is %3; give [fx s cx; 0 fy cy; 0 0 1]", row, column,

@@ -329,6 +329,20 @@ undistorted : bool
 from_scene(text))");
 }
 
+/// Equal setups have equal matrices; -0.0 and 0.0 have one hash.
+std::size_t hashOf(const Setup &setup)
+{
+    auto hash = static_cast<std::size_t>(setup.width()) * 65537 + static_cast<std::size_t>(setup.height());
+    const std::array matrices{setup.clipFromEye(), setup.eyeFromWorld()};
+    for (const glm::dmat4 &matrix : matrices) {
+        for (glm::length_t column = 0; column < 4; ++column) {
+            for (glm::length_t row = 0; row < 4; ++row)
+                hash = hash * 31 + std::hash<double>()(matrix[column][row]);
+        }
+    }
+    return hash;
+}
+
 void bindProperties(SetupClass &setup)
 {
     setup.def_property_readonly(
@@ -391,7 +405,7 @@ conventions with row vectors on rows, v @ M.)");
             return py::reinterpret_borrow<py::object>(Py_NotImplemented);
         return py::bool_(a == b.cast<Setup>());
     });
-    setup.def("__hash__", [](const Setup &s) { return std::hash<std::string>()(s.sceneText()); });
+    setup.def("__hash__", &hashOf);
     setup.def("__copy__", [](const Setup &s) { return s; });
     setup.def("__deepcopy__", [](const Setup &s, const py::dict &) { return s; });
     setup.def(py::pickle([](const Setup &s) { return py::make_tuple(s.sceneText(), s.findings()); },

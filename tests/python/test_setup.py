@@ -70,6 +70,11 @@ def test_different_setups_are_not_equal():
     assert setups[0] != "perspective"
 
 
+def test_equal_setups_have_one_hash():
+    negative = perspective(center=(0, 0, -0.0))
+    assert negative == perspective() and hash(negative) == hash(perspective())
+
+
 def test_the_representation_names_the_camera():
     assert repr(perspective()) == "<Setup: perspective fovy 45 near 0.1 far 100, eye (3, 2, 5) center (0, 0, 0), 800x600>"
     assert repr(SETUPS["matrices"]) == "<Setup: matrix, view matrix, 800x600>"
@@ -157,6 +162,7 @@ def test_findings_tell_what_is_odd():
 
 WRONG = {
     "size": (lambda: perspective(size=(0, 600)), "0"),
+    "huge size": (lambda: perspective(size=(70000, 600)), "70000x600 pixels; give at most 65536 a side"),
     "near": (lambda: perspective(near=0), "near is 0; it must be greater than 0"),
     "far": (lambda: perspective(far=0.1), r"near is 0\.1; it must be smaller than far"),
     "fovy": (lambda: perspective(fovy=180), "180"),
