@@ -4,6 +4,7 @@
 #include "unprojector/cameras.h"
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
@@ -39,8 +40,13 @@ Matrix matrixOf(const char *name, const py::object &argument)
     const auto array = arrayOf(name, argument, {kSize, kSize});
     Matrix matrix;
     for (py::ssize_t row = 0; row < kSize; ++row) {
-        for (py::ssize_t column = 0; column < kSize; ++column)
-            matrix[static_cast<glm::length_t>(column)][static_cast<glm::length_t>(row)] = array.at(row, column);
+        for (py::ssize_t column = 0; column < kSize; ++column) {
+            const double entry = array.at(row, column);
+            if (!std::isfinite(entry))
+                throw py::value_error(std::string(name) + '[' + std::to_string(row) + ", " + std::to_string(column)
+                                      + "] is " + std::string(py::str(py::float_(entry))) + "; give a finite number");
+            matrix[static_cast<glm::length_t>(column)][static_cast<glm::length_t>(row)] = entry;
+        }
     }
     return matrix;
 }

@@ -174,6 +174,7 @@ WRONG = {
     "depth range": (lambda: perspective(depth_range=(0.5, 0.5)), r"0\.5"),
     "matrix": (lambda: up.Setup.from_matrices(np.zeros((4, 4)), np.eye(4), size=(8, 6)), "projection has no inverse"),
     "entry": (lambda: up.Setup.from_matrices(np.diag([1, 1, np.inf, 1]), np.eye(4), size=(8, 6)), r"projection\[2, 2\] is inf"),
+    "entry of rows": (lambda: up.Setup.from_matrices(np.where(np.arange(16).reshape(4, 4) == 14, np.inf, np.eye(4)), np.eye(4), size=(8, 6), conventions="direct3d"), r"projection\[3, 2\] is inf"),
     "3x3": (lambda: up.Setup.from_matrices(np.eye(3), np.eye(4), size=(8, 6)), r"projection has the shape \(3, 3\); give \(4, 4\)"),
     "conventions": (lambda: up.Setup.from_matrices(np.eye(4), np.eye(4), size=(8, 6), conventions="gl"), 'no conventions "gl"; known: opengl, vulkan'),
     "K": (lambda: up.Setup.from_opencv(np.ones((3, 3)), np.eye(3), (0, 0, 0), size=(8, 6), near=1, far=2), r"K\[1, 0\] is 1"),
