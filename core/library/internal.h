@@ -3,9 +3,11 @@
 #include "unprojector/result.h"
 #include "unprojector/setup.h"
 
+#include "core/geometry/api_conventions.h"
 #include "core/geometry/result.h"
 #include "core/geometry/setup.h"
 #include "core/text/error_text.h"
+#include "core/text/translation.h"
 
 #include <string>
 #include <utility>
@@ -27,6 +29,17 @@ struct SetupAccess {
         return Setup(std::make_shared<const Setup::Data>(Setup::Data{setup, std::move(findings)}));
     }
 };
+
+/// What to say of conventions whose world is not the scene's; nothing for others.
+inline std::vector<std::string> worldFindings(geometry::Api api)
+{
+    const geometry::ApiConventions &conventions = geometry::conventionsOf(api);
+    if (!conventions.isWorldMirrored)
+        return {};
+    return {"conventions: "
+            + text::tr("%1's own world has z negated; world coordinates here are the scene's, right-handed",
+                       conventions.name)};
+}
 
 /// The public error of a value.
 inline Error valueError(const geometry::Error &error)

@@ -25,7 +25,8 @@ Result<Scene> madeOf(geometry::Result<opening::OpenedScene, opening::OpeningErro
     const auto setup = opening::setupOf(*opened, std::nullopt);
     if (!setup)
         return publicError(setup.error());
-    return SceneAccess::make(std::move(opened).value(), SetupAccess::make(*setup));
+    const auto api = opened->file ? opened->file->conventions.value_or(geometry::Api::OpenGl) : geometry::Api::OpenGl;
+    return SceneAccess::make(std::move(opened).value(), SetupAccess::make(*setup, worldFindings(api)));
 }
 
 /// The scene of a text: of a scene file, or the one scene of clicks.

@@ -219,7 +219,7 @@ Result<Setup> Setup::fromMatrices(const glm::dmat4 &clipFromEye, const glm::dmat
     setup.pose = pose;
     if (const geometry::Check valid = check(setup); !valid)
         return valueError(valid.error());
-    std::vector<std::string> sentences;
+    std::vector<std::string> sentences = worldFindings(*api);
     addFindings("projection", lens.clipFromEye, matrices::MatrixRole::Projection, lens.ndcDepth, std::nullopt,
                 sentences);
     addFindings("view", pose, matrices::MatrixRole::View, std::nullopt, lens.clipFromEye, sentences);
@@ -281,7 +281,8 @@ Result<Setup> Setup::fromSceneText(std::string_view text, const std::string &nam
     const auto scene = scene_file::parseScene(text, name);
     if (!scene)
         return valueError(scene_file::sceneErrorText(scene.error()));
-    return SetupAccess::make(scene_file::setupOf(*scene));
+    return SetupAccess::make(scene_file::setupOf(*scene),
+                             worldFindings(scene->conventions.value_or(geometry::Api::OpenGl)));
 }
 
 std::string Setup::sceneText() const

@@ -143,6 +143,22 @@ def test_opencvs_pinhole_gives_its_own_points():
     assert np.allclose(setup.matrices("opencv")["K"], K)
 
 
+def test_a_world_with_z_negated_is_told(tmp_path):
+    setup = SETUPS["frustum"]
+    told = []
+    for conventions in up.conventions():
+        if conventions != "opencv":
+            given = setup.matrices(conventions)
+            again = up.Setup.from_matrices(given["projection"], given["view"], size=setup.size, conventions=conventions)
+            told += [conventions for finding in again.findings if "own world has z negated" in finding]
+    assert told == ["unity"]
+    given = up.Setup.from_matrices(setup.projection, setup.view, size=setup.size).to_scene()
+    text = given.replace('"projection"', '"conventions": "unity",\n  "projection"', 1)
+    (tmp_path / "scene.json").write_text(text)
+    for again in (up.Setup.from_scene(text), up.Scene.load(tmp_path / "scene.json").setup):
+        assert ["own world has z negated" in finding for finding in again.findings] == [True]
+
+
 def test_findings_tell_what_is_odd():
     projection, view = SETUPS["frustum"].projection, SETUPS["frustum"].view
     infinite = gl_frustum(-1, 1, -1, 1, 0.1, 100)
