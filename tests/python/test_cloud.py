@@ -70,6 +70,34 @@ def test_digits_are_those_of_the_command(setup, image, options, method, precisio
     assert np.array_equal(kept, expected)
 
 
+@pytest.mark.parametrize("depth_range", [(1, 0), (0.2, 0.8), (0.9, 0.3)])
+@pytest.mark.parametrize("box", [False, True])
+@pytest.mark.parametrize("depth_is", ["buffer", "range", "z", "distance"])
+def test_other_depth_ranges_and_a_box_have_the_commands_digits(depth_is, box, depth_range, tmp_path, unproject_command):
+    camera = {"near": 0.5, "far": 20, "eye": (3, 2, 5), "center": (0, 0, 0), "size": SIZE, "depth_range": depth_range}
+    if box:
+        setup = up.Setup.ortho(left=-2, right=2, bottom=-1, top=1, **camera)
+    else:
+        setup = up.Setup.perspective(fovy=45, **camera)
+    (tmp_path / "scene.json").write_text(setup.to_scene())
+    share = np.random.default_rng(1).uniform(0, 1, SIZE[::-1])
+    share[0, :5] = 0, 1, np.nan, np.inf, -0.1
+    z = z_image()
+    z[0, :2] = 0.5, 20
+    numbers = {"buffer": depth_range[0] + (depth_range[1] - depth_range[0]) * share, "range": share}.get(depth_is, z)
+    for depth in (numbers, numbers.astype(np.float32)):
+        np.save(tmp_path / "depth.npy", depth)
+        subprocess.run(
+            [unproject_command, "cloud", str(tmp_path / "scene.json"), str(tmp_path / "depth.npy"), "--depth-is", depth_is,
+             "--precision", "double", "-o", str(tmp_path / "cloud.ply")],
+            check=True, capture_output=True,
+        )
+        points, counts = setup.cloud(depth, depth_is=depth_is, counts=True)
+        kept = points[~np.isnan(points[..., 0])]
+        assert len(kept) == counts["kept"] > 1000
+        assert np.array_equal(kept, ply_points(tmp_path / "cloud.ply"))
+
+
 def test_points_are_where_a_pinhole_sees_them(setup):
     z = np.random.default_rng(1).uniform(1, 15, SIZE[::-1])
     points = setup.cloud(z, depth_is="z")
