@@ -35,20 +35,10 @@ Result<scene_file::SceneFile> sceneIn(std::string_view text, const std::string &
     const auto parsed = scene_file::parseSceneOrClicks(text, name);
     if (!parsed)
         return valueError(scene_file::sceneErrorText(parsed.error()));
-    if (const auto *scene = std::get_if<scene_file::SceneFile>(&*parsed))
-        return *scene;
-    const auto &clicks = std::get<std::vector<scene_file::Click>>(*parsed);
-    if (clicks.empty())
-        return valueError(name + ": " + text::tr("it has no click and so no scene; give a scene file"));
-    const auto first = scene_file::sceneText(clicks.front().scene);
-    const bool isOne = std::all_of(clicks.begin() + 1, clicks.end(), [&first](const scene_file::Click &click) {
-        const auto other = scene_file::sceneText(click.scene);
-        return first && other && *first == *other;
-    });
-    if (!isOne)
-        return valueError(name + ": "
-                          + text::tr("its clicks have different scenes; give one click, or the scene of one"));
-    return clicks.front().scene;
+    const auto scene = scene_file::oneScene(*parsed);
+    if (!scene)
+        return valueError(name + ": " + scene.error());
+    return *scene;
 }
 
 /// The scene file of a setup, without objects. A perspective with the viewport's aspect keeps to it at

@@ -41,15 +41,6 @@ Result<std::string, SceneFileError> standardInput(const std::string &name)
     return error;
 }
 
-bool haveOneScene(const std::vector<Click> &clicks)
-{
-    const Result<std::string, SceneFileError> first = sceneText(clicks.front().scene);
-    return std::all_of(clicks.begin() + 1, clicks.end(), [&first](const Click &click) {
-        const Result<std::string, SceneFileError> text = sceneText(click.scene);
-        return text && first && *text == *first;
-    });
-}
-
 } // namespace
 
 std::optional<SceneOrClicks> sceneOrClicks(const std::string &file)
@@ -98,21 +89,15 @@ InputFiles filesOf(const SceneOrClicks &given, const std::string &file)
 std::optional<SceneFile> sceneOf(const SceneOrClicks &given, const std::string &file)
 {
     const std::string name = file == "-" ? "stdin" : file;
-    const auto *scene = std::get_if<SceneFile>(&given);
+    const Result<SceneFile, std::string> scene = oneScene(given);
     if (!scene) {
-        const auto &clicks = std::get<std::vector<Click>>(given);
-        if (clicks.empty() || !haveOneScene(clicks)) {
-            complain(name + ": "
-                     + tr(clicks.empty() ? "it has no click and so no scene; give a scene file"
-                                         : "its clicks have different scenes; give one click, or the scene of one"));
-            return std::nullopt;
-        }
-        scene = &clicks.front().scene;
-    } else if (const ApiConventions &api = conventionsOf(scene->conventions.value_or(Api::OpenGl));
-               api.isWorldMirrored) {
+        complain(name + ": " + scene.error());
+        return std::nullopt;
+    }
+    const ApiConventions &api = conventionsOf(scene->conventions.value_or(Api::OpenGl));
+    if (std::holds_alternative<SceneFile>(given) && api.isWorldMirrored)
         complain(name + ": conventions: "
                  + tr("%1's own world has z negated; world coordinates here are the scene's, right-handed", api.name));
-    }
     return *scene;
 }
 
