@@ -188,6 +188,20 @@ def test_bundled_models_need_no_file():
     assert scene.pick(40, 30)["hit"]
 
 
+def test_clicks_on_one_scene_are_that_scene(folder, unproject_command):
+    scene = json.loads((folder / "scene.json").read_text(encoding="utf-8"))
+    click = {"window": [200, 150, 0.9], "scene": scene}
+    other = {"window": [200, 150, 0.9], "scene": {**scene, "window": {"width": 80, "height": 60}}}
+    (folder / "clicks.json").write_text(json.dumps([click, click]))
+    assert up.Scene.load(folder / "clicks.json").setup == up.Scene.load(folder / "scene.json").setup
+    for clicks, message in (([], "it has no click"), ([click, other], "its clicks have different scenes")):
+        (folder / "clicks.json").write_text(json.dumps(clicks))
+        with pytest.raises(ValueError, match=message) as caught:
+            up.Scene.load(folder / "clicks.json")
+        said = subprocess.run([unproject_command, "pick", str(folder / "clicks.json"), "--at", "1,1"], capture_output=True, text=True)
+        assert said.stderr.strip() == str(caught.value)
+
+
 def test_wrong_files_and_arguments_are_named(folder, unproject_command):
     with pytest.raises(FileNotFoundError, match="none.json"):
         up.Scene.load(folder / "none.json")
