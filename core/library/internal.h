@@ -30,7 +30,7 @@ struct SetupAccess {
     }
 };
 
-/// What to say of conventions whose world is not the scene's; nothing for others.
+/// The finding that the world of these conventions is not the scene's. Empty where it is.
 inline std::vector<std::string> worldFindings(geometry::Api api)
 {
     const geometry::ApiConventions &conventions = geometry::conventionsOf(api);
