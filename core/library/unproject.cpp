@@ -101,20 +101,16 @@ struct Unprojection::Data {
         const bool hasBounds = ofPoints != nullptr && bounds().has_value();
         if (hasBounds)
             run(bounds()->otherSpace, px, py, depth, others, count);
-        for (std::size_t i = 0; i < count; ++i) {
-            const double x = results[0][i], y = results[1][i], z = results[2][i];
-            const bool isValid =
-                depth[i] >= lowest && depth[i] <= highest && std::isfinite(x) && std::isfinite(y) && std::isfinite(z);
-            points[3 * i] = isValid ? x : kNaN;
-            points[3 * i + 1] = isValid ? y : kNaN;
-            points[3 * i + 2] = isValid ? z : kNaN;
-            if (ofPoints != nullptr) {
-                const glm::dvec3 bound = isValid && hasBounds
-                                             ? boundOf({x, y, z}, {others[0][i], others[1][i], others[2][i]}, depth[i])
-                                             : glm::dvec3(kNaN);
-                for (std::size_t k = 0; k < 3; ++k)
-                    ofPoints[3 * i + k] = bound[static_cast<glm::length_t>(k)];
-            }
+        unproject::batch::kernelsOf(unproject::availableInstructionSets().back())
+            .validPoints({results[0].data(), results[1].data(), results[2].data(), depth, count, lowest, highest},
+                         points);
+        for (std::size_t i = 0; ofPoints != nullptr && i < count; ++i) {
+            const glm::dvec3 point(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
+            const glm::dvec3 bound = hasBounds && !std::isnan(point.x)
+                                         ? boundOf(point, {others[0][i], others[1][i], others[2][i]}, depth[i])
+                                         : glm::dvec3(kNaN);
+            for (std::size_t k = 0; k < 3; ++k)
+                ofPoints[3 * i + k] = bound[static_cast<glm::length_t>(k)];
         }
     }
 

@@ -103,6 +103,8 @@ private slots:
     void matricesOfOtherPrograms();
     void objectSpaceIsTheWorldMovedBack();
     void floatsAreTheDoublesRounded();
+    void invalidPointsAreNaN_data() { addSets(); }
+    void invalidPointsAreNaN();
     void noPointsTouchNothing_data() { addSets(); }
     void noPointsTouchNothing();
     void aBadPictureIsRefused();
@@ -400,6 +402,41 @@ void TestBatchUnproject::floatsAreTheDoublesRounded()
     for (std::size_t k = 0; k < 3; ++k) {
         for (std::size_t i = 0; i < clicks.count(); ++i)
             QCOMPARE(points.of[k][i], static_cast<float>(exact.of[k][i]));
+    }
+}
+
+/// Every number of points up to a few packs: whole packs and each rest.
+void TestBatchUnproject::invalidPointsAreNaN()
+{
+    QFETCH(InstructionSet, set);
+    SKIP_WITHOUT(set);
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    constexpr std::array<double, 5> kDepths{0.25, 0.75, 0.25 - 0x1p-54, 0.75 + 0x1p-53, kNaN}; // of which two are valid
+    constexpr std::array<double, 4> kCoordinates{-0.0, 1.5, kInfinity, kNaN};
+    oracle::Random random(6);
+    const auto oneOf = [&](const auto &values, std::size_t common) {
+        const double chance = random.uniform(0.0, 1.0);
+        return values[chance < 0.8 ? common : std::size_t(chance * 97.0) % values.size()];
+    };
+    for (std::size_t count = 0; count < 35; ++count) {
+        Triples<double> from(count);
+        std::vector<double> depths(count), points(3 * count + 1, 7.0);
+        for (std::size_t i = 0; i < count; ++i) {
+            depths[i] = oneOf(kDepths, i % 2);
+            for (std::size_t k = 0; k < 3; ++k)
+                from.of[k][i] = oneOf(kCoordinates, 1) + double(3 * i + k);
+        }
+        batch::kernelsOf(set).validPoints(
+            {from.of[0].data(), from.of[1].data(), from.of[2].data(), depths.data(), count, 0.25, 0.75}, points.data());
+        for (std::size_t i = 0; i < count; ++i) {
+            bool isValid = depths[i] >= 0.25 && depths[i] <= 0.75;
+            for (std::size_t k = 0; k < 3; ++k)
+                isValid = isValid && std::isfinite(from.of[k][i]);
+            for (std::size_t k = 0; k < 3; ++k)
+                QVERIFY(isValid ? points[3 * i + k] == from.of[k][i] : std::isnan(points[3 * i + k]));
+        }
+        QCOMPARE(points.back(), 7.0); // nothing behind the points is written
     }
 }
 

@@ -102,6 +102,8 @@ class TestClickBatch : public QObject {
 private slots:
     void rowsHaveTheDigitsOfAClick_data();
     void rowsHaveTheDigitsOfAClick();
+    void largeAndSmallScenesToo_data();
+    void largeAndSmallScenesToo();
     void aCoordinateOfZeroIsOne();
 };
 
@@ -165,6 +167,53 @@ void TestClickBatch::rowsHaveTheDigitsOfAClick()
         }
     }
     QVERIFY(refused < 30);
+}
+
+void TestClickBatch::largeAndSmallScenesToo_data()
+{
+    QTest::addColumn<int>("exponent");
+    QTest::addColumn<int>("set");
+    for (const int exponent : {-1000, -960, -900, -500, -60, 60, 500, 900, 960, 1000}) {
+        for (const InstructionSet set : {InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512})
+            QTest::addRow("2^%d, %s", exponent, name(set)) << exponent << int(set);
+    }
+}
+
+/// Near the ends of the doubles' range, products underflow and overflow.
+void TestClickBatch::largeAndSmallScenesToo()
+{
+    QFETCH(int, exponent);
+    QFETCH(int, set);
+    const auto is = InstructionSet(set);
+    SKIP_WITHOUT(is);
+    const double unit = std::ldexp(1.0, exponent);
+    constexpr std::size_t kClicks = 67;
+    oracle::Random random(12);
+    for (int i = 0; i < 20; ++i) {
+        Setup g;
+        g.surface = {800, 600, 1.0};
+        g.viewport = wholeSurface(g.surface);
+        const double left = -unit * random.uniform(0.3, 2.0), bottom = -unit * random.uniform(0.3, 2.0);
+        const double right = unit * random.uniform(0.3, 2.0), top = unit * random.uniform(0.3, 2.0);
+        const double n = unit * random.uniform(0.5, 1.0), f = unit * random.uniform(2.0, 1000.0);
+        if (i % 2 == 0)
+            g.lens = Frustum{left, right, bottom, top, n, f};
+        else
+            g.lens = Ortho{left, right, bottom, top, n, f};
+        const auto anywhere = [&] { return unit * random.uniform(-3.0, 3.0); };
+        g.pose = LookAt{WorldPoint(anywhere(), anywhere(), anywhere()),
+                        WorldPoint(anywhere(), anywhere(), anywhere()),
+                        {random.uniform(0.1, 1.0), random.uniform(0.1, 1.0), random.uniform(0.1, 1.0)}};
+        const Result<ClickBatch> batch = ClickBatch::of(Method::Formula, g, {});
+        QVERIFY(batch);
+        const Columns clicks = clicksOn(random, g, kClicks);
+        std::vector<Result<WorldPoint>> expected;
+        for (std::size_t k = 0; k < kClicks; ++k) {
+            const DevicePoint at(clicks[0][k], clicks[1][k]);
+            expected.push_back(unprojectedAt(g, windowFromDevice(g.surface, at, clicks[2][k])).world[Method::Formula]);
+        }
+        QVERIFY(areTheClicks(unprojected(*batch, clicks, is), expected));
+    }
 }
 
 void TestClickBatch::aCoordinateOfZeroIsOne()

@@ -51,7 +51,7 @@ bool hasAvx512()
 
 bool hasAvx2()
 {
-    return __builtin_cpu_supports("avx2");
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 }
 
 bool hasAvx512()

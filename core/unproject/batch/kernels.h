@@ -4,7 +4,8 @@
 
 /// The arithmetic of core/unproject/batch, compiled once for each instruction set from
 /// batch/kernels.inl. It uses only additions, subtractions, products and quotients, each rounded
-/// once and none fused, so every instruction set gives the same digits.
+/// once and none fused, so every instruction set gives the same digits. A click's loops may fuse:
+/// they tell where that can be seen, and slower code computes those points.
 namespace unprojector::unproject::batch {
 
 /// A closed form from eye to target space: p = origin + z (X across + Y down + ahead), or for a box
@@ -143,6 +144,17 @@ struct RowKernelsOf {
     RowKernel<Scalar, MatrixConstants> matrix;
 };
 
+/// Points with an array for each coordinate, and the depths that they were computed from.
+struct PointArrays {
+    const double *x, *y, *z, *depth;
+    std::size_t count;
+    double lowest, highest; ///< ends of the depth range
+};
+
+/// Writes x, y, z of each point, one after the other: NaN if its depth is outside the range or a
+/// coordinate is not finite.
+using PointsKernel = void (*)(const PointArrays &, double *points);
+
 /// The loops of one instruction set. They compute in double for every array type.
 struct Kernels {
     KernelsOf<double> ofDoubles;
@@ -152,6 +164,7 @@ struct Kernels {
     LineKernelsOf<double> linesOfDoubles;
     LineKernelsOf<float> linesOfFloats;
     ClickKernels clicks;
+    PointsKernel validPoints;
 };
 
 extern const Kernels kBaselineKernels;

@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <type_traits>
 
 namespace unprojector::unproject::batch {
 namespace {
@@ -268,11 +267,9 @@ unsigned finiteLanes(const Pack (&p)[3])
 template <class Scalar>
 Scalar *appended(const Pack (&p)[3], unsigned lanes, Scalar *next)
 {
-    if constexpr (std::is_same_v<Scalar, float>) {
-        if (lanes == kAllLanes) {
-            Pack::storeInterleaved(p, next);
-            return next + 3 * Pack::kLanes;
-        }
+    if (lanes == kAllLanes) {
+        Pack::storeInterleaved(p, next);
+        return next + 3 * Pack::kLanes;
     }
     Scalar of[3][Pack::kLanes];
     for (int k = 0; k < 3; ++k)
@@ -334,7 +331,8 @@ void unprojectLine(const typename Method::Constants &constants, const DepthLine 
     for (; i + Pack::kLanes <= line.count; i += Pack::kLanes, px = px + Pack(double(Pack::kLanes))) {
         Pack p[3];
         method.unproject(c, px, Pack::loaded(line.values + i), p);
-        points = appended(p, kAllLanes, points);
+        Pack::storeInterleaved(p, points);
+        points += 3 * Pack::kLanes;
     }
     if (i == line.count)
         return;
@@ -344,13 +342,47 @@ void unprojectLine(const typename Method::Constants &constants, const DepthLine 
     Pack p[3];
     method.unproject(c, px, Pack::loaded(values), p);
     Scalar last[3 * Pack::kLanes];
-    appended(p, kAllLanes, last);
+    Pack::storeInterleaved(p, last);
     for (std::size_t k = 0; k < 3 * (line.count - i); ++k)
         points[k] = last[k];
 }
 
 /// The point of a pixel without one.
 constexpr double kNoCoordinate = std::numeric_limits<double>::quiet_NaN();
+
+/// Writes the points of a pack, NaN for those whose lane is not set.
+template <class Scalar>
+void storeValid(const Pack (&p)[3], unsigned lanes, Scalar *to)
+{
+    Pack::storeInterleaved(p, to);
+    for (std::size_t lane = 0; lanes != kAllLanes && lane < Pack::kLanes; ++lane) {
+        for (int k = 0; (lanes >> lane & 1) == 0 && k < 3; ++k)
+            to[3 * lane + static_cast<std::size_t>(k)] = static_cast<Scalar>(kNoCoordinate);
+    }
+}
+
+void storeValidPoints(const PointArrays &from, double *points)
+{
+    const auto pack = [&](const double *x, const double *y, const double *z, const double *depth, double *to) {
+        const Pack p[3] = {Pack::loaded(x), Pack::loaded(y), Pack::loaded(z)};
+        storeValid(p, Pack::between(depth, from.lowest, from.highest) & finiteLanes<double>(p), to);
+    };
+    std::size_t i = 0;
+    for (; i + Pack::kLanes <= from.count; i += Pack::kLanes)
+        pack(from.x + i, from.y + i, from.z + i, from.depth + i, points + 3 * i);
+    if (i == from.count)
+        return;
+    double in[4][Pack::kLanes] = {}, last[3 * Pack::kLanes];
+    for (std::size_t k = i; k < from.count; ++k) {
+        in[0][k - i] = from.x[k];
+        in[1][k - i] = from.y[k];
+        in[2][k - i] = from.z[k];
+        in[3][k - i] = from.depth[k];
+    }
+    pack(in[0], in[1], in[2], in[3], last);
+    for (std::size_t k = 3 * i; k < 3 * from.count; ++k)
+        points[k] = last[k - 3 * i];
+}
 
 template <class Method, bool divides, class Scalar>
 void unprojectFloats(const typename Method::Constants &constants, const FloatLine &line, Scalar *points)
@@ -364,12 +396,8 @@ void unprojectFloats(const typename Method::Constants &constants, const FloatLin
         if constexpr (divides)
             value = value / divisor;
         method.unproject(c, px, value, p);
-        Scalar *const next = appended(p, kAllLanes, to);
-        for (std::size_t lane = 0; lanes != kAllLanes && lane < Pack::kLanes; ++lane) {
-            for (int k = 0; (lanes >> lane & 1) == 0 && k < 3; ++k)
-                to[3 * lane + static_cast<std::size_t>(k)] = static_cast<Scalar>(kNoCoordinate);
-        }
-        return next;
+        storeValid(p, lanes, to);
+        return to + 3 * Pack::kLanes;
     };
     Pack px = Pack::counted() + Pack(line.px);
     std::size_t i = 0;
@@ -413,6 +441,7 @@ const Kernels UNPROJECTOR_KERNELS{
     {unprojectRow<Perspective, float>, unprojectRow<Box, float>, unprojectRow<Matrix, float>},
     kLines<double>,
     kLines<float>,
-    {unprojectPrecisely<true>, unprojectPrecisely<false>, unproject<ClickMatrix, double>}};
+    {unprojectPrecisely<true>, unprojectPrecisely<false>, unproject<ClickMatrix, double>},
+    storeValidPoints};
 
 } // namespace unprojector::unproject::batch

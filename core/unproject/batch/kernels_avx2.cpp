@@ -31,12 +31,18 @@ struct Pack {
             _mm256_movemask_pd(_mm256_and_pd(_mm256_cmp_pd(lanes, _mm256_set1_pd(low), _CMP_GT_OQ),
                                              _mm256_cmp_pd(lanes, _mm256_set1_pd(high), _CMP_LT_OQ))));
     }
-    /// The same for floats, ends included.
+    /// The same for arrays, ends included.
     static unsigned between(const float *values, float low, float high)
     {
         const __m128 v = _mm_loadu_ps(values);
         return static_cast<unsigned>(
             _mm_movemask_ps(_mm_and_ps(_mm_cmpge_ps(v, _mm_set1_ps(low)), _mm_cmple_ps(v, _mm_set1_ps(high)))));
+    }
+    static unsigned between(const double *values, double low, double high)
+    {
+        const __m256d v = _mm256_loadu_pd(values);
+        return static_cast<unsigned>(_mm256_movemask_pd(_mm256_and_pd(
+            _mm256_cmp_pd(v, _mm256_set1_pd(low), _CMP_GE_OQ), _mm256_cmp_pd(v, _mm256_set1_pd(high), _CMP_LE_OQ))));
     }
     /// x0 y0 z0 x1 y1 z1 ...
     static void storeInterleaved(const Pack (&p)[3], float *to)
@@ -44,10 +50,23 @@ struct Pack {
         const __m128 x = _mm256_cvtpd_ps(p[0].lanes), y = _mm256_cvtpd_ps(p[1].lanes), z = _mm256_cvtpd_ps(p[2].lanes);
         storeInterleavedFloats(x, y, z, to);
     }
+    static void storeInterleaved(const Pack (&p)[3], double *to)
+    {
+        const __m256d x = p[0].lanes, y = p[1].lanes, z = p[2].lanes;
+        const __m256d x0y0x2y2 = _mm256_unpacklo_pd(x, y), y1z1y3z3 = _mm256_unpackhi_pd(y, z);
+        const __m256d z0x1z2x3 = _mm256_shuffle_pd(z, x, 0b1010);
+        _mm256_storeu_pd(to, _mm256_permute2f128_pd(x0y0x2y2, z0x1z2x3, 0x20));
+        _mm256_storeu_pd(to + 4, _mm256_blend_pd(y1z1y3z3, x0y0x2y2, 0b1100));
+        _mm256_storeu_pd(to + 8, _mm256_permute2f128_pd(z0x1z2x3, y1z1y3z3, 0x31));
+    }
     friend Pack operator+(Pack a, Pack b) { return _mm256_add_pd(a.lanes, b.lanes); }
     friend Pack operator-(Pack a, Pack b) { return _mm256_sub_pd(a.lanes, b.lanes); }
     friend Pack operator*(Pack a, Pack b) { return _mm256_mul_pd(a.lanes, b.lanes); }
     friend Pack operator/(Pack a, Pack b) { return _mm256_div_pd(a.lanes, b.lanes); }
+    /// The processor has operations of a product and a sum that round once.
+    static constexpr bool kFuses = true;
+    static Pack productPlus(Pack a, Pack b, Pack c) { return _mm256_fmadd_pd(a.lanes, b.lanes, c.lanes); }
+    static Pack productMinus(Pack a, Pack b, Pack c) { return _mm256_fmsub_pd(a.lanes, b.lanes, c.lanes); }
     friend Pack magnitude(Pack a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a.lanes); }
 };
 

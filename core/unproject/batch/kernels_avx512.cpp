@@ -28,12 +28,18 @@ struct Pack {
         return _mm512_cmp_pd_mask(lanes, _mm512_set1_pd(low), _CMP_GT_OQ)
                & _mm512_cmp_pd_mask(lanes, _mm512_set1_pd(high), _CMP_LT_OQ);
     }
-    /// The same for floats, ends included.
+    /// The same for arrays, ends included.
     static unsigned between(const float *values, float low, float high)
     {
         const __m256 v = _mm256_loadu_ps(values);
         const __mmask8 above = _mm256_cmp_ps_mask(v, _mm256_set1_ps(low), _CMP_GE_OQ);
         return _mm256_mask_cmp_ps_mask(above, v, _mm256_set1_ps(high), _CMP_LE_OQ);
+    }
+    static unsigned between(const double *values, double low, double high)
+    {
+        const __m512d v = _mm512_loadu_pd(values);
+        const __mmask8 above = _mm512_cmp_pd_mask(v, _mm512_set1_pd(low), _CMP_GE_OQ);
+        return _mm512_mask_cmp_pd_mask(above, v, _mm512_set1_pd(high), _CMP_LE_OQ);
     }
     /// x0 y0 z0 x1 y1 z1 ...
     static void storeInterleaved(const Pack (&p)[3], float *to)
@@ -45,10 +51,25 @@ struct Pack {
         _mm512_storeu_ps(to, _mm512_permutex2var_ps(xy, first, z));
         _mm512_mask_storeu_ps(to + 16, 0xff, _mm512_permutex2var_ps(xy, second, z));
     }
+    static void storeInterleaved(const Pack (&p)[3], double *to)
+    {
+        const __m512d x = p[0].lanes, y = p[1].lanes, z = p[2].lanes;
+        const auto store = [&](__m512i ofXY, __m512i withZ, double *at) {
+            _mm512_storeu_pd(at, _mm512_permutex2var_pd(_mm512_permutex2var_pd(x, ofXY, y), withZ, z));
+        };
+        // 0 to 7: a lane of the first register; from 8 on, of the second.
+        store(_mm512_set_epi64(10, 2, 0, 9, 1, 0, 8, 0), _mm512_set_epi64(7, 6, 9, 4, 3, 8, 1, 0), to);
+        store(_mm512_set_epi64(5, 0, 12, 4, 0, 11, 3, 0), _mm512_set_epi64(7, 12, 5, 4, 11, 2, 1, 10), to + 8);
+        store(_mm512_set_epi64(0, 15, 7, 0, 14, 6, 0, 13), _mm512_set_epi64(15, 6, 5, 14, 3, 2, 13, 0), to + 16);
+    }
     friend Pack operator+(Pack a, Pack b) { return _mm512_add_pd(a.lanes, b.lanes); }
     friend Pack operator-(Pack a, Pack b) { return _mm512_sub_pd(a.lanes, b.lanes); }
     friend Pack operator*(Pack a, Pack b) { return _mm512_mul_pd(a.lanes, b.lanes); }
     friend Pack operator/(Pack a, Pack b) { return _mm512_div_pd(a.lanes, b.lanes); }
+    /// The processor has operations of a product and a sum that round once.
+    static constexpr bool kFuses = true;
+    static Pack productPlus(Pack a, Pack b, Pack c) { return _mm512_fmadd_pd(a.lanes, b.lanes, c.lanes); }
+    static Pack productMinus(Pack a, Pack b, Pack c) { return _mm512_fmsub_pd(a.lanes, b.lanes, c.lanes); }
     friend Pack magnitude(Pack a) { return _mm512_andnot_pd(_mm512_set1_pd(-0.0), a.lanes); }
 
 private:

@@ -15,6 +15,7 @@ namespace {
 /// as long.
 struct Pack {
     static constexpr std::size_t kLanes = 4;
+    static constexpr bool kFuses = false;
     __m128d low, high;
 
     Pack() = default;
@@ -51,18 +52,37 @@ struct Pack {
         };
         return bits(low) | bits(high) << 2;
     }
-    /// The same for floats, ends included.
+    /// The same for arrays, ends included.
     static unsigned between(const float *values, float lowest, float highest)
     {
         const __m128 v = _mm_loadu_ps(values);
         return static_cast<unsigned>(
             _mm_movemask_ps(_mm_and_ps(_mm_cmpge_ps(v, _mm_set1_ps(lowest)), _mm_cmple_ps(v, _mm_set1_ps(highest)))));
     }
+    static unsigned between(const double *values, double lowest, double highest)
+    {
+        const __m128d from = _mm_set1_pd(lowest), to = _mm_set1_pd(highest);
+        const auto bits = [&](__m128d lanes) {
+            return static_cast<unsigned>(
+                _mm_movemask_pd(_mm_and_pd(_mm_cmpge_pd(lanes, from), _mm_cmple_pd(lanes, to))));
+        };
+        return bits(_mm_loadu_pd(values)) | bits(_mm_loadu_pd(values + 2)) << 2;
+    }
     /// x0 y0 z0 x1 y1 z1 ...
     static void storeInterleaved(const Pack (&p)[3], float *to)
     {
         const __m128 x = p[0].asFloats(), y = p[1].asFloats(), z = p[2].asFloats();
         storeInterleavedFloats(x, y, z, to);
+    }
+    static void storeInterleaved(const Pack (&p)[3], double *to)
+    {
+        const auto store = [](__m128d x, __m128d y, __m128d z, double *at) {
+            _mm_storeu_pd(at, _mm_unpacklo_pd(x, y));
+            _mm_storeu_pd(at + 2, _mm_shuffle_pd(z, x, 0b10));
+            _mm_storeu_pd(at + 4, _mm_unpackhi_pd(y, z));
+        };
+        store(p[0].low, p[1].low, p[2].low, to);
+        store(p[0].high, p[1].high, p[2].high, to + 6);
     }
     friend Pack operator+(Pack a, Pack b) { return {_mm_add_pd(a.low, b.low), _mm_add_pd(a.high, b.high)}; }
     friend Pack operator-(Pack a, Pack b) { return {_mm_sub_pd(a.low, b.low), _mm_sub_pd(a.high, b.high)}; }
@@ -83,6 +103,7 @@ private:
 /// One double, for processors without wider loops; the compiler may vectorize it.
 struct Pack {
     static constexpr std::size_t kLanes = 1;
+    static constexpr bool kFuses = false;
     double lane;
 
     Pack() = default;
@@ -106,8 +127,13 @@ struct Pack {
     static void finishStreaming() {}
     static Pack counted() { return Pack(0.0); }
     unsigned between(double low, double high) const { return lane > low && lane < high; }
-    static unsigned between(const float *value, float low, float high) { return *value >= low && *value <= high; }
-    static void storeInterleaved(const Pack (&p)[3], float *to)
+    template <class Scalar>
+    static unsigned between(const Scalar *value, Scalar low, Scalar high)
+    {
+        return *value >= low && *value <= high;
+    }
+    template <class Scalar>
+    static void storeInterleaved(const Pack (&p)[3], Scalar *to)
     {
         for (int k = 0; k < 3; ++k)
             p[k].store(to + k);

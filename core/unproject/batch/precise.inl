@@ -14,8 +14,8 @@ Pack lostBySum(Pack a, Pack b, Pack sum)
 
 TwoPacks difference(Pack a, Pack b)
 {
-    const Pack minusB = Pack(0.0) - b, high = a - b;
-    return {high, lostBySum(a, minusB, high)};
+    const Pack high = a - b, minusBOfHigh = high - a;
+    return {high, (a - (high - minusBOfHigh)) - (b + minusBOfHigh)};
 }
 
 TwoPacks operator+(TwoPacks a, TwoPacks b)
@@ -24,8 +24,8 @@ TwoPacks operator+(TwoPacks a, TwoPacks b)
     return {high, lostBySum(a.high, b.high, high) + (a.low + b.low)};
 }
 
-/// A factor, split for products (Veltkamp). Beyond 2^970 it becomes NaN, and slower code computes
-/// the point.
+/// A factor, split for products (Veltkamp) on processors that do not fuse. Beyond 2^970 it becomes
+/// NaN there, and slower code computes the point.
 struct Factor {
     TwoPacks number;
     Pack highHalf, lowHalf;
@@ -41,36 +41,48 @@ struct Factor {
     }
 };
 
-/// The error of a product in double: what it loses of a b (Dekker).
-Pack lostByProduct(const Factor &a, const Factor &b, Pack product)
+/// The error of a product in double: what it loses of a b. A fused operation gives it in one step;
+/// Dekker's algorithm gives the same number.
+template <class OfPack>
+OfPack lostByProduct(const Factor &a, const Factor &b, OfPack product)
 {
-    return a.lowHalf * b.lowHalf
-           - (((product - a.highHalf * b.highHalf) - a.lowHalf * b.highHalf) - a.highHalf * b.lowHalf);
+    if constexpr (OfPack::kFuses)
+        return OfPack::productMinus(a.number.high, b.number.high, product);
+    else
+        return a.lowHalf * b.lowHalf
+               - (((product - a.highHalf * b.highHalf) - a.lowHalf * b.highHalf) - a.highHalf * b.lowHalf);
+}
+
+/// a b + c. Whether it is rounded once or twice, is far below the digits that are kept.
+template <class OfPack>
+OfPack productPlus(OfPack a, OfPack b, OfPack c)
+{
+    if constexpr (OfPack::kFuses)
+        return OfPack::productPlus(a, b, c);
+    else
+        return a * b + c;
 }
 
 TwoPacks operator*(const Factor &a, const Factor &b)
 {
-    const Pack high = a.number.high * b.number.high;
-    return {high, lostByProduct(a, b, high) + (a.number.high * b.number.low + a.number.low * b.number.high)};
+    const Pack high = a.number.high * b.number.high, lost = lostByProduct(a, b, high);
+    return {high, productPlus(a.number.high, b.number.low, productPlus(a.number.low, b.number.high, lost))};
 }
 
 TwoPacks quotient(TwoPacks a, TwoPacks b)
 {
-    const Pack high = a.high / b.high;
-    const Factor factor(TwoPacks{high, Pack(0.0)}), divisor(b);
-    const Pack product = high * b.high;
-    const Pack remainder = ((a.high - product) - lostByProduct(factor, divisor, product)) + (a.low - high * b.low);
-    return {high, remainder / b.high};
+    const Pack reciprocal = Pack(1.0) / b.high, high = a.high * reciprocal, product = high * b.high;
+    const Pack lost = lostByProduct(Factor(TwoPacks{high, Pack(0.0)}), Factor(b), product);
+    return {high, (((a.high - product) - lost) + (a.low - high * b.low)) * reciprocal};
 }
 
-/// high + low rounded to a double, if all numbers within `error` of it have the same rounding.
+/// high + low rounded to a double, if all numbers within `error` of it have the same rounding. What
+/// the sums with low lose is far below `error`.
 /// @return a value above 0, or NaN, if they do not
 Pack rounded(TwoPacks number, Pack error, Pack &to)
 {
-    const Pack sum = number.high + number.low;
-    const Pack rest = lostBySum(number.high, number.low, sum);
-    to = sum + (rest + error);
-    return to - (sum + (rest - error));
+    to = number.high + (number.low + error);
+    return to - (number.high + (number.low - error));
 }
 
 /// Both closed forms; see PreciseConstants.
