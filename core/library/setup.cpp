@@ -101,6 +101,62 @@ void addFindings(const char *name, const glm::dmat4 &matrix, matrices::MatrixRol
         sentences.push_back(std::string(name) + ": " + matrices::findingText(finding, role));
 }
 
+struct Named {
+    std::string name;
+    double value;
+};
+
+void add(std::vector<Named> &numbers, const std::string &name, const glm::dvec3 &v)
+{
+    for (int k = 0; k < 3; ++k)
+        numbers.push_back({name + '[' + std::to_string(k) + ']', v[k]});
+}
+
+/// The numbers of a projection, under their names in OpenGL.
+std::vector<Named> numbersOf(const Projection &projection)
+{
+    const auto ofBox = [](const auto &o) {
+        return std::vector<Named>{{"left", o.left}, {"right", o.right},       {"bottom", o.bottom},
+                                  {"top", o.top},   {"near", o.nearDistance}, {"far", o.farDistance}};
+    };
+    return std::visit(Overloaded{[](const Perspective &p) {
+                                     return std::vector<Named>{{"fovy", p.verticalFovDegrees},
+                                                               {"aspect", p.aspect.value_or(1.0)},
+                                                               {"near", p.nearDistance},
+                                                               {"far", p.farDistance}};
+                                 },
+                                 [&](const Oblique &o) {
+                                     std::vector<Named> numbers = ofBox(o.box);
+                                     numbers.push_back({"theta", o.thetaDegrees});
+                                     numbers.push_back({"phi", o.phiDegrees});
+                                     return numbers;
+                                 },
+                                 [&](const auto &box) { return ofBox(box); }},
+                      projection);
+}
+
+std::vector<Named> numbersOf(const Window &window)
+{
+    std::vector<Named> numbers{{"depth_range[0]", window.depthRange.atNear},
+                               {"depth_range[1]", window.depthRange.atFar}};
+    if (const auto &v = window.viewport)
+        numbers.insert(
+            numbers.end(),
+            {{"viewport[0]", v->x}, {"viewport[1]", v->y}, {"viewport[2]", v->width}, {"viewport[3]", v->height}});
+    return numbers;
+}
+
+/// @return an error for the first number that is not finite
+std::optional<Error> refusal(const std::vector<Named> &numbers)
+{
+    for (const Named &number : numbers) {
+        if (!std::isfinite(number.value))
+            return valueError(
+                text::tr("%1 is %2; give a finite number", number.name, text::shortestText(number.value)));
+    }
+    return std::nullopt;
+}
+
 /// @return an error for a matrix without an inverse
 std::optional<Error> refusal(const char *name, const glm::dmat4 &matrix)
 {
@@ -121,7 +177,7 @@ std::optional<Error> refusal(const Window &window)
 {
     constexpr int kMost = scene_file::kMostWindowPixels;
     if (window.width <= kMost && window.height <= kMost)
-        return std::nullopt;
+        return refusal(numbersOf(window));
     return valueError(
         text::tr("the window has %1x%2 pixels; give at most %3 a side", window.width, window.height, kMost));
 }
@@ -191,6 +247,12 @@ Result<Setup> Setup::of(const Projection &projection, const Camera &camera, cons
 {
     if (const auto error = refusal(window))
         return *error;
+    std::vector<Named> numbers = numbersOf(projection);
+    add(numbers, "eye", camera.eye);
+    add(numbers, "center", camera.center);
+    add(numbers, "up", camera.up);
+    if (const auto error = refusal(numbers))
+        return *error;
     geometry::Setup setup = inWindow(window);
     setup.lens = internalProjection(projection, setup.viewport);
     setup.pose = geometry::LookAt{geometry::WorldPoint(camera.eye), geometry::WorldPoint(camera.center),
@@ -231,6 +293,17 @@ Result<Setup> Setup::fromOpenCv(const glm::dmat3 &cameraMatrix, const glm::dmat3
                                 double farDistance)
 {
     if (const auto error = refusal(window))
+        return *error;
+    std::vector<Named> numbers{{"near", nearDistance}, {"far", farDistance}};
+    add(numbers, "t", translation);
+    for (int row = 0; row < 3; ++row) {
+        const std::string index = '[' + std::to_string(row) + ", ";
+        for (int column = 0; column < 3; ++column) {
+            numbers.push_back({"K" + index + std::to_string(column) + ']', cameraMatrix[column][row]});
+            numbers.push_back({"R" + index + std::to_string(column) + ']', rotation[column][row]});
+        }
+    }
+    if (const auto error = refusal(numbers))
         return *error;
     for (const auto &[row, column, expected] : {std::array{1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {2, 2, 1}}) {
         if (cameraMatrix[column][row] != expected)

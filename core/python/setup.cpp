@@ -82,7 +82,13 @@ glm::dmat3 rotationOf(const py::object &argument)
     if (shape != std::vector<py::ssize_t>{3} && shape != std::vector<py::ssize_t>{3, 1})
         throw py::value_error("R has the shape " + shapeText(shape)
                               + "; give (3, 3), or the vector of cv2.Rodrigues, (3,)");
-    return rotationFromAxis(vectorOf("R", py::module_::import("numpy").attr("ravel")(argument)));
+    const glm::dvec3 axis = vectorOf("R", py::module_::import("numpy").attr("ravel")(argument));
+    for (int k = 0; k < 3; ++k) {
+        if (!std::isfinite(axis[k]))
+            throw py::value_error("R[" + std::to_string(k) + "] is " + std::string(py::str(py::float_(axis[k])))
+                                  + "; give a finite number");
+    }
+    return rotationFromAxis(axis);
 }
 
 Window windowOf(const Size &size, const std::optional<std::array<double, 4>> &viewport,

@@ -23,9 +23,12 @@ inline bool isWrittenOut(double value)
     return size >= 1e5 && size < 1e10;
 }
 
-/// The fewest digits that read back to the same double, for people: 4000000 is written in full.
+/// The fewest digits that read back to the same double, for people: 4000000 is written in full, and a
+/// NaN has no sign.
 inline std::string shortestText(double value)
 {
+    if (std::isnan(value))
+        return "nan";
     std::string text;
     if (!isWrittenOut(value)) {
         appendNumber(text, value);
