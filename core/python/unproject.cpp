@@ -35,8 +35,8 @@ exact : bool
     largest coordinate off where the window's height minus py is exact, as at pixel
     centres. The inverted matrix loses the digits that rounding to the doubles of
     its elements loses: up to five with near : far = 0.1 : 10000.
-    False: plain double, as in `unproject cloud --precision double`, several times
-    faster; 8 units in the last place of the largest coordinate for 99.99 % of the
+    False: plain double, as in `unproject cloud --precision double`, about twice as
+    fast; 8 units in the last place of the largest coordinate for 99.99 % of the
     points of a usual setup.
 out : array of shape (..., 3), float64 or float32, optional
     Receives the points.

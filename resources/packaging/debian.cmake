@@ -58,6 +58,7 @@ if(UNPROJECTOR_HAS_PYTHON)
 The Python module of Unprojector: arrays of pixels and depths become arrays of
 world coordinates, by formulas in closed form and by the inverted matrix.")
     set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_SOURCE_DIR}/prerm)
     # A compiled module is for one version of Python, and for NumPy's since the one it was built with.
     math(EXPR next_python "${Python_VERSION_MINOR} + 1")
     set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS

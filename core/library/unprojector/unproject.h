@@ -25,7 +25,7 @@ enum class Digits {
     /// last place of the largest coordinate off where window height - py is exact, as at pixel
     /// centres. The inverted matrix loses what rounding to its double elements loses.
     Exact,
-    /// Plain double, several times faster: 8 units in the last place of the largest coordinate for
+    /// Plain double, about twice as fast: 8 units in the last place of the largest coordinate for
     /// 99.99 % of the points of a usual setup.
     Double,
 };

@@ -14,8 +14,8 @@ namespace unprojector::unproject {
 ///
 /// The formulas are computed with about 30 digits, many points at a time. If that does not
 /// determine the rounding of the sum (once in a billion points, and if a coordinate is 0), the
-/// click's own functions are called. A point costs five to ten times a BatchUnprojection's, which
-/// is still little beside its text. Single precision and the conversion to an object's space are
+/// click's own functions are called. A point costs two to three times a BatchUnprojection's, which
+/// is little beside its text. Single precision and the conversion to an object's space are
 /// computed as in a click, one point after the other.
 class ClickBatch {
 public:
