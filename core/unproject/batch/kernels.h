@@ -4,8 +4,9 @@
 
 /// The arithmetic of core/unproject/batch, compiled once for each instruction set from
 /// batch/kernels.inl. It uses only additions, subtractions, products and quotients, each rounded
-/// once and none fused, so every instruction set gives the same digits. A click's loops may fuse:
-/// they tell where that can be seen, and slower code computes those points.
+/// once and none fused, so every instruction set gives the same digits. The loops of
+/// ClickKernels may fuse: `doubt` marks the points whose digits that could change, and slower code
+/// computes those.
 namespace unprojector::unproject::batch {
 
 /// A closed form from eye to target space: p = origin + z (X across + Y down + ahead), or for a box

@@ -53,7 +53,7 @@ OfPack lostByProduct(const Factor &a, const Factor &b, OfPack product)
                - (((product - a.highHalf * b.highHalf) - a.lowHalf * b.highHalf) - a.highHalf * b.lowHalf);
 }
 
-/// a b + c. Whether it is rounded once or twice, is far below the digits that are kept.
+/// a b + c, rounded once or twice: the difference is far below the digits that are kept.
 template <class OfPack>
 OfPack productPlus(OfPack a, OfPack b, OfPack c)
 {
