@@ -27,8 +27,9 @@ onVirtualDisplay() {
 # The Python module, which is built where these are installed.
 pythonPackages=(python3-dev pybind11-dev python3-numpy)
 # What the tests need besides the program: the fonts that tests/fonts names, lld, which links 200
-# tests in seconds, and the NumPy that runs the scene's code. For the module: pytest, exact numbers
-# to compare with, a cluster, and figures.
+# tests in seconds, pkg-config, which a program of the library may be built with, and the NumPy that
+# runs the scene's code. For the module: pytest, exact numbers to compare with, a cluster, and
+# figures.
 # shellcheck disable=SC2034 # for the scripts that source this
-testPackages=(fonts-noto-cjk fonts-noto-core fonts-noto-mono fonts-liberation lld "${pythonPackages[@]}"
+testPackages=(fonts-noto-cjk fonts-noto-core fonts-noto-mono fonts-liberation lld pkg-config "${pythonPackages[@]}"
     python3-pytest python3-mpmath python3-dask python3-distributed python3-matplotlib)

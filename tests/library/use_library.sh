@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # bash use_library.sh EXAMPLE PREFIX: builds the example against the library that is installed below
-# PREFIX, by CMake and by pkg-config, and runs it.
+# PREFIX, by CMake and by pkg-config, and runs it. CMAKE_GENERATOR is CMake's.
 set -euo pipefail
 example=$1 prefix=$2
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
-export LC_ALL=C.UTF-8
+export LC_ALL=C.UTF-8 CMAKE_GENERATOR=${CMAKE_GENERATOR:-Ninja}
 fail() { echo "FAIL: $*" >&2; exit 1; }
 
 # check PROGRAM: it loads the library of PREFIX, and both methods give the point that gluUnProject gives.
