@@ -1,9 +1,14 @@
 #include "core/files/system_file.h"
 
+#include "core/files/file_stamp.h"
+#include "core/files/path_text.h"
+
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <optional>
 #include <random>
 #include <string>
@@ -28,15 +33,49 @@ namespace {
 constexpr int kMostLinks = 40; // as on Linux
 
 // Parts of a fresh file's name. It is short, to fit where the target's name has the greatest
-// length, and hidden where a dot hides.
+// length, and hidden where a dot hides. The first half of its digits is its lockDomain().
 constexpr std::string_view kNameStart = ".unprojector-", kNameEnd = ".tmp", kDigits = "0123456789abcdef";
-constexpr std::size_t kNameDigits = 16;
+constexpr std::size_t kNameDigits = 16, kDomainDigits = 8;
+
+/// Names the programs whose locks this one sees: all of one run of Linux, in containers too; elsewhere,
+/// those of one computer.
+std::string lockDomain()
+{
+    std::string name;
+#ifdef _WIN32
+    std::array<wchar_t, MAX_COMPUTERNAME_LENGTH + 1> computer{};
+    DWORD length = MAX_COMPUTERNAME_LENGTH + 1;
+    if (GetComputerNameW(computer.data(), &length) != 0)
+        name = utf8FromPath(computer.data());
+#else
+    std::ifstream run("/proc/sys/kernel/random/boot_id");
+    if (!std::getline(run, name)) {
+        std::array<char, 256> computer{};
+        if (::gethostname(computer.data(), computer.size() - 1) == 0)
+            name = computer.data();
+    }
+#endif
+    return name;
+}
+
+/// The start of the names of this program's fresh files.
+const std::string &ownStart()
+{
+    static const std::string start = [] {
+        std::uint64_t hash = stampOfContents(lockDomain()).hash;
+        std::string name(kNameStart);
+        for (std::size_t i = 0; i < kDomainDigits; ++i, hash /= kDigits.size())
+            name += kDigits[hash % kDigits.size()];
+        return name;
+    }();
+    return start;
+}
 
 std::string randomName()
 {
     std::random_device random;
-    std::string name(kNameStart);
-    for (std::size_t i = 0; i < kNameDigits; ++i)
+    std::string name = ownStart();
+    for (std::size_t i = kDomainDigits; i < kNameDigits; ++i)
         name += kDigits[random() % kDigits.size()];
     return name.append(kNameEnd);
 }
@@ -54,7 +93,14 @@ bool isRandomName(const std::filesystem::path &path)
               });
 }
 
-constexpr std::chrono::minutes kAbandonedAfter{10};
+/// Whether a fresh file's name shows that its program's lock would be seen here.
+bool isLockSeen(const std::filesystem::path &path)
+{
+    const std::filesystem::path::string_type name = path.filename().native();
+    return std::equal(ownStart().begin(), ownStart().end(), name.begin());
+}
+
+constexpr std::chrono::hours kAbandonedAfter{24};
 
 /// The target of a link; empty if there is no link.
 std::optional<std::filesystem::path> linkTarget(const std::filesystem::path &file)
@@ -129,7 +175,8 @@ void removeAbandonedFiles(const std::filesystem::path &folder)
         if (!isRandomName(it->path()) || !std::filesystem::is_regular_file(it->symlink_status(ignored)))
             continue;
         const std::filesystem::file_time_type written = std::filesystem::last_write_time(it->path(), ignored);
-        if (!ignored && std::filesystem::file_time_type::clock::now() - written > kAbandonedAfter)
+        if (isLockSeen(it->path())
+            || (!ignored && std::filesystem::file_time_type::clock::now() - written > kAbandonedAfter))
             abandoned.push_back(it->path());
     }
     for (const std::filesystem::path &file : abandoned)
@@ -216,10 +263,11 @@ std::error_code FreshFile::close()
 
 std::error_code FreshFile::moveTo(const std::filesystem::path &target)
 {
-    if (const std::error_code error = close())
-        return error;
+    // The file stays open until it has its name, so that no other program removes it. sync() has put
+    // all its data on the disk.
     if (MoveFileExW(m_path.c_str(), target.c_str(), MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH) == 0)
         return lastError();
+    close();
     m_path.clear();
     return {};
 }
@@ -257,19 +305,23 @@ std::error_code FreshFile::create(const std::filesystem::path &folder, const std
     // A new file is created with the permissions from the folder and the user's mask; they are
     // restored when it is moved.
     const mode_t mode = isReplacing ? S_IRUSR | S_IWUSR : S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
+    struct stat made {};
     for (int i = 0; i < 100 && m_descriptor < 0; ++i) {
         const std::filesystem::path path = folder / randomName();
         m_descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
-        if (m_descriptor >= 0)
-            m_path = path;
-        else if (errno != EEXIST)
+        if (m_descriptor < 0 && errno != EEXIST)
             break;
+        if (m_descriptor < 0)
+            continue;
+        m_path = path;
+        // Another program's removeAbandonedFiles may have found the file before it was locked. Where
+        // there are no locks, nothing is removed.
+        const bool isTaken = ::flock(m_descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+        if (isTaken || ::lstat(path.c_str(), &made) != 0)
+            remove();
     }
-    struct stat made {};
     if (m_descriptor < 0 || ::fstat(m_descriptor, &made) != 0)
         return lastError();
-    // See removeAbandonedFiles; where there are no locks, nothing is removed.
-    ::flock(m_descriptor, LOCK_EX | LOCK_NB);
     m_permissions = made.st_mode & mode_t{07777};
     if (isReplacing) {
         // A user who may not give files away stays the owner. The group comes first, because

@@ -46,9 +46,8 @@ private:
 };
 
 /// Removes the fresh files in a folder that a killed program left behind: files that no program
-/// holds and that were not written for ten minutes. The time covers what the system cannot show: a
-/// program between creating and locking its file, or one on another computer that shares the folder
-/// without its locks.
+/// holds. Not every network folder shares locks. So a file of another computer, or of this one before
+/// its restart, is removed only if it was not written for a day.
 void removeAbandonedFiles(const std::filesystem::path &folder);
 
 /// Removes all permissions except the owner's. On Windows a user's own folders are private anyway.

@@ -37,6 +37,7 @@ private slots:
     void whatFailsLeavesWhatWasThere();
     void anInterruptionLeavesWhatWasThere_data();
     void anInterruptionLeavesWhatWasThere();
+    void whatAKilledCommandLeftGoesWithTheNextWrite();
     void devicesAreWrittenTo();
     void standardOutputByItsName();
     void aNamedPipeIsWrittenTo();
@@ -256,6 +257,28 @@ void TestOutputFiles::anInterruptionLeavesWhatWasThere()
     QCOMPARE(read("cloud.ply"), QByteArray("before"));
     QCOMPARE(names(), QStringList("cloud.ply"));
 #endif
+}
+
+void TestOutputFiles::whatAKilledCommandLeftGoesWithTheNextWrite()
+{
+    QProcess killed, living;
+    for (auto *process : {&killed, &living}) {
+        const QString output = path(process == &killed ? "killed.ply" : "living.ply");
+        process->start(QStringLiteral(UNPROJECT_COMMAND), {"cloud", "--size", "800x600", m_scene, "-", "-o", output});
+        QVERIFY(process->waitForStarted(kPatienceMilliseconds));
+    }
+    QTRY_COMPARE_WITH_TIMEOUT(names().size(), qsizetype(2), kPatienceMilliseconds); // both wait for depths
+    killed.kill();
+    QVERIFY(killed.waitForFinished(kPatienceMilliseconds));
+    QCOMPARE(names().size(), qsizetype(2));
+    QVERIFY(hasWritten(runCommand(cloudTo(path("next.ply"))), path("next.ply")));
+    QCOMPARE(names().size(), qsizetype(2)); // that of the living one stays
+    QVERIFY(names().contains("next.ply"));
+    living.write(QByteArray(qsizetype(800) * 600 * 4, '\0'));
+    living.closeWriteChannel();
+    QVERIFY(living.waitForFinished(kPatienceMilliseconds));
+    QCOMPARE(living.exitCode(), 0);
+    QCOMPARE(names(), (QStringList{"living.ply", "next.ply"}));
 }
 
 void TestOutputFiles::devicesAreWrittenTo()

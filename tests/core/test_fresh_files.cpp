@@ -7,8 +7,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <atomic>
 #include <chrono>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #ifndef Q_OS_WIN
@@ -24,6 +26,7 @@ class TestFreshFiles : public QObject {
 private slots:
     void aFileThatIsBeingWrittenIsTheUsersAlone();
     void whatAKilledProgramLeftIsRemoved();
+    void noFileIsRemovedWhileItIsWritten();
 };
 
 void TestFreshFiles::aFileThatIsBeingWrittenIsTheUsersAlone()
@@ -51,28 +54,63 @@ void TestFreshFiles::aFileThatIsBeingWrittenIsTheUsersAlone()
 void TestFreshFiles::whatAKilledProgramLeftIsRemoved()
 {
     const Folder folder;
-    const QString ours = ".unprojector-0123456789abcdef.tmp", fresh = ".unprojector-fedcba9876543210.tmp";
+    // The first 8 digits name the system; a killed program differs in the others.
+    ReplacingFile waiting = std::move(ReplacingFile::open(folder / "waiting")).value();
+    const QString held = QString::fromStdU16String(waiting.freshFile().filename().u16string());
+    const auto otherDigit = [&held](qsizetype at) {
+        QString name = held;
+        name[at] = name[at] == '0' ? '1' : '0';
+        return name;
+    };
+    const qsizetype start = QStringLiteral(".unprojector-").size();
+    const QString ours = otherDigit(start + 8), oursToo = otherDigit(start + 15);
+    const QString another = otherDigit(start), anothersOld = otherDigit(start + 7);
     const QStringList others{".unprojector-0123456789abcde.tmp", ".unprojector-0123456789abcdeg.tmp",
                              ".unprojector-0123456789abcdef.tmp.bak", "unprojector-0123456789abcdef.tmp"};
     const auto age = [&](const QString &name) {
-        const auto hourAgo = std::filesystem::file_time_type::clock::now() - std::chrono::hours(1);
+        const auto before = std::filesystem::file_time_type::clock::now() - std::chrono::hours(25);
         std::error_code refused; // Windows refuses it for an open file, which cannot be removed there anyway
-        std::filesystem::last_write_time(folder / name, hourAgo, refused);
+        std::filesystem::last_write_time(folder / name, before, refused);
     };
-    for (const QString &name : QStringList{ours, fresh} + others)
+    for (const QString &name : QStringList{ours, oursToo, another, anothersOld} + others)
         folder.write(name, "left");
-    for (const QString &name : QStringList{ours} + others)
+    for (const QString &name : QStringList{oursToo, anothersOld, held} + others)
         age(name);
-    ReplacingFile waiting = std::move(ReplacingFile::open(folder / "waiting")).value();
-    const QString held = QString::fromStdU16String(waiting.freshFile().filename().u16string());
-    age(held); // another one, which waits for its input for so long
     QVERIFY(replaceFile(folder / "a.json", "after").hasValue());
-    QStringList names = folder.names(), expected = others + QStringList{fresh, held, "a.json"};
+    QStringList names = folder.names(), expected = others + QStringList{another, held, "a.json"};
     names.sort();
     expected.sort();
     QCOMPARE(names, expected);
     QVERIFY(waiting.write("all the same").hasValue() && waiting.commit().hasValue());
     QCOMPARE(folder.read("waiting"), "all the same");
+}
+
+/// A program that sweeps a folder may meet a file at any moment of its writing.
+void TestFreshFiles::noFileIsRemovedWhileItIsWritten()
+{
+    const Folder folder;
+    const std::filesystem::path path = folder / "a";
+    std::atomic<bool> isOver = false;
+    std::thread sweeper([&] {
+        while (!isOver)
+            removeAbandonedFiles(path.parent_path());
+    });
+    QStringList failures;
+    for (int i = 0; i < 300; ++i) {
+        FreshFile file;
+        std::error_code error = file.create(path.parent_path(), path);
+        if (!error)
+            error = file.write("whole");
+        if (!error)
+            error = file.moveTo(path);
+        if (error)
+            failures << QString::number(i) + ": " + QString::fromStdString(error.message());
+    }
+    isOver = true;
+    sweeper.join();
+    QCOMPARE(failures, QStringList());
+    QCOMPARE(folder.names(), QStringList("a"));
+    QCOMPARE(folder.read("a"), "whole");
 }
 
 QTEST_GUILESS_MAIN(TestFreshFiles)
