@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <thread>
 #include <utility>
 
 namespace unprojector::mesh {
@@ -73,7 +72,7 @@ std::size_t numberPlaces(const Mesh &mesh, std::vector<std::uint32_t> &numbers)
 {
     const std::size_t vertices = mesh.positions.size();
     constexpr std::size_t kMostTasks = 16, kFewVertices = std::size_t{1} << 16;
-    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t cores = threads::coreCount();
     const std::size_t tasks = vertices < kFewVertices ? 1 : std::min(cores, kMostTasks);
     numbers.resize(vertices);
     // Each task scans all vertices in order and takes the ones with its own hashes, so equal ones

@@ -10,7 +10,6 @@
 #include <mutex>
 #include <numeric>
 #include <span>
-#include <thread>
 
 namespace unprojector::ray {
 namespace {
@@ -78,8 +77,7 @@ public:
             return BoxTree{};
         m_tree.m_nodes.resize(1);
         // Builds the upper levels here, and the parts below them on all cores.
-        const std::size_t threads = std::max(1u, std::thread::hardware_concurrency());
-        const std::size_t enough = std::max<std::size_t>(4096, m_items.size() / (8 * threads));
+        const std::size_t enough = std::max<std::size_t>(4096, m_items.size() / (8 * threads::coreCount()));
         grow(m_tree.m_nodes, {0, 0, m_items.size(), 0}, enough);
         m_branches.resize(m_parts.size());
         growParts();

@@ -61,13 +61,19 @@ private:
 
 } // namespace
 
+unsigned coreCount() noexcept
+{
+    static const unsigned count = std::max(1u, std::thread::hardware_concurrency());
+    return count;
+}
+
 void inParallel(std::size_t count, const std::function<void(double)> &report,
                 const std::function<void(std::size_t)> &task, std::size_t most)
 {
     if (count == 0)
         return;
     if (most == 0)
-        most = std::max(1u, std::thread::hardware_concurrency());
+        most = coreCount();
     TaskQueue queue(count, task);
     std::vector<std::thread> helpers;
     const std::size_t helperCount = std::min(count, most) - 1;

@@ -20,6 +20,10 @@ namespace unprojector::threads {
 void inParallel(std::size_t count, const std::function<void(double)> &report,
                 const std::function<void(std::size_t)> &task, std::size_t most = 0);
 
+/// The number of the computer's cores, at least 1. It asks the system only once: the answer takes as
+/// long as a small mesh, since Linux reads it from a file.
+unsigned coreCount() noexcept;
+
 /// Returns whether the system can start this many more threads now.
 bool canStartThreads(std::size_t count) noexcept;
 

@@ -1,9 +1,9 @@
 #include "gui/document/model_store.h"
 
 #include "core/mesh/stand_in.h"
+#include "core/threads/parallel.h"
 
 #include <algorithm>
-#include <thread>
 
 namespace unprojector::gui {
 using namespace mesh;
@@ -22,10 +22,7 @@ std::size_t sizeOf(const Model &model)
 
 } // namespace
 
-ModelStore::ModelStore(QObject *parent)
-    : QObject(parent), m_background(std::max(1u, std::thread::hardware_concurrency()))
-{
-}
+ModelStore::ModelStore(QObject *parent) : QObject(parent), m_background(threads::coreCount()) {}
 
 void ModelStore::dropUnused()
 {

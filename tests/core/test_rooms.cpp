@@ -147,6 +147,7 @@ private slots:
     void heavyHeadersStayInTheirRooms();
     void noHeaderTakesANamespace();
     void allFileDialogsStartInAKnownFolder();
+    void theSystemIsAskedForItsCoresInOnePlace();
     void namesThatWindowsTakesAreFound();
     void noNameIsAMacroOfWindows();
 };
@@ -319,6 +320,18 @@ void TestRooms::allFileDialogsStartInAKnownFolder()
         QVERIFY2(!hasDialog || own.contains(file), qPrintable(file));
     }
     QCOMPARE(count, own.size());
+}
+
+/// Each question opens a file on Linux, and a model can have 100,000 meshes: threads::coreCount()
+/// asks once.
+void TestRooms::theSystemIsAskedForItsCoresInOnePlace()
+{
+    QStringList asking;
+    for (const QString &file : sourcesUnder({"core", "gui"})) {
+        if (textOf(file).contains(QLatin1String("hardware_concurrency")))
+            asking << file;
+    }
+    QCOMPARE(asking, QStringList{"core/threads/parallel.cpp"});
 }
 
 void TestRooms::namesThatWindowsTakesAreFound()

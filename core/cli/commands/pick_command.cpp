@@ -7,12 +7,11 @@
 #include "core/cli/rows/row_layout.h"
 #include "core/text/error_text.h"
 #include "core/text/translation.h"
+#include "core/threads/parallel.h"
 
-#include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <cmath>
-#include <thread>
 #include <utility>
 
 namespace unprojector::cli {
@@ -137,7 +136,7 @@ ExitCode pickRows(const PickOptions &options, const OpenedScene &opened, const S
         RowWriter(options.format, task.layout.names(), header).header();
         sink.write(header);
     }
-    const unsigned threads = options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+    const unsigned threads = options.threads > 0 ? options.threads : threads::coreCount();
     ExitCode code = runBlocks(blocks, source, sink, threads, [&] { return BlockWorker(Worker(task)); });
     if (outside > 0 && code == ExitCode::Done)
         code = ExitCode::SomeRowsBad;

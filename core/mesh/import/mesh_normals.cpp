@@ -11,7 +11,6 @@
 #include <cstring>
 #include <mutex>
 #include <numeric>
-#include <thread>
 #include <utility>
 
 namespace unprojector::mesh {
@@ -76,7 +75,7 @@ std::vector<glm::vec3> normalSums(const Mesh &mesh, const std::vector<FaceNormal
     std::vector<glm::vec3> sums(positionCount, glm::vec3(0.0f));
     // Each task scans all corners, so more tasks would gain little.
     constexpr std::size_t kMostTasks = 4;
-    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t cores = coreCount();
     const std::size_t tasks = mesh.indices.size() < 3 * kTrianglesInTask ? 1 : std::min(cores, kMostTasks);
     inParallel(tasks, {}, [&](std::size_t task) {
         const std::size_t begin = positionCount * task / tasks, end = positionCount * (task + 1) / tasks;
