@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <new>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -57,7 +58,10 @@ ReadModel ModelFiles::read(const std::filesystem::path &file, const ImportProgre
     }
     if (state.isKnown) {
         const std::lock_guard lock(m_mutex);
-        std::erase_if(m_files, [](const auto &entry) { return entry.second.model.expired(); });
+        if (m_files.size() >= m_sizeOfNextCleaning) { // looking at all for each new one takes long for many
+            std::erase_if(m_files, [](const auto &entry) { return entry.second.model.expired(); });
+            m_sizeOfNextCleaning = 2 * m_files.size() + 1;
+        }
         m_files[path] = {state, model};
     }
     return ModelPointer(model);
@@ -75,11 +79,12 @@ bool isMeantAsScene(const std::filesystem::path &file)
 std::vector<std::filesystem::path> modelFiles(const SceneFile &scene, const std::filesystem::path &sceneFile)
 {
     std::vector<std::filesystem::path> files;
+    std::set<std::filesystem::path> known;
     for (const SceneFileObject &object : scene.objects) {
         if (!object.bundled.empty())
             continue;
         std::filesystem::path file = objectFile(object, sceneFile);
-        if (std::find(files.begin(), files.end(), file) == files.end())
+        if (known.insert(file).second)
             files.push_back(std::move(file));
     }
     return files;

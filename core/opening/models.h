@@ -3,6 +3,7 @@
 #include "core/mesh/import/mesh_import.h"
 #include "core/scene_file/scene_file.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -45,8 +46,9 @@ private:
     };
     static State stateOf(const std::filesystem::path &file);
 
-    std::mutex m_mutex; ///< guards m_files
+    std::mutex m_mutex; ///< guards the members below
     std::map<std::filesystem::path, Kept> m_files;
+    std::size_t m_sizeOfNextCleaning = 1; ///< of m_files, when it loses the models that nothing uses
 };
 
 /// Returns whether to open a file as a scene rather than as a model. True for a scene, and for any

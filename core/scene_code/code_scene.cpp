@@ -53,10 +53,10 @@ double clearDepth(const Setup &setup)
 
 std::string ofEachObject(const SceneFile &scene, ObjectCode &code)
 {
-    std::vector<std::string> ids;
+    DistinctIdentifiers ids;
     std::string text;
     for (const SceneFileObject &object : scene.objects)
-        text += code(object, newIdentifier(plainName(object.name), ids));
+        text += code(object, ids.next(plainName(object.name)));
     return text;
 }
 

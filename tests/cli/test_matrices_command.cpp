@@ -19,6 +19,7 @@ private slots:
     void textsAreForTheirReaders();
     void conventionsOfOtherApis();
     void openCvHasRotationTranslationAndCameraMatrix();
+    void eachObjectHasItsOwnNames();
     void unusableInput();
 
 private:
@@ -131,6 +132,30 @@ void TestMatricesCommand::openCvHasRotationTranslationAndCameraMatrix()
     QCOMPARE(entry(m, "t", 2, 0), 5.0);
     const Run c = runCommand({"matrices", "--conventions", "opencv", "--format", "c", m_scene});
     QVERIFY2(c.output.contains("const double K[9] = {\n400, 0, 399.5,\n0, 400, 299.5,\n0, 0, 1,\n};\n"), c.output);
+}
+
+/// The numbers behind equal names skip what other objects are called.
+void TestMatricesCommand::eachObjectHasItsOwnNames()
+{
+    QByteArray objects;
+    for (int i = 0; i < 7; ++i) {
+        const QByteArray name = QList<QByteArray>{"face", "face", "a b", "face_3", "face", "face_3", "a.b"}[i];
+        objects += (i > 0 ? ", " : "")
+                   + QByteArray(R"({"name": "%1", "file": "face.obj", "transform": [{"translate": [%2, 0, 0]}]})")
+                         .replace("%1", name)
+                         .replace("%2", QByteArray::number(i));
+    }
+    const QByteArray start = QByteArray(kFrustumScene).first(kFrustumScene.indexOf("\"objects\""));
+    const QString scene = m_folder.write("names.json", start + "\"objects\": [" + objects + "]}");
+    const Run run = runCommand({"matrices", "--format", "json", scene});
+    VERIFY_SUCCEEDED(run);
+    const QJsonObject m = QJsonDocument::fromJson(run.output).object();
+    int i = 0;
+    for (const char *name : {"face", "face_2", "a_b", "face_3", "face_4", "face_3_2", "a_b_2"}) {
+        QVERIFY2(m.contains(QStringLiteral("mvp_") + name), name);
+        QCOMPARE(entry(m, QStringLiteral("model_") + name, 0, 3), double(i++));
+    }
+    QCOMPARE(m.size(), qsizetype(1 + 5 + 4 * 7));
 }
 
 void TestMatricesCommand::unusableInput()

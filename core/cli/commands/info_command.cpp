@@ -10,9 +10,9 @@
 #include "core/text/printable.h"
 #include "core/text/translation.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <unordered_set>
 #include <vector>
 
 namespace unprojector::cli {
@@ -78,10 +78,11 @@ std::string lines(const Measures &m)
 std::vector<std::string> notesOf(const std::vector<SceneObject> &objects)
 {
     std::vector<std::string> notes;
+    std::unordered_set<std::string> known;
     for (const SceneObject &object : objects) {
         for (const ModelNote &note : object.model->notes) {
             const std::string text = (objects.size() > 1 ? object.name + ": " : std::string()) + mesh::noteText(note);
-            if (std::find(notes.begin(), notes.end(), text) == notes.end())
+            if (known.insert(text).second)
                 notes.push_back(text);
         }
     }

@@ -53,9 +53,9 @@ std::vector<NamedMatrix> matricesOf(const SceneFile &scene, const Written &writt
         matrices.push_back(
             {"world_to_window", "window from world, before the division by w", viewport * projection * view});
     }
-    std::vector<std::string> taken;
+    DistinctIdentifiers names;
     for (const SceneFileObject &object : scene.objects) {
-        const std::string name = newIdentifier(object.name, taken);
+        const std::string name = names.next(object.name);
         const glm::dmat4 model = written.apiFromWorld * worldFromObject(object.transform), modelview = view * model;
         const std::string of = " of \"" + onOneLine(object.name) + '"';
         matrices.push_back({"model_" + name, "world from object" + of, model});

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -73,9 +74,10 @@ std::optional<SceneOrClicks> sceneOrClicks(const std::string &file)
 InputFiles filesOf(const SceneOrClicks &given, const std::string &file)
 {
     InputFiles files{file};
+    std::unordered_set<std::string> known{file};
     const auto add = [&](const SceneFile &scene) {
         for (const auto &model : opening::modelFiles(scene, file == "-" ? "" : pathFromUtf8(file))) {
-            if (std::string named = utf8FromPath(model); std::find(files.begin(), files.end(), named) == files.end())
+            if (std::string named = utf8FromPath(model); known.insert(named).second)
                 files.push_back(std::move(named));
         }
     };
