@@ -99,9 +99,9 @@ std::string sceneErrorText(const SceneFileError &error)
     std::string place = error.file;
     if (error.line > 0)
         place += ":" + std::to_string(error.line) + ":" + std::to_string(error.column);
-    if (!error.keyPath.empty())
-        place += ": " + error.keyPath;
-    return place + ": " + sentence(error);
+    for (const std::string &part : {error.keyPath, sentence(error)})
+        place += (place.empty() || part.empty() ? "" : ": ") + part;
+    return place;
 }
 
 } // namespace unprojector::scene_file

@@ -428,6 +428,14 @@ void TestMeshImport::reportsNotAFile()
     std::filesystem::create_directory(folder / "folder.obj");
     QCOMPARE(int(importModel(folder / "folder.obj", {}).error().code), int(ImportErrorCode::IsDirectory));
 
+    std::error_code refused; // some systems have no links
+    std::filesystem::create_symlink("circle", folder / "circle", refused);
+    if (!refused) {
+        const ImportError circle = importModel(folder / "circle", {}).error();
+        QCOMPARE(int(circle.code), int(ImportErrorCode::NotReadable));
+        QVERIFY2(circle.detail.contains("links"), circle.detail.c_str());
+    }
+
     const std::filesystem::path locked = write("locked.obj", objBox());
     std::filesystem::permissions(locked, std::filesystem::perms::none);
     if (!std::ifstream(locked)) // administrators, and Windows, read it all the same

@@ -402,7 +402,7 @@ void TestSceneFile::aNameThatIsNotUtf8IsRefused()
     scene.objects[1].name = "\xC3(";
     const auto text = sceneText(scene);
     QVERIFY(!text && text.error().code == SceneFileErrorCode::NotUtf8);
-    QCOMPARE(text.error().keyPath, "objects[1].name");
+    QCOMPARE(sceneErrorText(text.error()), "objects[1].name: the name is not UTF-8 and cannot be written; rename it");
 }
 
 QTEST_GUILESS_MAIN(TestSceneFile)

@@ -279,6 +279,8 @@ Model import(const std::filesystem::path &file, ProgressReporter &progress)
         throw Failure(ImportErrorCode::NotFound);
     if (status.type() == std::filesystem::file_type::directory)
         throw Failure(ImportErrorCode::IsDirectory);
+    if (error) // links in a circle, for example: nothing is known of the contents
+        throw Failure(ImportErrorCode::NotReadable, text::systemErrorText(error));
     const std::string suffix = lowerCaseSuffix(file);
     const Reader reader = readerFor(suffix);
     if (!reader)
