@@ -160,7 +160,11 @@ void TestAroundLessons::theStatusBarKeepsTheAnswer()
     const auto window = windowOfSize(kWide);
     LessonPlayer &player = part<LessonPlayer>(*window);
     QVERIFY(player.start("first"));
-    const QPoint cube(112, 412);
+    // The view is 500 × 500 device pixels, as far as the screen's scale allows.
+    const double ratio = window->view().devicePixelRatioF();
+    const QPoint cube = (QPointF(112, 412) / ratio).toPoint();
+    const QString pixel =
+        QStringLiteral("pixel (%1, %2)").arg(std::floor(cube.x() * ratio)).arg(std::floor(cube.y() * ratio));
     const auto readout = [&] {
         QString text;
         for (const QLabel *label : window->statusBar()->findChildren<QLabel *>()) {
@@ -174,10 +178,10 @@ void TestAroundLessons::theStatusBarKeepsTheAnswer()
         QTest::mouseMove(&window->view(), cube);
     };
     follow(*window, QStringLiteral("view:500x500"));
-    QTRY_VERIFY_WITH_TIMEOUT(player.hasViewOfStep(), kPatienceMilliseconds);
+    QTRY_COMPARE_WITH_TIMEOUT(window->view().size(), (QSizeF(500, 500) / ratio).toSize(), kPatienceMilliseconds);
     settle(200);
     point();
-    QTRY_VERIFY_WITH_TIMEOUT(readout().contains(QStringLiteral("pixel (112, 412)")), kPatienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(readout().contains(pixel), kPatienceMilliseconds);
     QVERIFY2(!readout().contains(QStringLiteral("world")), qPrintable(readout()));
     for (std::size_t i = 0; i < player.lesson()->steps.size(); ++i) {
         QVERIFY(player.goTo(i));
