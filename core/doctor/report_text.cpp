@@ -115,7 +115,7 @@ std::string reportText(const Diagnosis &diagnosis, const WrongPoint &first)
     if (diagnosis.next && diagnosis.verdict != "right" && !isKnown)
         text += line(tr("to be sure"), nextClickText(diagnosis));
     text += line(tr("projects|row"), projectedText(diagnosis));
-    if (diagnosis.right && diagnosis.depthKnown != DepthKnown::ByRay)
+    if (diagnosis.right)
         text += line(tr("right is"), pointText(*diagnosis.right, glm::dvec3(diagnosis.rightLastDigit)));
     if (diagnosis.depthKnown == DepthKnown::FromMesh)
         text += line(tr("depth|row"), tr("from the scene's mesh"));

@@ -141,7 +141,7 @@ void DiagnosisView::showAnswer(const Shown &shown)
     if (best.explains && best.id != "right" && !isKnown)
         addPlain(tr("Chance"), QString::fromStdString(chanceText(diagnosis.chance)));
     addPlain(tr("Projects"), QString::fromStdString(projectedText(diagnosis)));
-    if (diagnosis.right && diagnosis.depthKnown != DepthKnown::ByRay)
+    if (diagnosis.right)
         addPlain(tr("Right is"), pointText(*diagnosis.right, glm::dvec3(diagnosis.rightLastDigit)));
     if (diagnosis.depthKnown == DepthKnown::FromMesh)
         addPlain(tr("Depth"), tr("from the mesh under the pixel"));
