@@ -411,13 +411,23 @@ std::optional<Diagnosis> allButOne(const Case &scene, std::span<const WrongPoint
 
 std::vector<Candidate> Diagnosis::alike() const
 {
+    return namesMistake() ? asWell() : std::vector<Candidate>();
+}
+
+std::vector<Candidate> Diagnosis::asWell() const
+{
     constexpr std::size_t kMost = 3;
     std::vector<Candidate> found;
-    for (const Candidate &candidate : candidates) {
-        if (namesMistake() && candidate.alike != Alike::No && found.size() < kMost)
-            found.push_back(candidate);
+    for (std::size_t i = 1; i < candidates.size() && found.size() < kMost; ++i) {
+        if (isAsGood(candidates[i]))
+            found.push_back(candidates[i]);
     }
     return found;
+}
+
+bool Diagnosis::isAsGood(const Candidate &candidate) const
+{
+    return namesMistake() ? candidate.alike != Alike::No : verdict == "unknown" && candidate.explains;
 }
 
 bool Candidate::hasNumbers() const
@@ -428,7 +438,7 @@ bool Candidate::hasNumbers() const
 const Candidate *Diagnosis::runnerUp() const
 {
     for (std::size_t i = 1; i < candidates.size(); ++i) {
-        if (candidates[i].alike == Alike::No)
+        if (candidates[i].alike == Alike::No && !isAsGood(candidates[i]))
             return &candidates[i];
     }
     return nullptr;

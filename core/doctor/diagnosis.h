@@ -208,11 +208,18 @@ struct Diagnosis {
     /// The candidates that cannot be distinguished from the first one, at most three; none if the
     /// verdict is no mistake.
     std::vector<Candidate> alike() const;
-    /// The best candidate that can be distinguished; null if there is none.
+    /// The candidates that explain the points as well as the first one, at most three: alike(); or
+    /// the others that explain them, if the verdict is "unknown".
+    std::vector<Candidate> asWell() const;
+    /// The best candidate that can be distinguished and is not among asWell(); null if there is none.
     const Candidate *runnerUp() const;
     /// True if `next` only distinguishes the runner-up from the first candidate, because the alike
     /// ones are alike everywhere.
     bool isNextFromRunnerUp() const;
+
+private:
+    /// True if a candidate after the first one explains the points as well.
+    bool isAsGood(const Candidate &candidate) const;
 };
 
 /// Diagnoses wrong points. Digits beyond the double precision of a click's answer do not count. If

@@ -106,8 +106,8 @@ std::string reportText(const Diagnosis &diagnosis, const WrongPoint &first)
     const bool isKnown = diagnosis.verdict == "known-point";
     if (!isKnown)
         text += line(best.explains ? tr("explains|row") : tr("closest|row"), candidateText(best, diagnosis, first));
-    for (const Candidate &alike : diagnosis.alike())
-        text += line(tr("as well|row"), candidateText(alike, diagnosis, first));
+    for (const Candidate &other : diagnosis.asWell())
+        text += line(tr("as well|row"), candidateText(other, diagnosis, first));
     if (const Candidate *next = isKnown ? nullptr : diagnosis.runnerUp())
         text += line(tr("next best"), candidateText(*next, diagnosis, first));
     if (!diagnosis.known.empty() && diagnosis.namesMistake())
