@@ -145,6 +145,7 @@ void TestDoctor::aMistakeIsNamed_data()
     row("depth 1", "depth-one", -39.51, -19.26, -84.28);
     row("eye distance", "depth-is-eye-distance", 3.0882, 2.0441, 5.1852);
     row("reversed depth", "depth-reversed", 2.4939, 1.7469, 3.9371);
+    row("near and far as depth range", "depth-range-is-planes", 2.5756, 1.7878, 4.1087);
     row("far times 10", "far-differs", 0.3839, 0.6920, -0.4937);
     row("z as ray length", "z-as-ray-length", 0.5282, 0.7641, -0.1907);
     row("ray length as z", "ray-length-as-z", 0.4714, 0.7357, -0.3100);
