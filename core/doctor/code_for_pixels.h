@@ -274,12 +274,31 @@ inline constexpr CodeChange kPixelShifted[] = {
      "x = event.clientX - rect.left; y = event.clientY - rect.top;"},
     {"NumPy", "x, y = pyautogui.position()", "x, y = x - otherDx, y - otherDy  # without frame and title bar"},
 };
-inline constexpr CodeChange kPixelScaledAndShifted[] = {
-    {"GLU", "x = otherScale * x + otherDx; y = otherScale * y + otherDy;", "// x, y are device pixels already"},
-    {"GLM", "pixel = otherScale * pixel + glm::dvec2(otherDx, otherDy);", "// pixel is in device pixels already"},
-    {"Qt", "at = otherScale * at + QPointF(otherDx, otherDy);", "// at is in device pixels already"},
-    {"three.js", "x = otherScale * x + otherDx; y = otherScale * y + otherDy;", "// x, y are device pixels already"},
-    {"NumPy", "x, y = otherScale * x + otherDx, otherScale * y + otherDy", "# x, y are device pixels already"},
+inline constexpr CodeChange kPixelScaledAndMoved[] = {
+    {"GLU", "SDL_GetMouseState(&x, &y); // in the letterboxed window",
+     "SDL_GetMouseState(&x, &y); x = (x - otherDx) / otherScale; y = (y - otherDy) / otherScale;"},
+    {"GLM", "const glm::dvec2 pixel(x, y); // in the letterboxed window",
+     "const glm::dvec2 pixel((x - otherDx) / otherScale, (y - otherDy) / otherScale);"},
+    {"Qt", "const QPointF at = event->position(); // in the letterboxed window",
+     "const QPointF at = (event->position() - QPointF(otherDx, otherDy)) / otherScale;"},
+    {"three.js", "x = event.offsetX; y = event.offsetY;",
+     "x = (event.offsetX - otherDx) / otherScale; y = (event.offsetY - otherDy) / otherScale;"},
+    {"NumPy", "x_w, y_w = x, H - y", "x_w, y_w = (x - otherDx) / otherScale, H - (y - otherDy) / otherScale"},
+};
+inline constexpr CodeChange kPixelScaledMovedAndFlipped[] = {
+    {"GLU", "gluUnProject(x, otherFlipHeight - y, d, modelview, projection, viewport, &X, &Y, &Z);",
+     "gluUnProject((x - otherDx) / otherScale, H - (y - otherDy) / otherScale, d, modelview, projection, viewport, &X, "
+     "&Y, &Z);"},
+    {"GLM", "p = glm::unProject(glm::dvec3(x, otherFlipHeight - y, d), view, projection, viewport);",
+     "p = glm::unProject(glm::dvec3((x - otherDx) / otherScale, H - (y - otherDy) / otherScale, d), view, projection, "
+     "viewport);"},
+    {"Qt", "p = QVector3D(x, otherFlipHeight - y, d).unproject(view, projection, viewport);",
+     "p = QVector3D((x - otherDx) / otherScale, H - (y - otherDy) / otherScale, d).unproject(view, projection, "
+     "viewport);"},
+    {"three.js", "ndc.set(2 * x / w - 1, 2 * (otherFlipHeight - y) / h - 1);",
+     "ndc.set(2 * (x - otherDx) / otherScale / w - 1, 1 - 2 * (y - otherDy) / otherScale / h);"},
+    {"NumPy", "x_w, y_w = x, otherFlipHeight - y",
+     "x_w, y_w = (x - otherDx) / otherScale, H - (y - otherDy) / otherScale"},
 };
 inline constexpr CodeChange kViewportSizeDiffers[] = {
     {"GLU", "GLint viewport[4] = {vx, vy, otherWidth, otherHeight};",

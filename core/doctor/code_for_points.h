@@ -83,6 +83,16 @@ inline constexpr CodeChange kDepthReversed[] = {
     {"three.js", "z_n = 1 - d;", "z_n = d; // as the projection matrix has it"},
     {"NumPy", "d = 1 - d", "# d as it is: the projection matrix goes by it"},
 };
+inline constexpr CodeChange kDepthRangeIsPlanes[] = {
+    {"GLU", "gluUnProject(x, H - y, (d - n) / (f - n), modelview, projection, viewport, &X, &Y, &Z);",
+     "gluUnProject(x, H - y, d, modelview, projection, viewport, &X, &Y, &Z);"},
+    {"GLM", "p = glm::unProject(glm::dvec3(x, H - y, (d - n) / (f - n)), view, projection, viewport);",
+     "p = glm::unProject(glm::dvec3(x, H - y, d), view, projection, viewport);"},
+    {"Qt", "p = QVector3D(x, H - y, (d - n) / (f - n)).unproject(view, projection, viewport);",
+     "p = QVector3D(x, H - y, d).unproject(view, projection, viewport);"},
+    {"three.js", "ndc.z = 2 * (d - camera.near) / (camera.far - camera.near) - 1;", "ndc.z = 2 * d - 1;"},
+    {"NumPy", "z_n = 2 * (d - n) / (f - n) - 1", "z_n = 2 * d - 1"},
+};
 inline constexpr CodeChange kDepthRounded[] = {
     {"GLU", "glReadPixels(i, H - 1 - j, 1, 1, GL_DEPTH_COMPONENT, GL_UNSIGNED_BYTE, &d);",
      "glReadPixels(i, H - 1 - j, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &d);"},

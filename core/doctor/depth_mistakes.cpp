@@ -108,6 +108,11 @@ void addDepthMistakes(VariantList &list, const Given &given)
             [](Run &run, const Variant &) { run.depth = unitDepth(run, 1.0 - run.click.depth); }, 0.0,
             marked("before the depth range"));
     }
+    // Vector3.Unproject of SharpDX and Viewport.Unproject of XNA take a depth range.
+    if (std::isfinite(given.farDistance))
+        list.add("depth-range-is-planes", Stage::Depth, [](Run &run, const Variant &) {
+            run.depth = (run.click.depth - run.given.nearDistance) / (run.given.farDistance - run.given.nearDistance);
+        });
     for (const int bits : {16, 24, 8}) {
         list.add("depth-rounded", Stage::Depth,
                  [](Run &run, const Variant &v) { run.depth = std::round(run.depth * v.parameter) / v.parameter; },

@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -240,10 +241,9 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
     }
     if (const auto unsure = diagnosis.projected ? unsureOf(*input, points.front()) : std::nullopt)
         diagnosis.depthUnsure = unsure->z;
-    if (const auto found = Hypothesis().nearest(*input, points.front().right)) {
-        diagnosis.right = found->point;
-        diagnosis.rightLastDigit = rightLastDigit(*input, points.front(), found->point, given.front().lastDigit);
-    }
+    diagnosis.right = rightPoint(scene, given.front(), points.front());
+    if (diagnosis.right)
+        diagnosis.rightLastDigit = rightLastDigit(*input, points.front(), *diagnosis.right, given.front().lastDigit);
     diagnosis.wrong = wrongs.front();
     diagnosis.tried = all.size();
     for (const Prepared &point : points) {
@@ -296,11 +296,14 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
     told.resize(std::min(told.size(), kMostToldApart));
     const glm::dvec3 &lastDigit = points.front().target.lastDigit;
     const double tellable = std::max({lastDigit.x, lastDigit.y, lastDigit.z});
-    auto next = nextClick(*input, points.front().click, told, scene.depthOnMesh, tellable);
+    std::function<std::optional<double>(const DevicePoint &)> depthAt;
+    if (scene.pointOnMesh)
+        depthAt = [&scene](const DevicePoint &position) { return depthOnMesh(scene, position); };
+    auto next = nextClick(*input, points.front().click, told, depthAt, tellable);
     // Use the first hypothesis with another answer if theirs are the same everywhere.
     for (std::size_t i = 1; !next && i < std::min(best.size(), kMostTried); ++i) {
         const Hypothesis two[] = {best.front(), best[i]};
-        next = nextClick(*input, points.front().click, two, scene.depthOnMesh, tellable);
+        next = nextClick(*input, points.front().click, two, depthAt, tellable);
     }
     if (next) {
         diagnosis.next = next->pixel;
@@ -347,7 +350,7 @@ std::optional<std::array<std::size_t, 2>> contradictionOf(const Case &scene, std
 {
     for (std::size_t i = 0; i < points.size(); ++i) {
         for (std::size_t j = i + 1; j < points.size(); ++j) {
-            if (doContradict(points[i], points[j], scene.depthOnMesh != nullptr))
+            if (doContradict(points[i], points[j], scene.pointOnMesh != nullptr))
                 return std::array{i, j};
         }
     }
@@ -408,13 +411,23 @@ std::optional<Diagnosis> allButOne(const Case &scene, std::span<const WrongPoint
 
 std::vector<Candidate> Diagnosis::alike() const
 {
+    return namesMistake() ? asWell() : std::vector<Candidate>();
+}
+
+std::vector<Candidate> Diagnosis::asWell() const
+{
     constexpr std::size_t kMost = 3;
     std::vector<Candidate> found;
-    for (const Candidate &candidate : candidates) {
-        if (namesMistake() && candidate.alike != Alike::No && found.size() < kMost)
-            found.push_back(candidate);
+    for (std::size_t i = 1; i < candidates.size() && found.size() < kMost; ++i) {
+        if (isAsGood(candidates[i]))
+            found.push_back(candidates[i]);
     }
     return found;
+}
+
+bool Diagnosis::isAsGood(const Candidate &candidate) const
+{
+    return namesMistake() ? candidate.alike != Alike::No : verdict == "unknown" && candidate.explains;
 }
 
 bool Candidate::hasNumbers() const
@@ -425,7 +438,7 @@ bool Candidate::hasNumbers() const
 const Candidate *Diagnosis::runnerUp() const
 {
     for (std::size_t i = 1; i < candidates.size(); ++i) {
-        if (candidates[i].alike == Alike::No)
+        if (candidates[i].alike == Alike::No && !isAsGood(candidates[i]))
             return &candidates[i];
     }
     return nullptr;

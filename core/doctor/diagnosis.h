@@ -55,9 +55,9 @@ struct Case {
     /// Another size that the program may still use: a former size of the window, or another
     /// framebuffer's.
     std::optional<geometry::Surface> otherSize;
-    /// The depth of the surface at a position, in the setup's depth range; no value on the
-    /// background. Null if the scene has no mesh.
-    std::function<std::optional<double>(const geometry::DevicePoint &)> depthOnMesh;
+    /// The point of the surface on the ray of a position, world space; no value on the background.
+    /// Null if the scene has no mesh.
+    std::function<std::optional<geometry::WorldPoint>(const geometry::DevicePoint &)> pointOnMesh;
     /// The meshes' vertices in a box of world space, or a few of them where there are many. Null if
     /// the scene has no mesh.
     std::function<std::vector<KnownPoint>(const geometry::Box &)> verticesIn;
@@ -175,8 +175,11 @@ struct Diagnosis {
     double depthUnsure = 0.0; ///< change of that depth when the point moves within its last digits; 0: unknown
     ErrorKind wrong = ErrorKind::Right;
     DepthKnown depthKnown = DepthKnown::Given;
-    std::optional<glm::dvec3> right; ///< answer to the first click, in its space; nearest if of unknown depth
-    /// The unit of the last digit of `right`, a power of ten. It follows from rounding and the
+    /// The right answer to the first click, in its space, to a double's last digit: the mesh's
+    /// point, or the point at the given depth. It does not depend on the wrong point. Empty if the
+    /// depth is unknown.
+    std::optional<glm::dvec3> right;
+    /// The unit of the last digit of `right`, a power of ten. It follows from rounding and a given
     /// depth's last digit. It is at most as fine as seven digits of the greatest coordinate, or as
     /// the given digits if those are finer.
     double rightLastDigit = 1.0;
@@ -205,11 +208,18 @@ struct Diagnosis {
     /// The candidates that cannot be distinguished from the first one, at most three; none if the
     /// verdict is no mistake.
     std::vector<Candidate> alike() const;
-    /// The best candidate that can be distinguished; null if there is none.
+    /// The candidates that explain the points as well as the first one, at most three: alike(); or
+    /// the others that explain them, if the verdict is "unknown".
+    std::vector<Candidate> asWell() const;
+    /// The best candidate that can be distinguished and is not among asWell(); null if there is none.
     const Candidate *runnerUp() const;
     /// True if `next` only distinguishes the runner-up from the first candidate, because the alike
     /// ones are alike everywhere.
     bool isNextFromRunnerUp() const;
+
+private:
+    /// True if a candidate after the first one explains the points as well.
+    bool isAsGood(const Candidate &candidate) const;
 };
 
 /// Diagnoses wrong points. Digits beyond the double precision of a click's answer do not count. If

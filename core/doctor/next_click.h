@@ -25,7 +25,7 @@ clicksOverViewport(const Given &given, const Click &like,
 /// The pixel, on a grid over the viewport, where the first hypothesis's answer is farthest from all
 /// others. Hypotheses with the same answers on the whole grid are skipped.
 /// @param like      a click of the same program: its space, and its depth if there is no mesh
-/// @param depthAt   depth of a mesh, see Case::depthOnMesh; may be empty
+/// @param depthAt   depth of a mesh, see depthOnMesh(); may be empty
 /// @param tellable  least distance of distinguishable points, units of their space
 /// @return empty if no click distinguishes them
 std::optional<NextClick> nextClick(const Given &given, const Click &like, std::span<const Hypothesis> hypotheses,

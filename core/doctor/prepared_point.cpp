@@ -1,5 +1,9 @@
 #include "core/doctor/prepared_point.h"
 
+#include "core/geometry/precise_matrix.h"
+#include "core/unproject/exact_unprojection.h"
+#include "core/unproject/object_from_world.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -13,8 +17,16 @@ using namespace geometry;
 namespace {
 
 /// The step of a depth buffer. Depths on a mesh are computed from its triangles, without the
-/// buffer's rounding.
+/// buffer's rounding, but a wrong program reads them from one.
 constexpr double kDepthBufferStep = 1.0 / 16777215.0;
+
+std::optional<double> depthOf(const Case &scene, const std::optional<WorldPoint> &onMesh)
+{
+    if (!onMesh)
+        return std::nullopt;
+    const Result<WindowPoint> window = windowFromWorld(scene.setup, *onMesh);
+    return window ? std::optional(window->z) : std::nullopt;
+}
 
 Click clickOf(const Case &scene, const Given &given, const WrongPoint &point, double depth)
 {
@@ -24,10 +36,8 @@ Click clickOf(const Case &scene, const Given &given, const WrongPoint &point, do
     if (point.space == PointSpace::Object && point.model < scene.models.size())
         click.worldFromObject = scene.models[point.model].worldFromObject;
     setPixel(given, click, point.pixel);
-    if (scene.depthOnMesh) {
-        click.depthAbove = scene.depthOnMesh(DevicePoint(click.pixel.x, click.pixel.y - 1.0));
-        click.depthBelow = scene.depthOnMesh(DevicePoint(click.pixel.x, click.pixel.y + 1.0));
-    }
+    click.depthAbove = depthOnMesh(scene, DevicePoint(click.pixel.x, click.pixel.y - 1.0));
+    click.depthBelow = depthOnMesh(scene, DevicePoint(click.pixel.x, click.pixel.y + 1.0));
     return click;
 }
 
@@ -80,6 +90,31 @@ glm::dvec3 countedDigit(const Given &given, const Click &click, const WrongPoint
     return distance > 0.0 ? glm::min(counted, glm::dvec3(distance)) : counted;
 }
 
+/// A point of a mesh in eye space. Only the result is rounded.
+std::optional<glm::dvec3> eyeOf(const Setup &setup, const WorldPoint &world)
+{
+    if (const auto *view = std::get_if<glm::dmat4>(&setup.pose)) {
+        const DoubleDouble3 eye = PreciseMatrix(*view).at(world.coordinates());
+        const DoubleDouble w =
+            (*view)[0][3] * world.x + (*view)[1][3] * world.y + (*view)[2][3] * world.z + (*view)[3][3];
+        return glm::dvec3((eye[0] / w).value, (eye[1] / w).value, (eye[2] / w).value);
+    }
+    const Result<PreciseEyeFrame> frame = preciseEyeFrame(std::get<LookAt>(setup.pose));
+    if (!frame)
+        return std::nullopt;
+    const DoubleDouble3 offset{DoubleDouble(world.x) - frame->eye.x, DoubleDouble(world.y) - frame->eye.y,
+                               DoubleDouble(world.z) - frame->eye.z};
+    return glm::dvec3(dot(frame->side, offset).value, dot(frame->upward, offset).value,
+                      -dot(frame->forward, offset).value);
+}
+
+/// A point of a mesh in an object's space.
+std::optional<glm::dvec3> objectOf(const glm::dmat4 &worldFromObject, const WorldPoint &world)
+{
+    const Result<ObjectPoint> point = unproject::objectFromWorld(worldFromObject, world);
+    return point ? std::optional(point->coordinates()) : std::nullopt;
+}
+
 double greatestOf(const glm::dvec3 &v)
 {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
@@ -119,8 +154,9 @@ Prepared prepared(const Case &scene, const Given &given, const WrongPoint &point
     const auto [low, high] = std::minmax(given.depthRange.atNear, given.depthRange.atFar);
     std::optional<double> depth = point.depth;
     double step = point.depthLastDigit;
-    if (!depth && scene.depthOnMesh) {
-        depth = scene.depthOnMesh(clickOf(scene, given, point, low).pixel);
+    if (!depth && scene.pointOnMesh) {
+        result.onMesh = scene.pointOnMesh(clickOf(scene, given, point, low).pixel);
+        depth = depthOf(scene, result.onMesh);
         step = kDepthBufferStep;
         result.depthKnown = DepthKnown::FromMesh;
     }
@@ -155,13 +191,35 @@ Prepared prepared(const Case &scene, const Given &given, const WrongPoint &point
     return result;
 }
 
+std::optional<double> depthOnMesh(const Case &scene, const DevicePoint &position)
+{
+    return scene.pointOnMesh ? depthOf(scene, scene.pointOnMesh(position)) : std::nullopt;
+}
+
+std::optional<glm::dvec3> rightPoint(const Case &scene, const WrongPoint &point, const Prepared &prepared)
+{
+    if (prepared.depthKnown == DepthKnown::ByRay)
+        return std::nullopt;
+    const glm::dmat4 &worldFromObject = prepared.click.worldFromObject;
+    if (prepared.onMesh)
+        return point.space == PointSpace::Eye ? eyeOf(scene.setup, *prepared.onMesh)
+                                              : objectOf(worldFromObject, *prepared.onMesh);
+    const auto exact = point.space == PointSpace::Eye
+                           ? unproject::ExactUnprojection::toEye(scene.setup)
+                           : unproject::ExactUnprojection::toObject(scene.setup, worldFromObject);
+    const auto right = exact ? exact->at(prepared.click.pixel, prepared.click.depth) : std::nullopt;
+    if (!right)
+        return std::nullopt;
+    return glm::dvec3(double((*right)[0]), double((*right)[1]), double((*right)[2]));
+}
+
 double rightLastDigit(const Given &given, const Prepared &point, const glm::dvec3 &right,
                       const glm::dvec3 &lastDigitGiven)
 {
     constexpr double kSevenDigits = 1e-6;
     double unsure = greatestOf(roundingOf(given, point.click, std::numeric_limits<double>::epsilon()));
     const auto a = answer(given, point.right.clicks.front(), {}), b = answer(given, point.right.clicks.back(), {});
-    if (a && b)
+    if (a && b && !point.onMesh)
         unsure = std::max(unsure, greatestOf(*b - *a));
     const double least = std::max(unsure, std::min(greatestOf(lastDigitGiven), kSevenDigits * greatestOf(right)));
     return least > 0.0 ? std::pow(10.0, std::ceil(std::log10(least) - 1e-9)) : 1.0; // 1e-4 stays 1e-4

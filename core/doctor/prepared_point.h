@@ -14,6 +14,7 @@ struct Prepared {
     Target right; ///< the right program's possible answers: for an unknown depth, anything between near and far
     Click click;
     DepthKnown depthKnown = DepthKnown::Given;
+    std::optional<geometry::WorldPoint> onMesh; ///< where the depth is from the mesh
     std::optional<glm::dvec3> projected;
 };
 
@@ -24,6 +25,11 @@ geometry::Check checkPoint(const Case &scene, const WrongPoint &point);
 /// @param epsilon  of the precision that the program computes in: of double or of float
 Prepared prepared(const Case &scene, const Given &given, const WrongPoint &point, double epsilon);
 
+/// The depth of the mesh at a position; empty on the background, and where there is no mesh.
+std::optional<double> depthOnMesh(const Case &scene, const geometry::DevicePoint &position);
+
+/// See Diagnosis::right.
+std::optional<glm::dvec3> rightPoint(const Case &scene, const WrongPoint &point, const Prepared &prepared);
 /// See Diagnosis::rightLastDigit.
 double rightLastDigit(const Given &given, const Prepared &point, const glm::dvec3 &right,
                       const glm::dvec3 &lastDigitGiven);

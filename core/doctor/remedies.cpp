@@ -83,6 +83,9 @@ constexpr Remedy kRemedies[] = {
     {"depth-reversed", marked("depth reversed"),
      marked("The depth is reversed: reversed depths are taken for ordinary ones, or ordinary for reversed ones."),
      kDepthReversed},
+    {"depth-range-is-planes", marked("near and far as depth range"),
+     marked("Near and far are passed as the viewport's depth range, MinDepth and MaxDepth: usually it goes from 0 to 1."),
+     kDepthRangeIsPlanes},
     {"depth-rounded", marked("depth rounded"), marked("The depth is rounded to few bits."), kDepthRounded},
     {"depth-range-ignored", marked("depth range ignored"),
      marked("The depth range is ignored, as if it went from 0 to 1."), kDepthRangeIgnored},
@@ -193,6 +196,9 @@ constexpr Remedy kRemedies[] = {
     {"pixel-shifted", marked("pixel shifted"),
      marked("The pixel is shifted: it is counted from another corner, as that of the screen or of the window's frame."),
      kPixelShifted},
+    {"pixel-scaled-and-moved", marked("pixel scaled and moved"),
+     marked("The window is letterboxed, or the view is fitted into a larger surface: its pixels are not the view's."),
+     kPixelScaledAndMoved},
     {"viewport-size-differs", marked("another viewport size"), marked("The viewport's size is not that of the view."),
      kViewportSizeDiffers},
     {"ratio-differs", marked("another pixel ratio"),
@@ -267,8 +273,8 @@ std::span<const CodeChange> codeOf(std::string_view id, std::span<const SolvedVa
         if (const SolvedValue *about = named(values, "about"); about && about->word == "eye")
             return kScaledFromEye;
     }
-    if (id == "pixel-shifted" && named(values, "scale"))
-        return kPixelScaledAndShifted;
+    if (id == "pixel-scaled-and-moved" && named(values, "flipHeight"))
+        return kPixelScaledMovedAndFlipped;
     if (id == "viewport-size-differs" && named(values, "x"))
         return kViewportRectangleDiffers;
     if (id == "axes-differ" && (named(values, "scale") || named(values, "translation")))

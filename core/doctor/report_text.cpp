@@ -106,8 +106,8 @@ std::string reportText(const Diagnosis &diagnosis, const WrongPoint &first)
     const bool isKnown = diagnosis.verdict == "known-point";
     if (!isKnown)
         text += line(best.explains ? tr("explains|row") : tr("closest|row"), candidateText(best, diagnosis, first));
-    for (const Candidate &alike : diagnosis.alike())
-        text += line(tr("as well|row"), candidateText(alike, diagnosis, first));
+    for (const Candidate &other : diagnosis.asWell())
+        text += line(tr("as well|row"), candidateText(other, diagnosis, first));
     if (const Candidate *next = isKnown ? nullptr : diagnosis.runnerUp())
         text += line(tr("next best"), candidateText(*next, diagnosis, first));
     if (!diagnosis.known.empty() && diagnosis.namesMistake())
@@ -115,7 +115,7 @@ std::string reportText(const Diagnosis &diagnosis, const WrongPoint &first)
     if (diagnosis.next && diagnosis.verdict != "right" && !isKnown)
         text += line(tr("to be sure"), nextClickText(diagnosis));
     text += line(tr("projects|row"), projectedText(diagnosis));
-    if (diagnosis.right && diagnosis.depthKnown != DepthKnown::ByRay)
+    if (diagnosis.right)
         text += line(tr("right is"), pointText(*diagnosis.right, glm::dvec3(diagnosis.rightLastDigit)));
     if (diagnosis.depthKnown == DepthKnown::FromMesh)
         text += line(tr("depth|row"), tr("from the scene's mesh"));

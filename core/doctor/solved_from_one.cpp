@@ -21,12 +21,20 @@ bool isAhead(double distance)
     return std::isfinite(distance) && distance > 0.0;
 }
 
+/// True if a plane hides all points and is not round.
+bool isUnlikely(const Solution &plane, std::span<const double> known, bool hidesAll)
+{
+    return hidesAll && written(plane, known).coincidence > kRoundByChance;
+}
+
 void addFar(VariantList &list, const Given &given, std::span<const Target> points)
 {
     const std::optional<Solution> solved = solvedFar(given, points, given.nearDistance);
     if (!solved)
         return;
     const std::array known{given.nearDistance, given.farDistance};
+    if (isUnlikely(*solved, known, hideAll(given, points, given.nearDistance, solved->value)))
+        return;
     addSolvedNumber(list, "far-differs", given, points, *solved, known,
                     [&](double value) { return withOtherFar(given, value); });
 }
@@ -37,6 +45,8 @@ void addNear(VariantList &list, const Given &given, std::span<const Target> poin
     if (!solved)
         return;
     const std::array known{given.nearDistance, given.farDistance};
+    if (isUnlikely(*solved, known, hideAll(given, points, solved->value, given.farDistance)))
+        return;
     addSolvedNumber(list, "near-differs", given, points, *solved, known,
                     [&](double value) { return withOtherNear(given, value); });
     if (given.isFrustum)
@@ -204,22 +214,6 @@ void addViewportSize(VariantList &list, const Given &given, std::span<const Targ
         kUsesOfSize);
 }
 
-/// Usual sizes of windows and images, and the scene's.
-std::vector<double> usualSizes(const Given &given, const Case &scene)
-{
-    std::vector<double> sizes{640, 480, 800, 600, 1024, 768, 1280, 720, 1366, 1920, 1080, 512, 256};
-    for (const double ratio : {1.0, given.surface.devicePixelRatio}) {
-        for (const double size : {double(given.surface.widthPixels), double(given.surface.heightPixels),
-                                  given.viewport.width, given.viewport.height})
-            sizes.push_back(size / ratio);
-    }
-    if (scene.otherSize) {
-        sizes.push_back(scene.otherSize->widthPixels);
-        sizes.push_back(scene.otherSize->heightPixels);
-    }
-    return sizes;
-}
-
 void addViewportSizes(VariantList &list, const Given &given, const Case &scene, std::span<const Target> points)
 {
     const std::vector<double> known = usualSizes(given, scene);
@@ -366,8 +360,10 @@ void addScale(VariantList &list, const Given &given, std::span<const Target> poi
     // depth there is always such a multiple, so it says something only if it is round.
     const std::vector<Lack> lacks = lackOf(given, points);
     const bool isOneDepth = points.size() == 1 || std::count(lacks.begin(), lacks.end(), Lack::OtherDepth) > 0;
-    if (!isAboutEye || !given.isPerspective || !std::isfinite(given.nearDistance) || !(solved->value > 0.0)
-        || (isOneDepth && written(*solved, known).coincidence > kRoundByChance))
+    if (!isAboutEye || !given.isPerspective || !std::isfinite(given.nearDistance) || !(solved->value > 0.0))
+        return;
+    const bool hidesAll = hideAll(given, points, solved->value * given.nearDistance, solved->value * given.farDistance);
+    if (isUnlikely(*solved, known, isOneDepth || hidesAll))
         return;
     addSolvedNumber(list, "near-far-differ", given, points, *solved, known, [&](double value) {
         Variant variant =
@@ -403,6 +399,21 @@ void addDepthScale(VariantList &list, const Given &given, std::span<const Target
 }
 
 } // namespace
+
+std::vector<double> usualSizes(const Given &given, const Case &scene)
+{
+    std::vector<double> sizes{640, 480, 800, 600, 1024, 768, 1280, 720, 1366, 1920, 1080, 512, 256};
+    for (const double ratio : {1.0, given.surface.devicePixelRatio}) {
+        for (const double size : {double(given.surface.widthPixels), double(given.surface.heightPixels),
+                                  given.viewport.width, given.viewport.height})
+            sizes.push_back(size / ratio);
+    }
+    if (scene.otherSize) {
+        sizes.push_back(scene.otherSize->widthPixels);
+        sizes.push_back(scene.otherSize->heightPixels);
+    }
+    return sizes;
+}
 
 // 1/z is linear in the depth in a perspective, z in a box.
 
@@ -453,6 +464,7 @@ void addSolvedFromOne(VariantList &list, const Given &given, const Case &scene, 
     addViewportSizes(list, given, scene, points);
     addRatio(list, given, scene, points, true);
     addRatio(list, given, scene, points, false);
+    addLetterboxes(list, given, scene, points);
 }
 
 } // namespace unprojector::doctor

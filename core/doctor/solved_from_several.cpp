@@ -149,6 +149,8 @@ void addNearAndFar(VariantList &list, const Given &given, std::span<const Target
         return;
     const std::array known{given.nearDistance, given.farDistance};
     addRoundPlanes(list, given, points, planes, known);
+    if (hideAll(given, points, planes[0].value, planes[1].value))
+        return;
     addSolved(list, "near-far-differ", planes, known,
               [](std::span<const double> values) { return withOtherPlanes(values[0], values[1]); });
 }
@@ -202,21 +204,8 @@ void addShiftAndScale(VariantList &list, const Given &given, std::span<const Tar
     if (mayBe(values[2], 1.0) || (mayBe(values[0], 0.0) && mayBe(values[1], 0.0)))
         return;
     constexpr std::array kUsual{0.0, 2.0, 0.5};
-    addSolved(list, "pixel-shifted", values, kUsual, [](std::span<const double> solved) {
-        Variant variant;
-        variant.stage = Stage::Pixel;
-        variant.apply = [](Run &run, const Variant &v) {
-            run.position = v.matrix[0][0] * run.position + glm::dvec2(v.parameter, v.second);
-        };
-        variant.parameter = solved[0];
-        variant.second = solved[1];
-        variant.matrix = glm::dmat4(solved[2]);
-        variant.name = {marked("scaled by %1, then %2"), valueText(solved[2]),
-                        valueText(solved[0]) + ", " + valueText(solved[1]),
-                        marked("Your program scales its pixel by %1, then moves it by %2.")};
-        variant.values = {{"dx", {solved[0]}, {}}, {"dy", {solved[1]}, {}}, {"scale", {solved[2]}, {}}};
-        return variant;
-    });
+    addSolved(list, "pixel-scaled-and-moved", values, kUsual,
+              [](std::span<const double> solved) { return scaledAndMoved(solved[2], solved[0], solved[1]); });
 }
 
 /// Another centre of K. It moves all pixels alike, so the values are those of a shift.

@@ -184,6 +184,14 @@ Click middleOf(const Given &given, const Target &target)
     return click;
 }
 
+bool hideAll(const Given &given, std::span<const Target> points, double nearDistance, double farDistance)
+{
+    return std::all_of(points.begin(), points.end(), [&](const Target &target) {
+        const double distance = given.side * middleOf(given, target).eye.z;
+        return distance < nearDistance || distance > farDistance;
+    });
+}
+
 bool areDepthsKnown(std::span<const Target> points)
 {
     return std::none_of(points.begin(), points.end(), [](const Target &target) { return target.isLine; });

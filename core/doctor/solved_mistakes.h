@@ -20,6 +20,8 @@ namespace unprojector::doctor {
 void addSolvedMistakes(VariantList &list, const Given &given, const Case &scene, std::span<const Target> points);
 /// The mistakes that one point determines.
 void addSolvedFromOne(VariantList &list, const Given &given, const Case &scene, std::span<const Target> points);
+/// Pixels of a letterboxed window, from one point or more.
+void addLetterboxes(VariantList &list, const Given &given, const Case &scene, std::span<const Target> points);
 /// The mistakes that take two points or three.
 void addSolvedFromSeveral(VariantList &list, const Given &given, std::span<const Target> points);
 /// Another frame, or other axes with a scale or a translation. All depths must be known.
@@ -40,6 +42,16 @@ std::optional<Solution> solvedFrom(const Given &given, std::span<const Target> p
 /// The shift of all positions along x and y, device pixels to the right and down.
 /// @return empty if the points do not have one
 std::optional<std::array<Solution, 2>> solvedShift(const Given &given, std::span<const Target> points);
+
+/// A pixel that is scaled about the top-left corner, then moved to the right and down, device pixels.
+Variant scaledAndMoved(double scale, double dx, double dy);
+
+/// Usual sizes of windows and images, and the scene's.
+std::vector<double> usualSizes(const Given &given, const Case &scene);
+
+/// True if no clicked point lies between these planes: a program that shows nothing there hardly
+/// has them. Round values are believed nevertheless.
+bool hideAll(const Given &given, std::span<const Target> points, double nearDistance, double farDistance);
 
 /// The far plane if near is at `nearDistance`, and the near plane if far is at `farDistance`.
 std::optional<Solution> solvedFar(const Given &given, std::span<const Target> points, double nearDistance);

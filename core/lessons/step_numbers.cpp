@@ -4,7 +4,7 @@
 #include "core/matrices/matrix_factors.h"
 #include "core/matrices/pipeline.h"
 #include "core/opening/models.h"
-#include "core/ray/mesh_depth.h"
+#include "core/ray/mesh_point.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 #include "core/text/error_text.h"
@@ -138,14 +138,18 @@ Result<Json, LessonError> treeOf(const Scene &scene, const Setup &setup, const C
     const auto rays = std::make_shared<const ray::SceneRays>(*unprojector, scene.objects, casters, scene.clipPlanes);
     const DevicePoint center = pixelCenter(clicked.pixel);
     const auto hit = rays->at(center, clicked.snap);
-    const std::optional<double> depth = ray::MeshDepth(rays)(center);
-    if (!hit || !*hit || (clicked.snap == ray::Snap::Surface && !depth))
+    const std::optional<WorldPoint> surface = ray::MeshPoint(rays)(center);
+    if (!hit || !*hit || (clicked.snap == ray::Snap::Surface && !surface))
         return failed(where, "at the pixel there is no surface");
     const Result<Pipeline, LessonError> pipeline = pipelineOf(scene, setup, scene.objects[(*hit)->object].name, where);
     if (!pipeline)
         return pipeline.error();
-    if (clicked.snap == ray::Snap::Surface)
-        return treeOf(*pipeline, matrices::pointsBackward(*pipeline, windowFromDevice(setup.surface, center, *depth)));
+    if (clicked.snap == ray::Snap::Surface) {
+        const Result<WindowPoint> seen = windowFromWorld(setup, *surface);
+        if (!seen)
+            return failed(where, text::errorText(seen.error()));
+        return treeOf(*pipeline, matrices::pointsBackward(*pipeline, windowFromDevice(setup.surface, center, seen->z)));
+    }
     const WorldPoint &taken = clicked.snap == ray::Snap::Vertex ? (*hit)->vertex.world : (*hit)->world;
     return treeOf(*pipeline, matrices::pointsForward(*pipeline, taken));
 }

@@ -9,7 +9,7 @@
 #include "core/doctor/written_points.h"
 #include "core/library/internal.h"
 #include "core/library/scene_data.h"
-#include "core/ray/mesh_depth.h"
+#include "core/ray/mesh_point.h"
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
 
@@ -137,7 +137,7 @@ Result<Diagnosis> diagnose(const Scene &scene, std::span<const WrongPoint> point
         const SceneAccess::Rays rays = SceneAccess::rays(scene, examined.setup);
         if (!rays)
             return rays.error();
-        examined.depthOnMesh = ray::MeshDepth(*rays);
+        examined.pointOnMesh = ray::MeshPoint(*rays);
         examined.verticesIn = [&opened](const geometry::Box &world) {
             return doctor::verticesIn(opened.objects, world);
         };

@@ -128,12 +128,9 @@ void DiagnosisView::showAnswer(const Shown &shown)
                                 pointText(candidate.point, shown.first.lastDigit),
                                 QString::fromStdString(digitsText(candidate, diagnosis))));
     };
-    const std::vector<Candidate> alike = diagnosis.alike();
-    for (const Candidate &each : alike)
+    const std::vector<Candidate> asWell = diagnosis.asWell();
+    for (const Candidate &each : asWell)
         addCandidate(tr("As well"), each);
-    const std::vector<Candidate> open = openExplanations(diagnosis);
-    for (std::size_t i = 1; i < open.size(); ++i) // the first one is the row above
-        addCandidate(tr("As well"), open[i]);
     if (const Candidate *next = isKnown ? nullptr : diagnosis.runnerUp())
         addCandidate(tr("Next best"), *next);
     if (!diagnosis.known.empty() && diagnosis.namesMistake())
@@ -141,7 +138,7 @@ void DiagnosisView::showAnswer(const Shown &shown)
     if (best.explains && best.id != "right" && !isKnown)
         addPlain(tr("Chance"), QString::fromStdString(chanceText(diagnosis.chance)));
     addPlain(tr("Projects"), QString::fromStdString(projectedText(diagnosis)));
-    if (diagnosis.right && diagnosis.depthKnown != DepthKnown::ByRay)
+    if (diagnosis.right)
         addPlain(tr("Right is"), pointText(*diagnosis.right, glm::dvec3(diagnosis.rightLastDigit)));
     if (diagnosis.depthKnown == DepthKnown::FromMesh)
         addPlain(tr("Depth"), tr("from the mesh under the pixel"));
@@ -154,7 +151,7 @@ void DiagnosisView::showAnswer(const Shown &shown)
         addPlain(tr("To be sure"), QString::fromStdString(nextClickText(diagnosis)));
         // Mistakes that are alike everywhere stay so: the click only rules out the next best.
         const bool isOfNextBest = diagnosis.isNextFromRunnerUp();
-        const bool areSeveral = !isOfNextBest && (!alike.empty() || open.size() > 1);
+        const bool areSeveral = !isOfNextBest && !asWell.empty();
         m_click->setText((isOfNextBest ? tr("Click &there to rule out the next best: %1")
                           : areSeveral ? tr("Click &there to tell them apart: %1")
                                        : tr("Click &there to be sure: %1"))

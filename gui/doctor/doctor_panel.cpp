@@ -1,7 +1,7 @@
 #include "gui/doctor/doctor_panel.h"
 
 #include "core/doctor/mesh_vertices.h"
-#include "core/ray/mesh_depth.h"
+#include "core/ray/mesh_point.h"
 #include "gui/doctor/camera_step.h"
 #include "gui/doctor/candidates_table.h"
 #include "gui/doctor/code_changes_view.h"
@@ -313,7 +313,7 @@ void DoctorPanel::ask()
         scene.models.push_back({object.name, worldFromObject(object.transform)});
     scene.otherSize = m_camera->otherSize();
     if (auto rays = raysOf(*own))
-        scene.depthOnMesh = ray::MeshDepth(std::move(rays));
+        scene.pointOnMesh = ray::MeshPoint(std::move(rays));
     scene.verticesIn = [objects = m_document.objects()](const Box &world) { return verticesIn(objects, world); };
     m_diagnoser->ask(std::move(scene), m_asked);
 }
@@ -354,14 +354,13 @@ void DoctorPanel::mark()
             else if (point.space == PointSpace::Object && point.model < m_document.objects().size())
                 worldFromSpace = worldFromObject(m_document.objects()[point.model].transform);
             WrongPointMark mark{WorldPoint(glm::dvec3(worldFromSpace * glm::dvec4(point.got, 1.0))), std::nullopt};
-            std::optional<double> depth = point.depth;
-            if (!depth && rays)
-                depth = ray::MeshDepth(rays)(point.pixel);
-            if (depth && unprojector) {
+            if (point.depth && unprojector) {
                 const auto right =
-                    unprojector->worldAt(Method::Formula, windowFromDevice(own->surface, point.pixel, *depth));
+                    unprojector->worldAt(Method::Formula, windowFromDevice(own->surface, point.pixel, *point.depth));
                 if (right)
                     mark.right = *right;
+            } else if (rays) {
+                mark.right = ray::MeshPoint(rays)(point.pixel);
             }
             marks.push_back(mark);
         }

@@ -46,19 +46,6 @@ QString verdictText(const Diagnosis &diagnosis)
     return isOpen ? joinSentences({sentence(doctor::verdictName(diagnosis)), said}) : said;
 }
 
-std::vector<Candidate> openExplanations(const Diagnosis &diagnosis)
-{
-    constexpr std::size_t kMost = 4;
-    std::vector<Candidate> open;
-    if (diagnosis.verdict != "unknown")
-        return open;
-    for (const Candidate &candidate : diagnosis.candidates) {
-        if (candidate.explains && open.size() < kMost)
-            open.push_back(candidate);
-    }
-    return open;
-}
-
 QString coordinateText(double value, double lastDigit)
 {
     constexpr int kMostDecimals = 15;

@@ -4,8 +4,6 @@
 
 #include <QString>
 
-#include <vector>
-
 namespace unprojector::gui {
 
 // Diagnoses in words, in the language of the window.
@@ -13,10 +11,6 @@ namespace unprojector::gui {
 /// The sentences of a diagnosis: the mistake, that the point is right, or why neither can be
 /// decided.
 QString verdictText(const doctor::Diagnosis &diagnosis);
-
-/// The mistakes that explain an undecided point, the best first, at most four: few digits allow
-/// several. Empty where the verdict is not "unknown".
-std::vector<doctor::Candidate> openExplanations(const doctor::Diagnosis &diagnosis);
 
 /// The value with the decimals of its last digit.
 QString coordinateText(double value, double lastDigit);

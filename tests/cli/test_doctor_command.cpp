@@ -44,6 +44,8 @@ private slots:
     void anEndlessTableIsRefused();
     void badRowsAreNamed();
     void theMeshGivesTheDepth();
+    void theRightPointDoesNotDependOnTheWrongOne_data();
+    void theRightPointDoesNotDependOnTheWrongOne();
     void theRayJudgesWithoutModels();
     void theSpaceOfThePoint();
     void aPointOfTheSceneIsNamed();
@@ -314,6 +316,56 @@ void TestDoctorCommand::theMeshGivesTheDepth()
     QCOMPARE(QJsonDocument::fromJson(wrong.output).object()["verdict"].toString(), QString("depth-not-remapped"));
 }
 
+/// Worked out with 60 digits: where the ray meets the plane of the triangle, and the point at the
+/// depth. Points with other mistakes, and points beside it, leave it as it is.
+void TestDoctorCommand::theRightPointDoesNotDependOnTheWrongOne_data()
+{
+    QTest::addColumn<QStringList>("depth");
+    QTest::addColumn<QString>("space");
+    QTest::addColumn<QList<double>>("right");
+    QTest::addColumn<QByteArray>("shown");
+    QTest::newRow("on the mesh") << QStringList() << "world"
+                                 << QList<double>{-0.13299627234133754, 0.30059249120590026, 0.15124660325173694}
+                                 << QByteArray("-0.132996 0.300592 0.151247");
+    QTest::newRow("on the mesh, eye space")
+        << QStringList() << "eye" << QList<double>{-0.19185909807468562, 0.26445443248132344, -6.008936259069092}
+        << QByteArray("-0.19186 0.26445 -6.00894");
+    QTest::newRow("a depth") << QStringList{"--depth", "0.9243156"} << "world"
+                             << QList<double>{-0.06961323669434467, 0.33497287258700154, 0.24934078615987723}
+                             << QByteArray("-0.0696 0.3350 0.2493");
+}
+
+void TestDoctorCommand::theRightPointDoesNotDependOnTheWrongOne()
+{
+    QFETCH(QStringList, depth);
+    QFETCH(QString, space);
+    QFETCH(QList<double>, right);
+    QFETCH(QByteArray, shown);
+    m_folder.write("leaning.obj", "v -2 -1 0.5\nv 2 -1.5 -0.5\nv 0 2 0.25\nf 1 2 3\n");
+    const QString scene = m_folder.write("leaning.json", R"({
+        "unprojector": 1, "window": {"width": 640, "height": 480},
+        "projection": {"type": "perspective", "fovy": 45, "near": 0.5, "far": 50},
+        "view": {"eye": [3, 2, 5], "center": [0, 0, 0], "up": [0, 1, 0]},
+        "objects": [{"name": "leaning", "file": "leaning.obj"}]})");
+    const double places[] = {-7e-5, 0.0, 6e-5, 0.3, 11.0};
+    for (const double along : places) {
+        for (const double beside : places) {
+            QStringList got;
+            for (int axis = 0; axis < 3; ++axis)
+                got << QString::number(right[axis] + (axis == 1 ? beside : along), 'f', 4);
+            const QStringList words = QStringList{"doctor", scene, "--pixel", "301.5,214.5", "--got-space", space}
+                                      + depth + QStringList{"--got", got.join(u',')};
+            const Run inJson = runCommand(words + QStringList{"--json"});
+            VERIFY_SUCCEEDED(inJson);
+            const QJsonArray point = QJsonDocument::fromJson(inJson.output).object()["right"].toArray();
+            for (int axis = 0; axis < 3; ++axis)
+                QCOMPARE(point[axis].toDouble(), right[axis]);
+            const Run inWords = runCommand(words);
+            QVERIFY2(inWords.output.contains("right is     " + shown + '\n'), inWords.output);
+        }
+    }
+}
+
 void TestDoctorCommand::theRayJudgesWithoutModels()
 {
     const QStringList click{"--json", "--pixel", "568.6475,274.3378", "--got"};
@@ -324,6 +376,7 @@ void TestDoctorCommand::theRayJudgesWithoutModels()
     const QJsonObject json = QJsonDocument::fromJson(run.output).object();
     QCOMPARE(json["verdict"].toString(), QString("y-not-flipped"));
     QCOMPARE(json["depth"].toString(), QString("unknown"));
+    QVERIFY(json["right"].isNull());
     // A given depth needs no models.
     VERIFY_SUCCEEDED(doctor(kClick + QStringList{"--got", "0.7051,-0.4122,0.0918"}));
     VERIFY_SUCCEEDED(

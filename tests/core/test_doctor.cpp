@@ -92,6 +92,7 @@ private slots:
     void aPointThatIsRepeatedCountsOnce();
     void withoutADepthTheRayJudges();
     void theMeshKnowsTheDepth();
+    void theRightPointIsThatOfTheDepth();
     void aRoundedDepthIsAllowedFor();
     void anotherSizeIsTried();
     void otherSpaces();
@@ -144,6 +145,7 @@ void TestDoctor::aMistakeIsNamed_data()
     row("depth 1", "depth-one", -39.51, -19.26, -84.28);
     row("eye distance", "depth-is-eye-distance", 3.0882, 2.0441, 5.1852);
     row("reversed depth", "depth-reversed", 2.4939, 1.7469, 3.9371);
+    row("near and far as depth range", "depth-range-is-planes", 2.5756, 1.7878, 4.1087);
     row("far times 10", "far-differs", 0.3839, 0.6920, -0.4937);
     row("z as ray length", "z-as-ray-length", 0.5282, 0.7641, -0.1907);
     row("ray length as z", "ray-length-as-z", 0.4714, 0.7357, -0.3100);
@@ -342,16 +344,51 @@ void TestDoctor::withoutADepthTheRayJudges()
 void TestDoctor::theMeshKnowsTheDepth()
 {
     Case of = scene();
-    const WindowPoint window = windowFromWorld(of.setup, WorldPoint(kTruth)).value();
-    of.depthOnMesh = [&](const DevicePoint &) { return std::optional<double>(window.z); };
+    of.pointOnMesh = [](const DevicePoint &) { return std::optional(WorldPoint(kTruth)); };
     WrongPoint point = pointAt(of, WorldPoint(kTruth), {2.4939, 1.7469, 3.9371});
     point.depth.reset();
     const Diagnosis diagnosis = diagnosed(of, point);
     QCOMPARE(diagnosis.depthKnown, DepthKnown::FromMesh);
     QCOMPARE(diagnosis.verdict, std::string("depth-reversed"));
+    QVERIFY(diagnosis.right == kTruth);
     // The background of the mesh reports no depth.
-    of.depthOnMesh = [](const DevicePoint &) { return std::optional<double>(); };
+    of.pointOnMesh = [](const DevicePoint &) { return std::optional<WorldPoint>(); };
     QCOMPARE(diagnosed(of, point).depthKnown, DepthKnown::ByRay);
+}
+
+/// Worked out with 60 digits for the depth 0.8383 as it is given, in all three spaces. Points beside
+/// it, and any points, do not change it.
+void TestDoctor::theRightPointIsThatOfTheDepth()
+{
+    const Case of = scene();
+    WrongPoint point = pointAt(of, WorldPoint(kTruth), kTruth);
+    point.pixel = DevicePoint(390.725, 253.439);
+    point.depth = 0.8383;
+    point.depthLastDigit = 1e-4;
+    const struct {
+        PointSpace space;
+        glm::dvec3 right;
+    } rows[] = {
+        {PointSpace::World, {-0.7663968487230713, 0.9106979590299927, 0.44684623479562785}},
+        {PointSpace::Eye, {-0.887080367199543, 0.8650484649659166, -5.879482370372114}},
+        {PointSpace::Object, {-2.7663968487230712, 0.9106979590299927, 1.446846234795628}},
+    };
+    oracle::Random random(17);
+    for (const auto &[space, right] : rows) {
+        point.space = space;
+        for (int i = 0; i < 20; ++i) {
+            const double size = i < 10 ? 0.01 : 3.0;
+            for (int axis = 0; axis < 3; ++axis)
+                point.got[axis] = rounded(right[axis] + random.uniform(-size, size), 4);
+            const Diagnosis diagnosis = diagnosed(of, point);
+            QVERIFY(diagnosis.right);
+            for (int axis = 0; axis < 3; ++axis)
+                QCOMPARE((*diagnosis.right)[axis], right[axis]);
+        }
+    }
+    // A ray has no right point.
+    point.depth.reset();
+    QVERIFY(!diagnosed(of, point).right);
 }
 
 /// A depth of three digits moves the point by hundredths.

@@ -321,9 +321,11 @@ void TestDoctorCameras::valuesOfSeveralPoints_data()
     QTest::addColumn<Program>("program");
     QTest::addColumn<QList<QPair<QString, double>>>("values");
     using Values = QList<QPair<QString, double>>;
-    QTest::newRow("shift and scale") << QStringLiteral("pixel-shifted") << Program([](const Camera &c, const Shot &s) {
-        return c.world(1.25 * s.pixel + dvec2(12, -7), s.z);
-    }) << Values{{"dx", 12}, {"dy", -7}, {"scale", 1.25}};
+    QTest::newRow("shift and scale") << QStringLiteral("pixel-scaled-and-moved")
+                                     << Program([](const Camera &c, const Shot &s) {
+                                            return c.world(1.25 * s.pixel + dvec2(12, -7), s.z);
+                                        })
+                                     << Values{{"dx", 12}, {"dy", -7}, {"scale", 1.25}};
     QTest::newRow("shift") << QStringLiteral("pixel-shifted") << Program([](const Camera &c, const Shot &s) {
         return c.world(s.pixel + dvec2(31, 9), s.z);
     }) << Values{{"dx", 31}, {"dy", 9}};

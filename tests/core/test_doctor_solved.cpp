@@ -94,6 +94,7 @@ private slots:
     void axesAreNoValueThatWouldExplain();
     void aFixedFactorHasItsValue();
     void onePointLeavesSeveralValues();
+    void aPlaneThatHidesThePointIsNoCandidate();
     void aSecondDepthDecides();
     void fewDigitsMakeNoValueCertain();
     void pointsOnTheRayAreRarelyNamed();
@@ -132,6 +133,10 @@ void TestDoctorSolved::aRoundValueIsTheVerdict_data()
     row("ratio", "ratio-differs", {"ratio"}, {1.1}, "",
         "another pixel ratio (ratio 1.1, logical pixels in a device viewport)");
     row("millimetres", "scaled", {"factor"}, {1000}, "origin", "result scaled (by 1000 from the origin)");
+    row("letterboxed", "pixel-scaled-and-moved", {"scale", "dx", "dy"}, {1.5, 200, 0}, "",
+        "pixel scaled and moved (scaled by 1.5 and moved by (200, 0))");
+    row("fitted", "pixel-scaled-and-moved", {"scale", "dx", "dy"}, {0.75, 0, 60}, "",
+        "pixel scaled and moved (scaled by 0.75 and moved by (0, 60))");
     row("any unit", "scaled", {"factor"}, {0.7}, "origin", "result scaled (by 0.7 from the origin)");
     row("inches of depth", "scaled", {"factor"}, {25.4}, "eye", "result scaled (by 25.4 from the eye)");
 }
@@ -173,6 +178,9 @@ void TestDoctorSolved::everyValueStandsInItsLines_data()
     row("near and far", {"near-far-differ", {{"near", {0.25}}, {"far", {60}}}, "", 0}, 2, 2);
     row("field of view", {"fovy-differs", {{"fovy", {53.13}}}, "", 0}, 1, 1);
     row("shift", {"pixel-shifted", {{"dx", {8}}, {"dy", {31}}}, "", 0}, 1, 2);
+    row("letterbox", {"pixel-scaled-and-moved", {{"scale", {1.5}}, {"dx", {200}}, {"dy", {0}}}, "", 0}, 1, 3);
+    row("its height flips y", {"pixel-scaled-and-moved", {{"scale", {1.5}}, {"dx", {0}}, {"dy", {50}}}, "", 1}, 1, 4);
+    row("scaled and moved", {"pixel-scaled-and-moved", {{"scale", {0.75}}, {"dx", {13}}, {"dy", {-37}}}, "", 0}, 2, 3);
     row("viewport", {"viewport-size-differs", {{"width", {1000}}, {"height", {768}}}, "", 0}, 1, 2);
     row("ratio", {"ratio-differs", {{"ratio", {1.1}}}, "", 0}, 1, 2);
     row("ratio below 1", {"ratio-differs", {{"ratio", {0.625}}}, "", 0}, 1, 2);
@@ -278,6 +286,18 @@ void TestDoctorSolved::onePointLeavesSeveralValues()
     QVERIFY2(sentence.starts_with("A value would explain the point: another "), sentence.c_str());
     QVERIFY2(sentence.ends_with(". Another wrong point at another depth separates them."), sentence.c_str());
     QVERIFY2(sentence.find("far is 37.83") != std::string::npos, sentence.c_str());
+}
+
+/// A far plane of any number in front of the click, and a near plane behind it. A round one may be.
+void TestDoctorSolved::aPlaneThatHidesThePointIsNoCandidate()
+{
+    const doctor_bar::Shot shot = testShot();
+    const auto hasCandidate = [&](const WrongValue &wrong) {
+        return named(diagnosed(shot, pointOf(shot, wrong)), wrong.id) != nullptr;
+    };
+    QVERIFY(!hasCandidate({"far-differs", {{"far", {1.73205}}}, "", 0}));
+    QVERIFY(!hasCandidate({"near-differs", {{"near", {7.38906}}}, "", 0}));
+    QVERIFY(hasCandidate({"far-differs", {{"far", {5}}}, "", 0}));
 }
 
 void TestDoctorSolved::aSecondDepthDecides()
@@ -451,6 +471,8 @@ void TestDoctorSolved::theValueIsASentence_data()
         "Your program scales its points by 1000 about the origin. ");
     row("shift", {"pixel-shifted", {{"dx", {8}}, {"dy", {31}}}, "", 0},
         "Your program's pixel is 8 to the right and 31 down. ");
+    row("letterbox", {"pixel-scaled-and-moved", {{"scale", {1.5}}, {"dx", {200}}, {"dy", {0}}}, "", 0},
+        "Your program's pixel is scaled by 1.5 and moved by (200, 0). ");
     row("viewport", {"viewport-size-differs", {{"width", {800}}, {"height", {600}}}, "", 0},
         "Your program's viewport has 800 x 600 pixels; the scene's has 814 x 723. ");
     row("axes", {"axes-differ", {}, "x,z,y", 0}, "Your program's axes are x,z,y: y and z are exchanged. ");

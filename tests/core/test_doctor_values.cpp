@@ -23,8 +23,9 @@ private slots:
 
 void TestDoctorValues::onePointFindsTheValueAmongThree()
 {
-    static const std::set<std::string> ofOnePoint{"far-differs",   "near-differs",  "fovy-differs",
-                                                  "pixel-shifted", "ratio-differs", "scaled"};
+    static const std::set<std::string> ofOnePoint{"far-differs",           "near-differs",  "fovy-differs",
+                                                  "pixel-shifted",         "ratio-differs", "scaled",
+                                                  "pixel-scaled-and-moved"};
     Random random(21);
     const Tally tally = tested(random, 25, 1);
     int asked = 0, found = 0;

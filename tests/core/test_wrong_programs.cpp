@@ -38,7 +38,7 @@ struct Row {
 };
 
 /// Worked out in NumPy.
-const std::array<Row, 41> kRows{{
+const std::array<Row, 42> kRows{{
     {"y-not-flipped", 0, {0.7051, -0.4122, 0.0918}},
     {"row-above", 0, {0.4986, 0.7577, -0.2523}},
     {"pixel-corner", 0, {0.4972, 0.7462, -0.2468}},
@@ -63,6 +63,7 @@ const std::array<Row, 41> kRows{{
     {"depth-one", 0, {-39.51, -19.26, -84.28}, 1e-2},
     {"depth-is-eye-distance", 0, {3.0882, 2.0441, 5.1852}},
     {"depth-reversed", 0, {2.4939, 1.7469, 3.9371}},
+    {"depth-range-is-planes", 0, {2.5756, 1.7878, 4.1087}},
     {"far-differs", 0, {0.3839, 0.6920, -0.4937}},
     {"z-as-ray-length", 0, {0.5282, 0.7641, -0.1907}},
     {"ray-length-as-z", 0, {0.4714, 0.7357, -0.3100}},

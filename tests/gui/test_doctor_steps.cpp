@@ -20,6 +20,7 @@
 #include <QDialogButtonBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QSignalSpy>
 
@@ -91,6 +92,7 @@ private slots:
     void theWholeTaskIsDone();
     void depthsOfClicksGoWithTheirCamera();
     void theSolvedValueIsInSentenceTableAndCode();
+    void eachCandidateHasOneRow();
     void noLibraryWithoutALineIsShown();
     void theUsersLibraryIsRemembered();
     void severalExplanationsAskForAClick();
@@ -218,6 +220,25 @@ void TestDoctorSteps::theSolvedValueIsInSentenceTableAndCode()
     table->setCurrentCell(rowWithValue(), 0);
     const QString code = panelOf(*window).code().text();
     QVERIFY2(code.contains(QStringLiteral("gluPerspective(fovy, aspect, n, %1)").arg(otherFar)), qPrintable(code));
+}
+
+/// Far of any number: near, a scale and others explain the point as well.
+void TestDoctorSteps::eachCandidateHasOneRow()
+{
+    const auto window = doctorWindow();
+    clickedAndWrong(*window);
+    const double sceneFar = projectionWindow(window->document().setup().projection()).farDistance;
+    const Pick &pick = *window->document().picks().pick();
+    type(gotOf(*window), pointText(withFar(*window, pick, 1.2345678 * sceneFar)));
+    const auto text = [&] { return panelOf(*window).answer().text(); };
+    QTRY_VERIFY2_WITH_TIMEOUT(text().contains(QStringLiteral("\nAs well ")), qPrintable(text()), kPatienceMilliseconds);
+    static const QRegularExpression row(QStringLiteral("^(?:As well|Next best) (.*?): "),
+                                        QRegularExpression::MultilineOption);
+    QStringList names;
+    for (auto it = row.globalMatch(text()); it.hasNext();)
+        names << it.next().captured(1);
+    QVERIFY(names.size() > 1);
+    QVERIFY2(names.removeDuplicates() == 0, qPrintable(text()));
 }
 
 void TestDoctorSteps::noLibraryWithoutALineIsShown()

@@ -210,6 +210,7 @@ void TestLibraryFiles::aMistakeIsFound()
     const auto diagnosis = diagnose(setup(), points);
     QVERIFY(diagnosis);
     QCOMPARE(diagnosis->verdict, std::string("y-not-flipped"));
+    QVERIFY(diagnosis->right == unprojection->at(points[0].pixel, *points[0].depth).value());
     QVERIFY(!diagnosis->code.empty() && !diagnosis->sentence.empty());
     QVERIFY(diagnosis->report.find("y-not-flipped") != std::string::npos);
     QVERIFY(!diagnose(setup(), {}));

@@ -53,7 +53,7 @@ def test_a_mistake_of_a_numpy_program_is_found(setup, name, mistake, tmp_path, u
     assert np.array_equal([c["point"] for c in written["candidates"]], [c.point for c in diagnosis.candidates])
     assert [c["library"] for c in written["code"]] == [c.library for c in diagnosis.changes]
     assert written["sentence"] == diagnosis.sentence and written["verdict"] == diagnosis.verdict
-    assert np.allclose(diagnosis.right, setup.unproject(*PIXELS[0], DEPTHS[0]), atol=0.01)  # a depth of four decimals counts as rounded
+    assert np.allclose(diagnosis.right, setup.unproject(*PIXELS[0], DEPTHS[0]), rtol=1e-15, atol=0)
 
 
 def test_the_corrected_code_gives_the_right_point(setup):

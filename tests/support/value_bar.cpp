@@ -104,9 +104,28 @@ void setFrame(Random &random, int points, WrongValue &wrong)
     wrong.values["scale"] = {random.chance(0.5) ? 1.0 : random.logUniform(0.2, 5.0)};
 }
 
-WrongValue randomValue(Random &random, const std::string &id, int points)
+/// The pixels of a window with bars at two sides: a usual one, or one of any size.
+void setLetterbox(Random &random, const wrong_programs::Scene &scene, WrongValue &wrong)
+{
+    for (;;) {
+        const bool isUsual = random.chance(0.5);
+        const double width = isUsual ? oneOf(random, kWidths) : random.integer(400, 2600);
+        const double height = isUsual ? oneOf(random, kHeights) : random.integer(300, 1600);
+        const double scale = std::min(width / scene.framebufferWidth, height / scene.framebufferHeight);
+        const double dx = (width - scale * scene.framebufferWidth) / 2.0;
+        const double dy = (height - scale * scene.framebufferHeight) / 2.0;
+        wrong.values = {{"scale", {scale}}, {"dx", {dx}}, {"dy", {dy}}};
+        wrong.variant = random.integer(0, 1);
+        if (std::max(dx, dy) > 2.0 && std::abs(scale - 1.0) > 0.01)
+            return;
+    }
+}
+
+WrongValue randomValue(Random &random, const wrong_programs::Scene &scene, const std::string &id, int points)
 {
     WrongValue wrong{id, {}, {}, 0};
+    if (id == "pixel-scaled-and-moved")
+        setLetterbox(random, scene, wrong);
     if (id == "far-differs" || id == "near-far-differ")
         wrong.values["far"] = {numberNear(random, kFars, 10.0, 5000.0)};
     if (id == "near-differs" || id == "near-far-differ")
@@ -187,7 +206,8 @@ bool isFound(const doctor::Candidate &candidate, const WrongValue &wrong)
         bool isClose = true;
         for (std::size_t i = 0; i < value.numbers.size(); ++i) {
             const double right = expected->second[i];
-            const double least = wrong.id == "pixel-shifted" ? 0.5 : wrong.id == "frame-differs" ? 0.01 : 0.0;
+            const bool isPixel = expected->first.size() == 2; // dx and dy
+            const double least = isPixel ? 0.5 : wrong.id == "frame-differs" ? 0.01 : 0.0;
             isClose = isClose && std::abs(value.numbers[i] - right) <= std::max(0.01 * std::abs(right), least);
         }
         found += isClose ? 1 : 0;
@@ -241,7 +261,7 @@ Tally tested(Random &random, int shots, int points)
     for (int i = 0; i < shots; ++i) {
         for (const std::string &id : wrong_programs::wrongValueIds()) {
             const Shots shot = randomShots(random, points);
-            const WrongValue wrong = randomValue(random, id, points);
+            const WrongValue wrong = randomValue(random, shot.first.scene, id, points);
             const auto printedPoints = pointsOf(shot, wrong);
             const auto right = pointsOf(shot, WrongValue{});
             if (!printedPoints || !right || isNearly(*printedPoints, *right, 4.0 * kStep))

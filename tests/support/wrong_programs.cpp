@@ -299,6 +299,11 @@ const std::vector<Wrong> &wrongs()
         {"depth-one", 1, Step::Mouse, [](Program &p, int) { p.click.depth = 1.0; }},
         {"depth-is-eye-distance", 1, Step::Mouse, [](Program &p, int) { p.click.depth = trueDistance(p); }},
         {"depth-reversed", 1, Step::Mouse, [](Program &p, int) { p.click.depth = 1.0 - p.click.depth; }},
+        // Vector3.Unproject(v, x, y, w, h, near, far, m): the viewport's MinDepth and MaxDepth
+        {"depth-range-is-planes", 1, Step::Mouse,
+         [](Program &p, int) {
+             p.click.depth = (p.click.depth - p.lens.nearDistance) / (p.lens.farDistance - p.lens.nearDistance);
+         }},
         {"ray-length-as-z", 1, Step::Unproject,
          [](Program &p, int) {
              if (!p.lens.isPerspective)

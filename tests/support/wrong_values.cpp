@@ -47,8 +47,9 @@ dvec3 changed(const Scene &scene, const dvec3 &p, const WrongValue &wrong)
 const std::vector<std::string> &wrongValueIds()
 {
     static const std::vector<std::string> ids{
-        "far-differs",           "near-differs",  "near-far-differ", "fovy-differs",  "pixel-shifted",
-        "viewport-size-differs", "ratio-differs", "scaled",          "frame-differs", "axes-differ"};
+        "far-differs",   "near-differs",          "near-far-differ",       "fovy-differs",
+        "pixel-shifted", "viewport-size-differs", "ratio-differs",         "scaled",
+        "frame-differs", "axes-differ",           "pixel-scaled-and-moved"};
     return ids;
 }
 
@@ -69,6 +70,13 @@ std::optional<dvec3> printed(const Scene &scene, const Click &click, const Wrong
     if (id == "pixel-shifted") {
         at.px += numberOf(wrong, "dx");
         at.py += numberOf(wrong, "dy");
+    }
+    if (id == "pixel-scaled-and-moved") {
+        const double scale = numberOf(wrong, "scale"), dy = numberOf(wrong, "dy");
+        at.px = scale * at.px + numberOf(wrong, "dx");
+        at.py = scale * at.py + dy;
+        if (wrong.variant == 1)
+            own.framebufferHeight = scale * own.framebufferHeight + 2.0 * dy;
     }
     if (id == "viewport-size-differs") {
         own.viewport.z = numberOf(wrong, "width");

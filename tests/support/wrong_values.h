@@ -20,6 +20,9 @@ namespace wrong_programs {
 ///   near-far-differ        near, far
 ///   fovy-differs           fovy, degrees
 ///   pixel-shifted          dx, dy: the program's pixel is the right one plus these, y down
+///   pixel-scaled-and-moved scale, dx, dy: the program's pixel is the right one times scale, plus
+///                          these, y down; variant 1 flips it with the height of the letterboxed
+///                          window, which has a bar of dy above and below
 ///   viewport-size-differs  width, height: of the viewport alone
 ///   ratio-differs          ratio: the program's pixel is the right one divided by it; variant 1
 ///                          divides the height for the flip too

@@ -1,6 +1,5 @@
 #include "core/cli/commands/compare_command.h"
 
-#include "core/cli/commands/exact_unprojection.h"
 #include "core/cli/rows/byte_stream.h"
 #include "core/cli/rows/distribution.h"
 #include "core/cli/rows/scene_input.h"
@@ -10,6 +9,7 @@
 #include "core/text/error_text.h"
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
+#include "core/unproject/exact_unprojection.h"
 #include "core/unproject/unprojector.h"
 
 #include <algorithm>
@@ -255,7 +255,7 @@ ExitCode runCompare(const CompareOptions &options)
     std::size_t points = 0;
     forEachPoint(setup, options, [&](const WindowPoint &window) {
         progress.advance(1);
-        const std::optional<std::array<Extended, 3>> world = exact->world(window);
+        const std::optional<std::array<Extended, 3>> world = exact->at(window);
         if (!world)
             return; // a far plane at infinity
         ++points;

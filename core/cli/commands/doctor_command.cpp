@@ -14,7 +14,7 @@
 #include "core/doctor/written_points.h"
 #include "core/files/path_text.h"
 #include "core/opening/models.h"
-#include "core/ray/mesh_depth.h"
+#include "core/ray/mesh_point.h"
 #include "core/text/error_text.h"
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
@@ -94,7 +94,7 @@ std::optional<CaseRead> withMesh(const std::string &file)
         return std::nullopt;
     }
     if (!opened->objects.empty()) {
-        result.depthOnMesh = ray::MeshDepth(std::make_shared<ray::SceneRays>(raysOf(*opened, *unprojector)));
+        result.pointOnMesh = ray::MeshPoint(std::make_shared<ray::SceneRays>(raysOf(*opened, *unprojector)));
         result.verticesIn = [objects = opened->objects](const Box &world) { return verticesIn(objects, world); };
     }
     return CaseRead{std::move(result), opened->files};

@@ -1,8 +1,8 @@
-#include "core/cli/commands/exact_unprojection.h"
+#include "core/unproject/exact_unprojection.h"
 
 #include <utility>
 
-namespace unprojector::cli {
+namespace unprojector::unproject {
 using namespace geometry;
 
 namespace {
@@ -63,8 +63,8 @@ ExactUnprojection::Matrix ExactUnprojection::extended(const glm::dmat4 &matrix)
 
 ExactUnprojection::Matrix ExactUnprojection::eyeFromWorld(const LookAt &camera)
 {
-    const Triple forward = unit(difference(cli::extended(camera.center), cli::extended(camera.eye)));
-    const Triple side = unit(cross(forward, cli::extended(camera.up)));
+    const Triple forward = unit(difference(unproject::extended(camera.center), unproject::extended(camera.eye)));
+    const Triple side = unit(cross(forward, unproject::extended(camera.up)));
     const Triple upward = cross(side, forward);
     const Triple back{-forward[0], -forward[1], -forward[2]};
     Matrix m = extended(glm::dmat4(1.0));
@@ -163,29 +163,63 @@ std::optional<ExactUnprojection::Matrix> ExactUnprojection::inverse(Matrix m)
     return result;
 }
 
-std::optional<ExactUnprojection> ExactUnprojection::of(const Setup &g)
+ExactUnprojection::Matrix ExactUnprojection::windowFromEye(const Setup &g)
 {
     const auto *projection = std::get_if<MatrixProjection>(&g.lens);
-    const auto *view = std::get_if<glm::dmat4>(&g.pose);
     const Matrix clip = projection ? extended(projection->clipFromEye) : clipFromEye(std::get<Projection>(g.lens));
-    const Matrix eye = view ? extended(*view) : eyeFromWorld(std::get<LookAt>(g.pose));
-    const std::optional<Matrix> worldFromWindow = inverse(product(windowFromNdc(g), product(clip, eye)));
-    if (!worldFromWindow)
-        return std::nullopt;
-    return ExactUnprojection(*worldFromWindow);
+    return product(windowFromNdc(g), clip);
 }
 
-std::optional<std::array<Extended, 3>> ExactUnprojection::world(const WindowPoint &window) const
+ExactUnprojection::Matrix ExactUnprojection::windowFromWorld(const Setup &g)
+{
+    const auto *view = std::get_if<glm::dmat4>(&g.pose);
+    return product(windowFromEye(g), view ? extended(*view) : eyeFromWorld(std::get<LookAt>(g.pose)));
+}
+
+std::optional<ExactUnprojection> ExactUnprojection::inverted(const Setup &setup, const Matrix &windowFromSpace)
+{
+    const std::optional<Matrix> spaceFromWindow = inverse(windowFromSpace);
+    if (!spaceFromWindow)
+        return std::nullopt;
+    return ExactUnprojection(*spaceFromWindow, setup.surface);
+}
+
+std::optional<ExactUnprojection> ExactUnprojection::of(const Setup &setup)
+{
+    return inverted(setup, windowFromWorld(setup));
+}
+
+std::optional<ExactUnprojection> ExactUnprojection::toObject(const Setup &setup, const glm::dmat4 &worldFromObject)
+{
+    return inverted(setup, product(windowFromWorld(setup), extended(worldFromObject)));
+}
+
+std::optional<ExactUnprojection> ExactUnprojection::toEye(const Setup &setup)
+{
+    return inverted(setup, windowFromEye(setup));
+}
+
+std::optional<Triple> ExactUnprojection::at(const WindowPoint &window) const
+{
+    return at(window.x, window.y, window.z);
+}
+
+std::optional<Triple> ExactUnprojection::at(const DevicePoint &position, double depth) const
+{
+    return at(position.x, flippedY(m_surface, Extended(position.y)), depth);
+}
+
+std::optional<Triple> ExactUnprojection::at(const Extended &x, const Extended &y, const Extended &depth) const
 {
     std::array<Extended, 4> p;
     for (std::size_t row = 0; row < 4; ++row) {
-        const auto &m = m_worldFromWindow[row];
-        p[row] = m[0] * window.x + m[1] * window.y + m[2] * window.z + m[3];
+        const auto &m = m_spaceFromWindow[row];
+        p[row] = m[0] * x + m[1] * y + m[2] * depth + m[3];
     }
     // The point is beyond a double's range, or its w consists only of rounding error of 50 digits.
-    if (abs(p[3]) * 1e30 <= abs(m_worldFromWindow[3][3]) + abs(m_worldFromWindow[3][2] * window.z))
+    if (abs(p[3]) * 1e30 <= abs(m_spaceFromWindow[3][3]) + abs(m_spaceFromWindow[3][2] * depth))
         return std::nullopt;
     return Triple{p[0] / p[3], p[1] / p[3], p[2] / p[3]};
 }
 
-} // namespace unprojector::cli
+} // namespace unprojector::unproject
