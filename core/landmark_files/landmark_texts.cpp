@@ -175,6 +175,9 @@ std::string noteText(const LandmarkNote &note)
                     marked("%1 points have only coordinates of -1, as tpsDig writes missing points; they have no "
                            "position here"));
     case Kind::MissingCodeUnknown:
+    case Kind::CodeIsMissing:
+        return tr("line %1: all coordinates are 9999 or -9999, the mark of a missing point; it has no position here",
+                  note.detail);
         return tr("the parameters say that values are missing, and not by which number; every number is read as a "
                   "coordinate");
     case Kind::PreviewsLeftOut:
