@@ -35,6 +35,17 @@ bool isNothing(const CsvCell &cell)
     return cell.text.empty() || (!cell.isQuoted && (cell.text == "NA" || cell.text == "#N/A"));
 }
 
+/// True if a table has all columns that this program always writes. In such a table an apostrophe
+/// before a formula is not part of a text, and a coordinate of 9999 is one.
+bool isOurs(const Header &header)
+{
+    for (std::size_t column = Name; column <= Note; ++column) {
+        if (!header.has(Column(column)))
+            return false;
+    }
+    return true;
+}
+
 /// The cells of a row by column.
 class Cells {
 public:
@@ -79,6 +90,18 @@ public:
             v[i] = number(column(i));
         }
         return v;
+    }
+
+    /// The position of a point; empty if it is missing. All three coordinates of other programs' missing points may
+    /// be 9999 or -9999. This program's tables leave them empty.
+    std::optional<glm::dvec3> position(Notes &notes) const
+    {
+        constexpr double kMissing = 9999.0;
+        const std::optional<glm::dvec3> v = numbers(X);
+        if (!v || glm::abs(*v) != glm::dvec3(kMissing) || v->x != v->y || v->y != v->z || isOurs(m_table.header))
+            return v;
+        notes.add(LandmarkNote::Kind::CodeIsMissing, 1, std::to_string(line()));
+        return std::nullopt;
     }
 
     /// Parses 0 or 1, or the words for them.
@@ -176,7 +199,7 @@ Landmark landmarkOf(const Table &table, const CsvRow &row, Notes &notes)
     const Cells cells(table, row);
     Landmark landmark;
     landmark.name = cells[Name];
-    const std::optional<glm::dvec3> world = cells.numbers(X);
+    const std::optional<glm::dvec3> world = cells.position(notes);
     const bool isDefined = cells.flag(Defined, true);
     if (world && isDefined)
         landmark.world = turned(WorldPoint(*world), table.header.axes);
@@ -262,7 +285,7 @@ void checkSame(bool isSame, std::size_t line, const char *column, const std::str
 }
 
 /// Adds a row with the properties of a curve and the position of one of its semilandmarks.
-void addToCurve(CurveRows &known, const Cells &cells, Axes axes)
+void addToCurve(CurveRows &known, const Cells &cells, Axes axes, Notes &notes)
 {
     Curve &curve = known.curve;
     if (std::vector<std::string> points = namesOf(cells[CurvePoints], cells.line()); !points.empty()) {
@@ -288,7 +311,7 @@ void addToCurve(CurveRows &known, const Cells &cells, Axes axes)
     CurveRows::Row &row = known.rows.emplace_back();
     row.line = cells.line();
     row.number = semilandmarkNumber(cells[Name], curve.name, row.line);
-    if (const auto place = cells.numbers(X))
+    if (const auto place = cells.position(notes))
         row.place = turned(WorldPoint(*place), axes);
 }
 
@@ -424,17 +447,6 @@ std::size_t trimmedTexts(const Header &header, const CsvRow &row)
     return count;
 }
 
-/// True if a table has all columns that this program always writes. In such a table an apostrophe
-/// before a formula is not part of a text.
-bool isOurs(const Header &header)
-{
-    for (std::size_t column = Name; column <= Note; ++column) {
-        if (!header.has(Column(column)))
-            return false;
-    }
-    return true;
-}
-
 /// Adds notes about losses of the whole table.
 void addTableNotes(Notes &notes, const Table &table)
 {
@@ -503,7 +515,7 @@ ReadLandmarks readCsv(std::string_view text)
                 rowsOfCurve.curve.name = cells[CurveName];
                 rowsOfCurve.curve.count = 0;
             }
-            addToCurve(curves[known->second], cells, header.axes);
+            addToCurve(curves[known->second], cells, header.axes, notes);
             if (saysMore(cells, header, row))
                 notes.add(LandmarkNote::Kind::CurveCellsLeftOut);
         }

@@ -85,6 +85,7 @@ struct LandmarkNote {
         CurvesUnnamed,        ///< count: curves of which only the semilandmarks are kept
         UnitUnknown,          ///< detail: the file, beside one that has a unit
         CurveUnknown,         ///< detail: its name; its path has not been computed
+        CurveCountsDiffer,    ///< detail: which curve has how many semilandmarks on which specimens
         // Reading: the value was changed or dropped.
         AxesTurned,         ///< the file is in RAS
         FlatPoints,         ///< count: with two coordinates, z becomes 0
@@ -100,6 +101,7 @@ struct LandmarkNote {
         RowNamesLeftOut,    ///< count: row names of R that are no numbers, beside a column of names
         ApostrophesLeftOut, ///< count: texts of another program's table with an apostrophe before an apparent formula
         NegativeIsMissing,  ///< count: points whose coordinates are all -1, tpsDig's form of missing ones
+        CodeIsMissing,      ///< detail: the line with coordinates that are all 9999 or all -9999
         MissingCodeUnknown, ///< the file says that values are missing, and not by which number
         PreviewsLeftOut,    ///< count: points under 3D Slicer's mouse that were not placed yet
         LinksLeftOut,       ///< count: pairs of points that a file connects by lines

@@ -149,6 +149,7 @@ std::string noteText(const LandmarkNote &note)
     case Kind::CurveUnknown:
         return tr("the curve \"%1\" has no semilandmarks and is left out: its path is computed when its mesh is open",
                   note.detail);
+    case Kind::CurveCountsDiffer: return note.detail;
     case Kind::UnitUnknown: return tr("%1; its coordinates are read in that unit", note.detail);
     case Kind::MissingHadPosition:
         return said(marked("%1 point is marked as not placed and had coordinates, which are left out"),
@@ -174,6 +175,9 @@ std::string noteText(const LandmarkNote &note)
                            "here"),
                     marked("%1 points have only coordinates of -1, as tpsDig writes missing points; they have no "
                            "position here"));
+    case Kind::CodeIsMissing:
+        return tr("line %1: all coordinates are 9999 or -9999, the mark of a missing point; it has no position here",
+                  note.detail);
     case Kind::MissingCodeUnknown:
         return tr("the parameters say that values are missing, and not by which number; every number is read as a "
                   "coordinate");

@@ -57,9 +57,9 @@ void addSliders(Neighbours &sliders, const LandmarkSet &set, const std::map<std:
             const auto known = sliders.emplace(numberOf(chain[i]), neighbours).first;
             if (known->second != neighbours)
                 throw Failure{0,
-                              tr("the curve \"%1\" of \"%2\" goes through other points than that of another specimen, "
-                                 "so there are no sliders for both",
-                                 nameOf(set.curves[k], k), set.name),
+                              tr("\"%1\" lies between other points on \"%2\" than on another specimen, so there are no "
+                                 "sliders for both",
+                                 chain[i], set.name),
                               LandmarkFileError::Code::CannotHold};
         }
     }

@@ -24,7 +24,7 @@ std::vector<std::string> writtenNames(const landmarks::LandmarkSet &set);
 /// The sliders of a table's points. Each semilandmark slides along the direction from the point
 /// before it to the one after it. The ends of a curve don't slide.
 /// @param names  of the table's points, in their order
-/// @return CannotHold: a point that the table lacks, or curves of a name through different points
+/// @return CannotHold: a point that the table lacks, or a semilandmark between different points
 geometry::Result<Sliders, LandmarkFileError> slidersOf(std::span<const landmarks::LandmarkSet> sets,
                                                        std::span<const std::string> names);
 /// The sliders of points as landmarksText writes them.

@@ -40,6 +40,38 @@ bool haveSameCurves(std::span<const LandmarkSet> sets)
     });
 }
 
+/// Names a curve with different numbers of semilandmarks: those of a number are not at the same place of the curve
+/// then. Empty if there is none. Specimens without semilandmarks don't count.
+std::string differentCounts(std::span<const LandmarkSet> sets)
+{
+    constexpr std::size_t kMostNamed = 3;                                             // of a number
+    std::map<std::string, std::map<std::size_t, std::vector<std::string>>> specimens; // by curve and number
+    for (const LandmarkSet &set : sets) {
+        for (std::size_t k = 0; k < set.curves.size(); ++k) {
+            if (const std::size_t count = set.curves[k].semilandmarks.size(); count > 0)
+                specimens[nameOf(set.curves[k], k)][count].push_back(set.name);
+        }
+    }
+    for (const auto &[curve, counts] : specimens) {
+        if (counts.size() < 2)
+            continue;
+        std::string where;
+        for (const auto &[count, names] : counts) {
+            std::string list;
+            for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i)
+                list += (i > 0 ? ", " : "") + ('"' + names[i] + '"');
+            if (names.size() > kMostNamed)
+                list = tr("%1 and %2 more", list, names.size() - kMostNamed);
+            where += (where.empty() ? "" : "; ") + tr("%1 on %2", count, list);
+        }
+        return tr(
+            "the curve \"%1\" has different numbers of semilandmarks, so they are not at the same places: %2; give "
+            "it the same number on all specimens",
+            curve, where);
+    }
+    return {};
+}
+
 /// Sorts the curves of each set as in the first one. @pre haveSameCurves
 void sortCurves(std::vector<LandmarkSet> &sets)
 {
@@ -306,6 +338,11 @@ geometry::Result<WrittenTable, LandmarkFileError> specimenTable(std::span<const 
             set.measures.clear(); // `protocol` has them
         if (form == TableForm::Tps || form == TableForm::Nts)
             removeRepeats(sets, notes);
+        if (const std::string differ = differentCounts(sets); !differ.empty()) {
+            if (form != TableForm::Long) // it has the number of each curve
+                throw Failure{0, differ, LandmarkFileError::Code::CannotHold};
+            notes.add(LandmarkNote::Kind::CurveCountsDiffer, 1, differ);
+        }
         align(sets, names, notes);
         const bool keepsCurves = form == TableForm::Long || (form == TableForm::Tps && haveSameCurves(sets));
         const std::vector<LandmarkSet> withCurves = sets;
@@ -332,6 +369,14 @@ geometry::Result<WrittenTable, LandmarkFileError> specimenTable(std::span<const 
     } catch (const Failure &failure) {
         return LandmarkFileError{failure.code, {}, failure.line, failure.text};
     }
+}
+
+LandmarkSet inOrderOf(LandmarkSet specimen, std::span<const Landmark> names)
+{
+    Notes unused;
+    std::vector<LandmarkSet> sets{std::move(specimen)};
+    align(sets, names, unused);
+    return std::move(sets.front());
 }
 
 geometry::Result<WrittenTable, LandmarkFileError> convertedText(std::vector<LandmarkSet> sets, Format to,

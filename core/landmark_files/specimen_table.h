@@ -50,19 +50,24 @@ struct WrittenTable {
 /// A table of several specimens. Landmarks belong together by name, see distinctNames: each specimen
 /// has the landmarks of all, in the order of first appearance, with NA (in NTSYS a number) for
 /// coordinates that it lacks. So do curves. Where the curves differ, TPS has semilandmarks as
-/// landmarks.
+/// landmarks. A curve has the same number of semilandmarks on all specimens, except in Long.
 ///
 /// If a specimen was placed several times, the tables have a column "placing". TPS and NTSYS have its
 /// first placing only.
 /// The columns of a protocol are "NAME" and "NAME_error", and "measures_note" with the reasons for
 /// NA; TPS and NTSYS have none.
 /// @param names  landmarks whose names come first; may be empty
-/// @return CannotHold, as landmarksText; specimens of several units, except in Long; a measure with
-///         the name of another column
+/// @return CannotHold, as landmarksText; specimens of several units, or curves with several numbers of
+///         semilandmarks, except in Long; a measure with the name of another column
 geometry::Result<WrittenTable, LandmarkFileError> specimenTable(std::span<const landmarks::LandmarkSet> specimens,
                                                                 TableForm form, const ProtocolColumns &protocol = {},
                                                                 std::span<const landmarks::Landmark> names = {},
                                                                 text::CellTexts texts = text::CellTexts::AsTheyAre);
+
+/// A specimen with the landmarks of a list first, in its order, as in a table of specimens. Those
+/// that it lacks have no position.
+/// @param names  the list; only names count
+landmarks::LandmarkSet inOrderOf(landmarks::LandmarkSet specimen, std::span<const landmarks::Landmark> names);
 
 /// The text of a file in a format, for landmarks that come from another file. In TPS and NTSYS,
 /// named landmarks of several specimens belong together by name, see specimenTable; else as

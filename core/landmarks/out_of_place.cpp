@@ -236,13 +236,6 @@ std::vector<Usual> usualOf(const Reference &reference, std::size_t specimens, co
     return usual;
 }
 
-Configuration withPairsSwapped(Configuration points, std::span<const Pair> pairs)
-{
-    for (const Pair &pair : pairs)
-        std::swap(points[pair.left], points[pair.right]);
-    return points;
-}
-
 /// How a specimen fits the others.
 struct Fit {
     std::optional<Similarity> meanFromSpecimen;
@@ -250,6 +243,9 @@ struct Fit {
     std::size_t offCount = 0;
     double unusual = 1.0;   ///< factor of its spreads: 1.126 times the median of its distances, at least 1
     Configuration expected; ///< where its landmarks should be, in the mean's space
+    /// The sum of log(1 + r^2) over all landmarks, r spreads off: Cauchy's log likelihood. A landmark far off
+    /// counts little more than one off, wherever it is.
+    double mismatch = std::numeric_limits<double>::infinity();
 };
 
 /// Takes the landmark farthest off from the fit, fits again, and so on until none is out of place.
@@ -273,12 +269,14 @@ Fit fitWithout(Fit fit, const Configuration &specimen, const Configuration &plac
         const Offsets rests = judgement.variation.rests(offsets, fit.isOff);
         // A specimen that differs from the others as a whole has larger spreads.
         std::vector<double> all;
+        fit.mismatch = 0.0;
         fit.expected.assign(places.size(), std::nullopt);
         for (std::size_t j = 0; j < places.size(); ++j) {
             if (!offsets[j])
                 continue;
             spreads[j] = glm::length(*rests[j]) / judgement.spreads[j];
             all.push_back(spreads[j]);
+            fit.mismatch += std::log1p(spreads[j] * spreads[j]);
             fit.expected[j] = *places[j] + *offsets[j] - *rests[j];
         }
         fit.unusual = std::max(1.0, kSpreadPerMedian * medianOf(std::move(all)));
@@ -326,6 +324,104 @@ Fit fitAlone(const Configuration &specimen, const Usual &usual)
     return fit;
 }
 
+/// A specimen with the left and right landmarks of some pairs exchanged, and how it fits then.
+struct Exchange {
+    std::vector<bool> isExchanged; ///< for each pair
+    Configuration specimen;
+    Fit fit;
+    double cost = std::numeric_limits<double>::infinity(); ///< its mismatch, and what its exchanges cost
+};
+
+/// Finds the pairs of left and right landmarks to exchange, so that a specimen fits the others. A pair at
+/// the outside turns the whole specimen, so each pair is tried with an alignment of its own. The search starts
+/// with none and with all, and exchanges the pair that lessens the cost most, until none does. Every exchange
+/// has its price. All at once are one mistake, but they have to explain more than a pair: they cost like two.
+class ExchangeSearch {
+public:
+    /// @param pairs  those that the specimen and the others have
+    ExchangeSearch(const Configuration &specimen, const Usual &usual, std::span<const Pair> pairs)
+        : m_specimen(specimen), m_usual(usual), m_pairs(pairs)
+    {
+    }
+
+    void run()
+    {
+        const Exchange none = exchanged(std::vector<bool>(m_pairs.size(), false));
+        m_best = none;
+        // An exchange puts two landmarks out of place, or turns the whole specimen, which makes it unusual.
+        constexpr double kUsual = 1.2;
+        if (m_pairs.empty() || (none.fit.offCount == 0 && none.fit.unusual < kUsual))
+            return;
+        descend(none);
+        if (m_pairs.size() < 2)
+            return;
+        const Exchange all = exchanged(std::vector<bool>(m_pairs.size(), true));
+        take(all);
+        if (all.fit.mismatch < none.fit.mismatch)
+            descend(all);
+    }
+    Exchange &best() { return m_best; }
+    /// Whether the data cannot tell which pairs are exchanged: other ones explain the specimen nearly as well.
+    bool isUndecided() const { return isAny(m_best.isExchanged) && m_next - m_best.cost < kDecided; }
+
+private:
+    static constexpr double kPrice = 3.0;   ///< of a pair; in log likelihood
+    static constexpr double kDecided = 1.5; ///< in log likelihood
+
+    static bool isAny(const std::vector<bool> &flags)
+    {
+        return std::find(flags.begin(), flags.end(), true) != flags.end();
+    }
+
+    Exchange exchanged(std::vector<bool> isExchanged)
+    {
+        Exchange exchange{std::move(isExchanged), m_specimen, {}, {}};
+        double count = 0.0;
+        for (std::size_t i = 0; i < m_pairs.size(); ++i) {
+            if (exchange.isExchanged[i]) {
+                std::swap(exchange.specimen[m_pairs[i].left], exchange.specimen[m_pairs[i].right]);
+                count += 1.0;
+            }
+        }
+        exchange.fit = fitAlone(exchange.specimen, m_usual);
+        if (count == static_cast<double>(m_pairs.size()))
+            count = std::min(count, 2.0);
+        exchange.cost = exchange.fit.mismatch + kPrice * count;
+        return exchange;
+    }
+    void take(const Exchange &exchange)
+    {
+        if (exchange.isExchanged == m_best.isExchanged)
+            return;
+        m_next = std::min(m_next, std::max(exchange.cost, m_best.cost));
+        if (exchange.cost < m_best.cost)
+            m_best = exchange;
+    }
+    void descend(Exchange here)
+    {
+        for (bool isBetter = true; isBetter;) {
+            isBetter = false;
+            const std::vector<bool> from = here.isExchanged;
+            for (std::size_t i = 0; i < m_pairs.size(); ++i) {
+                std::vector<bool> flipped = from;
+                flipped[i] = !flipped[i];
+                Exchange other = exchanged(std::move(flipped));
+                take(other);
+                if (other.cost < here.cost) {
+                    here = std::move(other);
+                    isBetter = true;
+                }
+            }
+        }
+    }
+
+    const Configuration &m_specimen;
+    const Usual &m_usual;
+    std::span<const Pair> m_pairs;
+    Exchange m_best;
+    double m_next = std::numeric_limits<double>::infinity(); ///< the least cost of other exchanges than the best
+};
+
 } // namespace
 
 Deviations deviationsOf(std::span<const Configuration> specimens, std::span<const Pair> pairs)
@@ -359,6 +455,7 @@ Deviations deviationsOf(std::span<const Configuration> specimens, std::span<cons
     }
     const std::vector<Configuration> usable = reference;
     std::vector<bool> isSwapped(all.size(), false); // all left and right landmarks
+    std::vector<bool> isUndecided(all.size(), false);
     std::vector<Fit> fits(all.size());
     std::vector<std::vector<bool>> wasOff(all.size(), std::vector<bool>(landmarks, false)); // in the round before
     std::vector<Configuration> aligned(all.size(), Configuration(landmarks));
@@ -373,16 +470,20 @@ Deviations deviationsOf(std::span<const Configuration> specimens, std::span<cons
         usual = usualOf(others, all.size(), shares, isFirst);
         std::vector<Configuration> next = usable;
         for (std::size_t k = 0; k < all.size(); ++k) {
-            Fit fit = fitAlone(usable[k], usual[k]);
-            if (!pairs.empty()) {
-                Configuration exchanged = withPairsSwapped(usable[k], pairs);
-                Fit swapped = fitAlone(exchanged, usual[k]);
-                isSwapped[k] = swapped.meanFromSpecimen && 2.0 * swapped.unusual < fit.unusual;
-                if (isSwapped[k]) {
-                    fit = std::move(swapped);
-                    next[k] = std::move(exchanged);
-                }
+            std::vector<Pair> present;
+            for (const Pair &pair : pairs) {
+                const auto isJudged = [&](std::size_t j) { return usable[k][j] && usual[k].places[j]; };
+                if (isJudged(pair.left) && isJudged(pair.right))
+                    present.push_back(pair);
             }
+            ExchangeSearch search(usable[k], usual[k], present);
+            search.run();
+            const std::vector<bool> &flags = search.best().isExchanged;
+            isUndecided[k] = search.isUndecided();
+            isSwapped[k] =
+                !isUndecided[k] && flags.size() > 1 && std::find(flags.begin(), flags.end(), false) == flags.end();
+            Fit fit = std::move(search.best().fit);
+            next[k] = std::move(search.best().specimen);
             if (fit.meanFromSpecimen)
                 fit = fitWithout(std::move(fit), next[k], usual[k].places, usual[k].together);
             aligned[k] = fit.meanFromSpecimen ? fit.meanFromSpecimen->mapped(usable[k]) : Configuration(landmarks);
@@ -406,6 +507,8 @@ Deviations deviationsOf(std::span<const Configuration> specimens, std::span<cons
             result.notAligned.push_back(k);
         if (isSwapped[k])
             result.swappedSpecimens.push_back(k);
+        if (isUndecided[k])
+            result.undecidedSpecimens.push_back(k);
         std::vector<std::size_t> position(landmarks, 0);
         const auto isJudged = [&](std::size_t j) { return fit.meanFromSpecimen && aligned[k][j] && fit.expected[j]; };
         const auto spread = [&](std::size_t j) { return fit.unusual * usual[k].together.spreads[j]; };
@@ -430,6 +533,8 @@ Deviations deviationsOf(std::span<const Configuration> specimens, std::span<cons
                 if (std::min(one.spreads(), other.spreads()) > kSwapBefore && spreadsOff(a, b) < kSwapAfter
                     && spreadsOff(b, a) < kSwapAfter) {
                     one.isOutOfPlace = other.isOutOfPlace = true;
+                    if (isUndecided[k])
+                        continue;
                     one.swappedWith = b;
                     other.swappedWith = a;
                 }

@@ -27,6 +27,8 @@ struct Deviations {
     std::vector<std::size_t> notAligned; ///< specimens with too few landmarks that the others have, ascending
     std::vector<std::size_t> tooRare;    ///< landmarks placed on some specimens, but on fewer than kFewestSpecimens
     std::vector<std::size_t> swappedSpecimens; ///< specimens with all left and right landmarks exchanged
+    /// Specimens with some left and right landmarks exchanged; the others do not tell which ones.
+    std::vector<std::size_t> undecidedSpecimens;
 };
 
 inline constexpr std::size_t kFewestSpecimens = 3; ///< a landmark is judged if so many have it
@@ -62,8 +64,12 @@ inline constexpr double kSpreadsOutOfPlace = 2.8;
 /// place is taken. It goes on with the predictions.
 ///
 /// Two landmarks are swapped if both are 2 spreads off, and each is within 2.8 spreads of the
-/// other's position. All left and right landmarks of a specimen are swapped if swapping them back
-/// more than halves the median of its distances in spreads.
+/// other's position.
+///
+/// Left and right landmarks have another alignment for each set of pairs that may be swapped. The set
+/// with the least sum of log(1 + r^2) of all landmarks, r spreads off, plus 3 for each pair counts; all
+/// pairs at once cost 6. If another set is within 1.5 of it, the data cannot tell: the landmarks are out
+/// of place, and none is called swapped.
 ///
 /// @param pairs  left and right landmarks
 Deviations deviationsOf(std::span<const Configuration> specimens, std::span<const Pair> pairs = {});

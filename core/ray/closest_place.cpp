@@ -105,20 +105,22 @@ std::optional<ClosestPlace> ClosestPlaces::to(const ObjectPoint &point) const
     if (!isFinite(point))
         return std::nullopt;
     const glm::dvec3 unit = (point.coordinates() - m_space.center()) * m_space.scale();
-    // The margin of the boxes exceeds this rounding; far away, rounding is a share of the distance.
-    constexpr double kRounding = 0x1p-22;
+    // The margin of the boxes exceeds the rounding nearby; far away, rounding is a share of the distance. Measures
+    // count from a distance that all boxes exceed: seen from far away, they would be the same in single precision.
+    constexpr double kRounding = 0x1p-48, kReach = 2.0; // kReach: more than the boxes', sqrt(3)
+    const double before = std::max(glm::length(unit) - kReach, 0.0);
     const auto entry = [&](const glm::vec3 &lowest, const glm::vec3 &highest) {
         const glm::dvec3 off =
             glm::max(glm::max(glm::dvec3(lowest) - unit, unit - glm::dvec3(highest)), glm::dvec3(0.0));
-        const double distance =
-            std::min(glm::length(off) * (1.0 - kRounding), double(std::numeric_limits<float>::max()) / 2);
-        return std::nextafter(static_cast<float>(distance), 0.0f);
+        const double distance = glm::length(off) * (1.0 - kRounding) - before;
+        // Beyond the largest double, all boxes are tested.
+        return std::isfinite(distance) ? std::nextafter(static_cast<float>(distance), -1e38f) : 0.0f;
     };
     double least = std::numeric_limits<double>::infinity();
     std::uint32_t closest = std::numeric_limits<std::uint32_t>::max();
     glm::dvec3 barycentric(0.0);
     const auto limit = [&] {
-        const double distance = least * m_space.scale() * (1.0 + kRounding);
+        const double distance = least * m_space.scale() * (1.0 + kRounding) - before;
         return distance < double(std::numeric_limits<float>::max()) / 2
                    ? std::nextafter(static_cast<float>(distance), 1e38f)
                    : std::numeric_limits<float>::max();

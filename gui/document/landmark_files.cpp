@@ -4,6 +4,7 @@
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmark_files/measures_file.h"
 #include "core/landmark_files/sliders.h"
+#include "core/landmark_files/specimen_table.h"
 #include "core/scene_file/scene_file.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/landmark_joining.h"
@@ -341,7 +342,7 @@ bool LandmarkFiles::importFrom(const std::filesystem::path &file)
     return true;
 }
 
-bool LandmarkFiles::exportTo(const std::filesystem::path &file)
+bool LandmarkFiles::exportTo(const std::filesystem::path &file, std::span<const landmarks::Landmark> names)
 {
     geometry::Result<landmarks::LandmarkSet, QString> known = m_document.curves().withSemilandmarks();
     if (!known) {
@@ -350,6 +351,8 @@ bool LandmarkFiles::exportTo(const std::filesystem::path &file)
     }
     landmarks::LandmarkSet set = std::move(known).value();
     const std::optional<Format> format = formatOf(file);
+    if (!names.empty() && (format == Format::Tps || format == Format::Nts)) // their rows have no names
+        set = inOrderOf(std::move(set), names);
     const auto model = std::find_if(m_document.objects().begin(), m_document.objects().end(),
                                     [](const SceneObject &object) { return !object.file.empty(); });
     if (model != m_document.objects().end()) {

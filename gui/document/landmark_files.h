@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace unprojector::gui {
@@ -66,8 +67,10 @@ public:
     /// format without curves become curves again.
     /// @return whether its landmarks are in the scene
     bool importFrom(const std::filesystem::path &file);
+    /// @param names  of a series, in order. TPS and NTSYS have no names of points: there, the file has a point of
+    ///               each name in this order, as a table of the series
     /// @return whether it is written; false if the user gives up waiting for the curves
-    bool exportTo(const std::filesystem::path &file);
+    bool exportTo(const std::filesystem::path &file, std::span<const landmarks::Landmark> names = {});
 
 signals:
     /// Emitted when a file could not be read or written, with the reason.

@@ -284,7 +284,7 @@ void SceneCurves::refresh()
             std::find_if(before.begin(), before.end(), [&](const Known &other) { return other.name == curve.name; });
         m_known.push_back(known(curve.name, requestOf(curve), former != before.end() ? &*former : nullptr));
     }
-    const std::vector<std::size_t> &selection = m_document.sceneLandmarks().selection();
+    const std::vector<std::size_t> &selection = m_document.sceneLandmarks().selectionInOrder();
     const std::unique_ptr<Known> formerSelected = std::move(m_selected);
     if (selection.size() >= 2) {
         Request request;

@@ -70,8 +70,8 @@ public:
     const std::vector<landmarks::Curve> &all() const;
     /// @pre curve < all().size()
     const Line &line(std::size_t curve) const;
-    /// The geodesic through the selected landmarks, in list order; null if fewer than two are
-    /// selected.
+    /// The geodesic through the selected landmarks, in the order of their selection; null if fewer
+    /// than two are selected.
     const Line *throughSelected() const;
     bool isComputing() const { return m_background.isRunning(); }
     /// The number of curves to compute, how many of them are done, and the share done of all.

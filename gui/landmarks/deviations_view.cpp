@@ -125,11 +125,16 @@ void DeviationsView::showResult(Deviations deviations, const SeriesShapes &shape
 
 QString DeviationsView::summaryOf(const Deviations &deviations, const SeriesShapes &shapes) const
 {
-    QStringList notAligned, tooRare;
-    for (const std::size_t scan : deviations.notAligned) {
-        if (scan < m_series.scans().size())
-            notAligned << pathText(m_series.scans()[scan].file.filename());
-    }
+    const auto namesOf = [this](const std::vector<std::size_t> &scans) {
+        QStringList names;
+        for (const std::size_t scan : scans) {
+            if (scan < m_series.scans().size())
+                names << pathText(m_series.scans()[scan].file.filename());
+        }
+        return names;
+    };
+    const QStringList notAligned = namesOf(deviations.notAligned), undecided = namesOf(deviations.undecidedSpecimens);
+    QStringList tooRare;
     for (const std::size_t landmark : deviations.tooRare)
         tooRare << shapes.names.value(static_cast<qsizetype>(landmark));
     std::vector<std::size_t> compared;
@@ -149,6 +154,11 @@ QString DeviationsView::summaryOf(const Deviations &deviations, const SeriesShap
                          .arg(scanCount)
                          .arg(shortestText(kSpreadsOutOfPlace))
                          .arg(off);
+    if (!undecided.isEmpty())
+        sentences
+            << tr("Left and right seem to be swapped on %1; %2 scans cannot tell for which pairs. Look at the scan.")
+                   .arg(undecided.join(QStringLiteral(", ")))
+                   .arg(scanCount);
     if (!notAligned.isEmpty())
         sentences << tr("Not compared, with fewer than %1 landmarks that others have: %2.")
                          .arg(kFewestToAlign)

@@ -209,7 +209,7 @@ void LandmarksFeature::exportLandmarks()
         askSaveName(m_window, tr("Export Landmarks"), LandmarkFiles::exportFilters().split(QStringLiteral(";;")),
                     pathText(m_window.session().proposedName().stem()), FileKind::Landmarks);
     if (!named.file.empty() && m_window.mayExportTo(named.file))
-        m_files->exportTo(named.file);
+        m_files->exportTo(named.file, m_series->shownNames());
 }
 
 void LandmarksFeature::addFileActions(QMenu &menu)

@@ -9,6 +9,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include <algorithm>
 #include <functional>
 #include <numeric>
 
@@ -24,6 +25,8 @@ using landmarks::Measured;
 struct Measures {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::Measures)
 };
+
+const QString kBetweenNames = QStringLiteral(" – ");
 
 QString nameOf(const LandmarkSet &set, std::size_t index)
 {
@@ -43,7 +46,7 @@ QString namesOf(const LandmarkSet &set, const std::vector<std::size_t> &indices)
         }
         names << nameOf(set, indices[i]);
     }
-    return names.join(QStringLiteral(" – "));
+    return names.join(kBetweenNames);
 }
 
 /// Why a measure of these landmarks does not exist.
@@ -75,6 +78,26 @@ MeasureRow angleRow(const QString &points, const Measured &measured, const Landm
 }
 
 } // namespace
+
+QString namesFitted(const QString &names, const QFontMetrics &metrics, int width)
+{
+    QStringList parts = names.split(kBetweenNames);
+    const auto lengthOf = [&metrics](const QString &text) { return metrics.horizontalAdvance(text); };
+    if (parts.size() < 2 || lengthOf(names) <= width)
+        return names;
+    // Each name may take the same width; a shorter one leaves room to those that need more.
+    QStringList byLength = parts;
+    std::sort(byLength.begin(), byLength.end(),
+              [&](const QString &a, const QString &b) { return lengthOf(a) < lengthOf(b); });
+    int room = width - static_cast<int>(parts.size() - 1) * lengthOf(kBetweenNames), share = 0;
+    for (qsizetype i = 0; i < byLength.size(); ++i) {
+        share = room / static_cast<int>(byLength.size() - i);
+        room -= std::min(lengthOf(byLength[i]), share);
+    }
+    for (QString &part : parts)
+        part = metrics.elidedText(part, Qt::ElideMiddle, share);
+    return parts.join(kBetweenNames);
+}
 
 std::vector<MeasureRow> measuresOf(const LandmarkSet &set, const std::vector<std::size_t> &indices)
 {

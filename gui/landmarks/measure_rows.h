@@ -3,6 +3,7 @@
 #include "core/landmarks/landmark.h"
 #include "gui/document/scene_curves.h"
 
+#include <QFontMetrics>
 #include <QString>
 
 #include <cstddef>
@@ -24,10 +25,14 @@ struct MeasureRow {
     bool isComputing = false;
 };
 
-/// The measures of some landmarks, in list order: the distance of two; the angles of three and
-/// their distances; the height of the fourth over the plane of the first three; the length along
-/// all of them.
-/// @param indices  of the landmarks, ascending
+/// The names of a row, shortened so that each keeps a part: else the row would not show their order.
+/// @param width  logical pixels
+QString namesFitted(const QString &names, const QFontMetrics &metrics, int width);
+
+/// The measures of some landmarks, in the order of their selection: the distance of two; the angles
+/// of three and their distances; the height of the fourth over the plane of the first three; the
+/// length along all of them.
+/// @param indices  of the landmarks, in that order
 std::vector<MeasureRow> measuresOf(const landmarks::LandmarkSet &set, const std::vector<std::size_t> &indices);
 
 /// The length along the surface through these landmarks.

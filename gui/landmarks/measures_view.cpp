@@ -14,12 +14,15 @@
 #include "gui/widgets/save_name.h"
 #include "gui/widgets/segmented_switch.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
 #include <QSignalBlocker>
+#include <QStyle>
+#include <QStyledItemDelegate>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -27,6 +30,26 @@
 #include <algorithm>
 
 namespace unprojector::gui {
+
+namespace {
+
+/// Shortens each name of a row instead of the row: its order stays visible.
+class NamesDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        const QStyle &style = option->widget ? *option->widget->style() : *QApplication::style();
+        const int margin = style.pixelMetric(QStyle::PM_FocusFrameHMargin, option, option->widget) + 1;
+        if (const int width = option->rect.width() - 2 * margin; width > 0) // else the wanted size is asked for
+            option->text = namesFitted(option->text, option->fontMetrics, width);
+    }
+};
+
+} // namespace
 
 MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
     : QWidget(parent), m_document(document),
@@ -45,6 +68,7 @@ MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
     m_rows->setUniformRowHeights(true);
     m_rows->setHeaderLabels({tr("Measure"), tr("Landmarks"), tr("Value")});
     m_rows->setTextElideMode(Qt::ElideMiddle);
+    m_rows->setItemDelegateForColumn(1, new NamesDelegate(m_rows));
     m_rows->setSelectionMode(QAbstractItemView::SingleSelection);
     m_rows->setToolTip(tr("Select a measure to show it in the view; select it again to hide it"));
     connect(m_rows, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem *item) {
@@ -146,7 +170,7 @@ std::vector<MeasureRow> MeasuresView::rows() const
     const landmarks::LandmarkSet &set = m_document.scene().landmarks;
     if (m_what->choice() == OfSides)
         return sidesOf(set);
-    const std::vector<std::size_t> &selection = m_document.sceneLandmarks().selection();
+    const std::vector<std::size_t> &selection = m_document.sceneLandmarks().selectionInOrder();
     if (m_what->choice() == OfProtocol)
         return protocolRows(set, selection, m_document.curves().throughSelected());
     std::vector<MeasureRow> rows = measuresOf(set, selection);
@@ -388,11 +412,14 @@ void MeasuresView::selectLandmarksOf(std::size_t row)
 {
     if (row >= protocol().size())
         return;
-    std::vector<std::size_t> indices = indicesOf(protocol()[row], m_document.scene().landmarks);
-    std::sort(indices.begin(), indices.end());
-    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
-    if (!indices.empty())
-        m_document.sceneLandmarks().select(indices);
+    const std::vector<std::size_t> indices = indicesOf(protocol()[row], m_document.scene().landmarks);
+    SceneLandmarks &landmarks = m_document.sceneLandmarks();
+    for (std::size_t i = 0; i < indices.size(); ++i) { // one by one: the order counts
+        if (i == 0)
+            landmarks.selectOnly(indices[i]);
+        else if (!landmarks.isSelected(indices[i]))
+            landmarks.toggle(indices[i]);
+    }
 }
 
 } // namespace unprojector::gui

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 namespace unprojector::gui {
@@ -82,9 +83,10 @@ MeasureRow rowOf(const KeptMeasure &measure, const LandmarkSet &set, const std::
         }
         return row;
     }
-    // The path of the selection is in the list's order.
-    const QString later = std::is_sorted(indices.begin(), indices.end()) ? Texts::tr("click to compute")
-                                                                         : Texts::tr("computed at export");
+    // The selection has no landmark twice.
+    const QString later = std::set(indices.begin(), indices.end()).size() == indices.size()
+                              ? Texts::tr("click to compute")
+                              : Texts::tr("computed at export");
     const auto ofSelection =
         [&later](std::span<const landmarks::Landmark *const>) -> geometry::Result<landmarks::Measure, std::string> {
         return later.toStdString();

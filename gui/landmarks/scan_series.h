@@ -71,6 +71,11 @@ public:
     bool hasPrevious() const { return isOpen() && m_now.index() != std::size_t(0); }
     /// The names of all landmarks of all scans, in the order of first appearance.
     QStringList landmarkNames() const { return m_now.names.namesOn(m_now.scans); }
+    /// The names that the series places, in order, while a scan of it is shown; else none.
+    std::vector<landmarks::Landmark> shownNames() const
+    {
+        return m_now.shown ? m_now.names.with(m_now.shownScan()) : std::vector<landmarks::Landmark>();
+    }
     /// "9 of 10, 1 missing"
     QString progressText(const Scan &scan) const { return m_now.names.progressText(scan, m_now.lastShown()); }
 

@@ -5,6 +5,7 @@
 #include "core/landmarks/out_of_place.h"
 #include "tests/core/simulated_series.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -54,6 +55,34 @@ void measure(const char *name, const simulated::Kind &kind, std::uint64_t seed, 
                 1e3 * seconds / count);
 }
 
+/// The first scan of each series has left and right swapped on some pairs.
+void measureSides(const char *name, const simulated::FewLandmarks &kind, std::uint64_t seed, int count)
+{
+    int right = 0, open = 0, wrong = 0, missed = 0;
+    std::set<simulated::Place> swapped;
+    for (const Pair &pair : kind.swapped)
+        swapped.insert({{0, pair.left}, {0, pair.right}});
+    for (int i = 0; i < count; ++i) {
+        simulated::Random random(seed + static_cast<std::uint64_t>(i));
+        const Deviations deviations = deviationsOf(simulated::seriesOfFew(random, kind), simulated::kPairsOfFew);
+        std::set<simulated::Place> named;
+        for (const Deviation &one : deviations.worstFirst) {
+            if (one.swappedWith)
+                named.insert({one.specimen, one.landmark});
+        }
+        const bool isRight = named == swapped;
+        right += isRight ? 1 : 0;
+        open += !isRight && !deviations.undecidedSpecimens.empty() ? 1 : 0;
+        if (!isRight && deviations.undecidedSpecimens.empty())
+            ++(std::includes(swapped.begin(), swapped.end(), named.begin(), named.end()) ? missed : wrong);
+    }
+    const auto percent = [count](int part) { return 100.0 * part / count; };
+    std::printf(
+        "%zu scans, differing by %.1f, %-13s named %5.1f %%, cannot tell %5.1f %%, missed %5.1f %%, others named "
+        "%5.1f %%\n",
+        kind.scans, kind.deviation, name, percent(right), percent(open), percent(missed), percent(wrong));
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -74,5 +103,17 @@ int main(int argc, char **argv)
     row("12, a tenth missing", 12, 0.1, 2.0);
     row("12, little shape", 12, 0.0, 1.0);
     row("40 scans", 40, 0.0, 2.0);
+    for (const double deviation : {0.3, 0.6}) {
+        for (const std::size_t scans : {3, 4, 5, 8}) {
+            const auto sides = [&](const char *name, const std::vector<Pair> &swapped) {
+                measureSides(name, {scans, swapped, deviation}, seed, count);
+            };
+            sides("outer pair", {{4, 5}});
+            sides("mouth", {{8, 9}});
+            sides("inner pair", {{6, 7}});
+            sides("two pairs", {{4, 5}, {6, 7}});
+            sides("all pairs", {{4, 5}, {8, 9}, {6, 7}});
+        }
+    }
     return 0;
 }

@@ -166,4 +166,51 @@ inline Series series(Random &random, const Kind &kind)
     return result;
 }
 
+/// A series of a few landmarks, as an observer places them on faces: 4 in the middle, 3 pairs at
+/// different distances from it, the widest pair first.
+struct FewLandmarks {
+    std::size_t scans = 3;
+    std::vector<Pair> swapped; ///< on the first scan
+    double deviation = 0.3;    ///< of a coordinate, in units of a face of about 14; nearby landmarks move together
+};
+
+inline const std::vector<Pair> kPairsOfFew{{4, 5}, {8, 9}, {6, 7}};
+
+inline std::vector<Configuration> seriesOfFew(Random &random, const FewLandmarks &kind)
+{
+    const std::vector<glm::dvec3> base{{0.0, 10.0, 2.35}, {0.0, 6.0, 4.1},    {0.0, 4.6, 2.2},  {0.0, 0.0, 1.7},
+                                       {4.46, 9.8, -0.1}, {-4.46, 9.8, -0.1}, {2.25, 9.6, 0.0}, {-2.25, 9.6, 0.0},
+                                       {2.79, 2.6, 1.0},  {-2.79, 2.6, 1.0}};
+    constexpr double kReach = 4.0, kOwn = 0.1; // landmarks within the reach move together; each has a part of its own
+    const std::size_t count = base.size();
+    std::vector<std::vector<double>> root(count, std::vector<double>(count, 0.0)); // of the covariance, by Cholesky
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t j = 0; j <= i; ++j) {
+            const double share = glm::distance(base[i], base[j]) / kReach;
+            double sum = std::exp(-0.5 * share * share) + (i == j ? kOwn * kOwn : 0.0);
+            for (std::size_t k = 0; k < j; ++k)
+                sum -= root[i][k] * root[j][k];
+            root[i][j] = i == j ? std::sqrt(sum) : sum / root[j][j];
+        }
+    }
+    std::vector<Configuration> scans(kind.scans);
+    for (Configuration &scan : scans) {
+        std::vector<glm::dvec3> shifts;
+        for (std::size_t i = 0; i < count; ++i)
+            shifts.push_back(kind.deviation * random.vector());
+        const double scale = 1.0 + 0.05 * random.normal(), w = random.normal();
+        const glm::dvec3 xyz = random.vector(), shift = 20.0 * random.vector();
+        const glm::dmat3 turn = glm::mat3_cast(glm::normalize(glm::dquat(w, xyz.x, xyz.y, xyz.z)));
+        for (std::size_t i = 0; i < count; ++i) {
+            glm::dvec3 point = base[i];
+            for (std::size_t j = 0; j <= i; ++j)
+                point += root[i][j] * shifts[j];
+            scan.emplace_back(scale * (turn * point) + shift);
+        }
+    }
+    for (const Pair &pair : kind.swapped)
+        std::swap(scans.front()[pair.left], scans.front()[pair.right]);
+    return scans;
+}
+
 } // namespace simulated

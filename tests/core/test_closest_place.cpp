@@ -86,6 +86,7 @@ void TestClosestPlace::asCloseAsTestingAll_data()
     QTest::newRow("torus, about it") << ring << 1.0 << 1.5;
     QTest::newRow("torus, far away") << ring << 1.0 << 1e6;
     QTest::newRow("torus, very far away") << ring << 1.0 << 1e12;
+    QTest::newRow("torus, farther than doubles tell") << ring << 1.0 << 1e18;
     QTest::newRow("any triangles, some without an area") << any << 1.0 << 1.0;
     QTest::newRow("tiny") << scaled(torus(24), 1e-12f, glm::dvec3(0.0)) << 1e-12 << 1e-12;
     QTest::newRow("huge") << scaled(torus(24), 1e12f, glm::dvec3(0.0)) << 1e12 << 1e12;

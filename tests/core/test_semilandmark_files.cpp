@@ -116,6 +116,7 @@ private slots:
     void slidersOfAWideTableGoByItsColumns();
     void slidersOfDifferentSpecimensAreRefused();
     void slidersBesideATable();
+    void aTableHasOneNumberOfSemilandmarks();
     void endsThatAreLandmarksComeBackFromTables();
     void anEndElsewhereIsWritten();
     void aHundredSemilandmarksComeBackAsACurve();
@@ -195,8 +196,8 @@ void TestSemilandmarkFiles::slidersOfDifferentSpecimensAreRefused()
     const auto other = specimenTable(sets, TableForm::Wide).value().sliders;
     QVERIFY(!other);
     QCOMPARE(QString::fromStdString(errorText(other.error())),
-             QString("the curve \"ab\" of \"t\" goes through other points than that of another specimen, so there are "
-                     "no sliders for both"));
+             QString("\"ab:02\" lies between other points on \"t\" than on another specimen, so there are no sliders "
+                     "for both"));
     for (LandmarkSet &set : sets)
         set.curves.clear();
     const auto none = slidersOf(sets);
@@ -226,6 +227,29 @@ void TestSemilandmarkFiles::slidersBesideATable()
     const auto none = writeSlidersBeside(path("none.tps"), slidersOf({&set, 1}));
     QVERIFY(none && !*none);
     QVERIFY(!QFile::exists(folder.filePath("none.sliders.csv")));
+}
+
+void TestSemilandmarkFiles::aTableHasOneNumberOfSemilandmarks()
+{
+    std::vector<LandmarkSet> sets;
+    for (const char *name : {"r", "s", "t", "u", "v"})
+        sets.push_back(specimen(name, 20.0 * double(sets.size())));
+    sets[1].curves[0] = straight("ab", {"A", "B"}, glm::dvec3(20, 0, 0), glm::dvec3(28, 0, 0), 9);
+    const QString differ("the curve \"ab\" has different numbers of semilandmarks, so they are not at the same places: "
+                         "5 on \"r\", \"t\", \"u\" and 1 more; 9 on \"s\"; give it the same number on all specimens");
+    for (const TableForm form : {TableForm::Wide, TableForm::Tps, TableForm::Nts}) {
+        const auto table = specimenTable(sets, form);
+        QVERIFY(!table);
+        QCOMPARE(table.error().code, LandmarkFileError::Code::CannotHold);
+        QCOMPARE(QString::fromStdString(errorText(table.error())), differ);
+    }
+    QVERIFY(!convertedText(sets, Format::Tps, {}));
+    const auto rows = specimenTable(sets, TableForm::Long); // with curveCount in each row
+    QVERIFY(rows);
+    QVERIFY(std::any_of(rows->notes.begin(), rows->notes.end(),
+                        [&](const LandmarkNote &note) { return QString::fromStdString(noteText(note)) == differ; }));
+    sets[1].curves[0].semilandmarks.clear(); // not computed: NA
+    QVERIFY(specimenTable(sets, TableForm::Wide));
 }
 
 void TestSemilandmarkFiles::endsThatAreLandmarksComeBackFromTables()

@@ -114,6 +114,7 @@ private slots:
     void theChosenMeasureIsShown();
     void theMirrorPlaneIsShown();
     void joinTakesTheOrderOfTheSelection();
+    void measuresTakeTheOrderOfTheSelection();
 };
 
 void TestCurves::pointsAreJoinedAsOneStep()
@@ -558,6 +559,37 @@ void TestCurves::joinTakesTheOrderOfTheSelection()
     QCOMPARE(document->curves().all().size(), std::size_t(1));
     const std::vector<std::string> order{landmarks.all()[2].name, landmarks.all()[0].name, landmarks.all()[1].name};
     QVERIFY(document->curves().all()[0].points == order);
+}
+
+void TestCurves::measuresTakeTheOrderOfTheSelection()
+{
+    const auto document = cubeDocument();
+    MeasuresView view(*document);
+    SceneLandmarks &landmarks = document->sceneLandmarks();
+    landmarks.selectOnly(1);
+    landmarks.toggle(0);
+    landmarks.toggle(2);
+    // From the front over the edge to the top; from there over the other edge, two wide and half as deep.
+    const double straight = std::hypot(0.75, 0.5) + std::hypot(1.0, 1.0, 0.5), along = 1.25 + std::hypot(2.0, 0.5);
+    const auto valueOf = [&view](const QString &row) {
+        for (const QString &line : view.csv().split(u'\n')) {
+            if (line.startsWith(row))
+                return line.mid(row.size()).section(u',', 0, 0).toDouble();
+        }
+        return std::nan("");
+    };
+    QVERIFY(std::abs(valueOf("Length along,front – top – right,") - straight) < 1e-6);
+    QVERIFY(std::abs(valueOf("Along the surface,front – top – right,") - along) < 1e-6);
+    // A kept measure selects its landmarks in its own order.
+    landmarks::LandmarkSet set = document->scene().landmarks;
+    set.measures = {{"way", landmarks::MeasureKind::Surface, {"right", "front", "top"}}};
+    QVERIFY(editLandmarkSet(*document, set, {"keep"}));
+    view.findChild<SegmentedSwitch *>()->setChoice(2);
+    auto *rows = view.findChild<QTreeWidget *>();
+    QCOMPARE(rows->topLevelItem(0)->text(2), "click to compute");
+    emit rows->itemClicked(rows->topLevelItem(0), 0);
+    QVERIFY(landmarks.selectionInOrder() == (std::vector<std::size_t>{2, 1, 0}));
+    QVERIFY(std::abs(valueOf("way,along the surface: right – front – top,") - 1.25 - std::hypot(2.0, 0.25)) < 1e-6);
 }
 
 QTEST_MAIN(TestCurves)

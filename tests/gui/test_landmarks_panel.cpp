@@ -96,6 +96,7 @@ private slots:
     void aTemplatesPictureIsShown();
     void measuresOfWhatIsSelected_data();
     void measuresOfWhatIsSelected();
+    void aRowShowsTheOrderOfItsNames();
     void leftAndRight();
     void theUnitIsTheScenes();
     void noRowOfTheMeasuresIsCut();
@@ -935,6 +936,21 @@ void TestLandmarksPanel::measuresOfWhatIsSelected()
     // The length along the surface comes as well: SceneCurves knows it.
     QCOMPARE(named<QTreeWidget>(QStringLiteral("Measures"))->topLevelItemCount(),
              rows.size() + (places.size() >= 2 ? 1 : 0));
+}
+
+void TestLandmarksPanel::aRowShowsTheOrderOfItsNames()
+{
+    const QString names = QStringLiteral("exocanthion left – nasion – exocanthion right");
+    const QFontMetrics metrics{QFont()};
+    const int whole = metrics.horizontalAdvance(names);
+    QCOMPARE(namesFitted(names, metrics, whole), names);
+    const QString fitted = namesFitted(names, metrics, whole * 3 / 5);
+    QVERIFY(metrics.horizontalAdvance(fitted) <= whole * 3 / 5);
+    const QStringList parts = fitted.split(QStringLiteral(" – "));
+    QCOMPARE(parts.size(), 3);
+    QCOMPARE(parts[1], QStringLiteral("nasion"));
+    QVERIFY2(parts[0].startsWith(u'e') && parts[0].endsWith(u't') && parts[0].size() > 5, qPrintable(fitted));
+    QVERIFY2(parts[2].startsWith(u'e') && parts[2].endsWith(u't') && parts[2].size() > 5, qPrintable(fitted));
 }
 
 void TestLandmarksPanel::leftAndRight()

@@ -1,6 +1,7 @@
 // The tables that are written for a series of scans.
 
 #include "core/landmark_files/landmark_file.h"
+#include "gui/document/landmark_files.h"
 #include "gui/document/scene_edits.h"
 #include "gui/landmarks/landmark_templates.h"
 #include "landmark_desk.h"
@@ -43,6 +44,17 @@ void TestScanTables::tablesOfASeries()
     QVERIFY(m_series->exportTable(file(QStringLiteral("all.tps")), ScanSeries::Table::Tps));
     QCOMPARE(read(QStringLiteral("all.tps")),
              QByteArray("LM3=2\n1 2 0\n3 4 0\nID=other\n\nLM3=2\nNA NA NA\n5 6 0\nID=square\n\n"));
+    // A single scan has the order of the series too, where the file has no names.
+    LandmarkFiles files(*m_document, nullptr);
+    QCOMPARE(m_document->landmarks()[0].name, std::string("a"));
+    QVERIFY(files.exportTo(file(QStringLiteral("one.tps")), m_series->shownNames()));
+    QVERIFY2(read(QStringLiteral("one.tps")).startsWith("LM3=2\nNA NA NA\n5 6 0\n"),
+             read(QStringLiteral("one.tps")).constData());
+    QVERIFY(files.exportTo(file(QStringLiteral("one.nts")), m_series->shownNames()));
+    QVERIFY2(read(QStringLiteral("one.nts")).endsWith("\n9999 9999 9999 5 6 0\n"),
+             read(QStringLiteral("one.nts")).constData());
+    QVERIFY(files.exportTo(file(QStringLiteral("one.csv")), m_series->shownNames()));
+    QVERIFY2(read(QStringLiteral("one.csv")).contains("\na,5,6,0"), read(QStringLiteral("one.csv")).constData());
     QVERIFY(m_series->exportTable(file(QStringLiteral("all.nts")), ScanSeries::Table::Nts));
     QVERIFY(m_series->exportTable(file(QStringLiteral("long.csv")), ScanSeries::Table::Long));
     QVERIFY(read(QStringLiteral("long.csv")).startsWith("specimen,name,x,y,z"));

@@ -4,6 +4,7 @@
 #include "core/cli/commands/landmark_tables.h"
 #include "core/cli/commands/opened_scene.h"
 #include "core/cli/rows/byte_stream.h"
+#include "core/cli/terminal/progress_bar.h"
 #include "core/curves/curve_line.h"
 #include "core/curves/surface_mesh.h"
 #include "core/files/path_text.h"
@@ -62,10 +63,12 @@ public:
         return Tying(mesh, utf8FromPath(file.filename()), ray::ClosestPlaces::build(*model, {}));
     }
 
-    void tie(LandmarkSet &set)
+    /// @param progress  counts landmarks
+    void tie(LandmarkSet &set, ProgressBar &progress)
     {
         set.mesh = m_target.name;
         for (std::size_t i = 0; i < set.landmarks.size(); ++i) {
+            progress.advance(1);
             Landmark &landmark = set.landmarks[i];
             const std::optional<ray::Tied> tied = ray::tieToMesh(landmark, {&m_target, 1});
             if (!tied) {
@@ -170,8 +173,12 @@ ExitCode convert(const LandmarksOptions &options)
             inputs.push_back(std::move(file));
         if (isOverInput(options.output, inputs))
             return ExitCode::UnusableInput;
+        std::size_t count = 0;
+        for (const LandmarkSet &set : read->sets)
+            count += set.landmarks.size();
+        ProgressBar progress(count, ProgressBar::Unit::Points);
         for (LandmarkSet &set : read->sets) {
-            tying->tie(set);
+            tying->tie(set, progress);
             tying->lead(set);
         }
         tying->tellFarthest();
