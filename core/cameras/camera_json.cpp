@@ -2,6 +2,7 @@
 
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/strict_json.h"
+#include "core/text/json_number.h"
 
 #include <nlohmann/json.hpp>
 
@@ -15,10 +16,19 @@ namespace {
 constexpr std::size_t kMostBytes = std::size_t{64} << 20;
 constexpr std::size_t kMostNumbers = std::size_t{1} << 20;
 
+/// The value of a finite number.
+std::optional<double> finiteNumber(const Json &json)
+{
+    if (!text::isJsonNumber(json))
+        return std::nullopt;
+    const double value = text::valueOfJsonNumber(json);
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
 bool addNumbers(const Json &value, std::vector<double> &numbers)
 {
-    if (value.is_number() && std::isfinite(value.get<double>()) && numbers.size() < kMostNumbers) {
-        numbers.push_back(value.get<double>());
+    if (const auto number = finiteNumber(value); number && numbers.size() < kMostNumbers) {
+        numbers.push_back(*number);
         return true;
     }
     if (!value.is_array())
@@ -85,9 +95,7 @@ const Json *memberOf(const Json &object, std::string_view key)
 std::optional<double> numberOf(const Json &object, std::string_view key)
 {
     const Json *member = memberOf(object, key);
-    if (member == nullptr || !member->is_number() || !std::isfinite(member->get<double>()))
-        return std::nullopt;
-    return member->get<double>();
+    return member == nullptr ? std::nullopt : finiteNumber(*member);
 }
 
 } // namespace unprojector::cameras

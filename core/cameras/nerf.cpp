@@ -1,6 +1,7 @@
 #include "core/cameras/camera_json.h"
 #include "core/cameras/camera_reader.h"
 #include "core/cameras/reader_parts.h"
+#include "core/scene_file/json_text.h"
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
 
@@ -114,7 +115,8 @@ private:
         for (const char *key : {"w", "h"}) {
             const Json *own = memberOf(*m_frame, key), *side = own ? own : memberOf(m_file, key);
             if (side && !m_choices.size && !sizeOf(numberOf(Json{{key, *side}}, key), 1.0))
-                return fault(key, tr("%1 is %2; it must be a whole number from 1 to 1000000", key, side->dump()));
+                return fault(key, tr("%1 is %2; it must be a whole number from 1 to 1000000", key,
+                                     scene_file::compactJson(*side)));
         }
         return std::nullopt;
     }

@@ -37,6 +37,7 @@ std::string leftOutText(const PixelCounts &counts, const std::optional<ClipDista
         if (const std::size_t count = counts[static_cast<std::size_t>(kind)]; count > 0)
             list += (list.empty() ? "" : ", ") + tr(pattern, count, text::shortestText(plane));
     };
+    add(PixelKind::NoData, text::marked("%1 with a number that means no measurement"));
     add(PixelKind::Zero, text::marked("%1 with 0"));
     add(PixelKind::NotANumber, text::marked("%1 with NaN"));
     add(PixelKind::Infinite, text::marked("%1 infinite"));
@@ -58,12 +59,19 @@ DepthValues::DepthValues(const Type &type, const DepthNumbers &numbers, const Se
       m_high(std::max(setup.depthRange.atNear, setup.depthRange.atFar)), m_lowest(m_low), m_highest(m_high),
       m_background(setup.depthRange.atFar)
 {
+    if (type.isSingle)
+        std::ranges::transform(m_numbers.noData, m_numbers.noData.begin(), asFloat);
     if (!isRounded(type, numbers))
         return;
     for (double *compared : {&m_lowest, &m_highest, &m_background})
         *compared = asFloat(*compared);
     for (double *compared : {&m_clip.atNear, &m_clip.atFar})
         *compared = std::min(*compared, asFloat(*compared));
+}
+
+bool DepthValues::isNoData(double number) const
+{
+    return std::ranges::find(m_numbers.noData, number) != m_numbers.noData.end();
 }
 
 PixelKind DepthValues::kindOfDepth(double depth) const
@@ -102,19 +110,24 @@ void DepthValues::convert(std::size_t j, std::size_t first, DistanceRow &row) co
     if (isOfWindow()) {
         const double one = m_type.greatest > 0.0 ? m_type.greatest : 1.0; // whole numbers are shares
         for (std::size_t i = 0; i < width; ++i) {
+            const bool isMeasured = !isNoData(row.values[i]);
             row.values[i] /= one;
             if (m_numbers.meaning == DepthMeaning::Range)
                 row.values[i] = std::lerp(m_low, m_high, row.values[i]);
-            row.kinds[i] = kindOfDepth(row.values[i]);
+            row.kinds[i] = isMeasured ? kindOfDepth(row.values[i]) : PixelKind::NoData;
         }
         return;
     }
     const double scale = m_numbers.scale.value_or(1.0);
     const double fxBaseline = m_lines.focalPixels() * m_numbers.baseline.value_or(0.0);
+    const double offset = m_numbers.disparityOffset.value_or(0.0);
     for (std::size_t i = 0; i < width; ++i) {
         double &value = row.values[i];
+        const bool isMeasured = !isNoData(value);
         value /= scale;
-        row.kinds[i] = kindOfNumber(value);
+        if (value != 0.0)
+            value += offset;
+        row.kinds[i] = isMeasured ? kindOfNumber(value) : PixelKind::NoData;
         if (row.kinds[i] != PixelKind::Kept)
             continue;
         if (m_numbers.meaning == DepthMeaning::Disparity) {
@@ -130,6 +143,9 @@ void DepthValues::convert(std::size_t j, std::size_t first, DistanceRow &row) co
 void DepthValues::convert(std::size_t j, std::size_t first, std::span<double> values) const
 {
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    if (!m_numbers.noData.empty())
+        std::ranges::replace_if(
+            values, [this](double number) { return isNoData(number); }, kNaN);
     if (m_numbers.meaning == DepthMeaning::Buffer) {
         const double one = m_type.greatest > 0.0 ? m_type.greatest : 1.0;
         for (double &value : values) {
@@ -155,7 +171,7 @@ void DepthValues::convert(std::size_t j, std::size_t first, std::span<double> va
 std::optional<DepthValues::Kept> DepthValues::kept() const
 {
     const bool isBuffer = m_numbers.meaning == DepthMeaning::Buffer;
-    if (!isBuffer && (m_numbers.meaning != DepthMeaning::Z || m_clip.atNear < 0.0))
+    if (!m_numbers.noData.empty() || (!isBuffer && (m_numbers.meaning != DepthMeaning::Z || m_clip.atNear < 0.0)))
         return std::nullopt;
     const double divisor = !isBuffer ? m_numbers.scale.value_or(1.0) : m_type.greatest > 0.0 ? m_type.greatest : 1.0;
     const auto isKept = [&](float number) {
@@ -196,6 +212,23 @@ void DepthRows::read(std::size_t j, DistanceRow &row) const
     std::visit([&](const auto &numbers) { std::copy_n(numbers.get() + m_image.start(j), width, row.values.begin()); },
                m_image.numbers);
     m_values.convert(j, 0, row);
+}
+
+std::size_t DepthRows::saturated(std::size_t j, const DistanceRow &row) const
+{
+    if (!(m_image.greatest > 0.0) || isOfWindow())
+        return 0;
+    return std::visit(
+        [&](const auto &numbers) {
+            const auto *of = numbers.get() + m_image.start(j);
+            std::size_t count = 0;
+            for (std::size_t i = 0; i < m_image.size.width; ++i)
+                count += row.kinds[i] == PixelKind::Kept && static_cast<double>(of[i]) == m_image.greatest
+                             ? std::size_t{1}
+                             : 0;
+            return count;
+        },
+        m_image.numbers);
 }
 
 } // namespace unprojector::clouds

@@ -18,7 +18,7 @@ enum class DepthMeaning {
     Range,    ///< 0 to 1 over the scene's depth range, from its lower end on
     Z,        ///< distances from the eye along the view axis
     Distance, ///< distances from the eye along the pixel's ray; of a box from the plane of the eye
-    Disparity ///< pixels between two cameras side by side: z = fx baseline / disparity
+    Disparity ///< pixels between two cameras side by side: z = fx baseline / (disparity + offset)
 };
 
 /// The meaning and the unit of a depth image's numbers.
@@ -29,6 +29,10 @@ struct DepthNumbers {
     /// range.
     std::optional<double> scale;
     std::optional<double> baseline; ///< of disparities, world units
+    /// Added to disparities, pixels: the difference cx' - cx of the second camera's principal point
+    /// and the first's. A disparity of 0 stays "not measured".
+    std::optional<double> disparityOffset = std::nullopt;
+    std::vector<double> noData = {}; ///< numbers of the image that mean no measurement, before the scale
 };
 
 /// Why a pixel has a point, or none.
@@ -39,10 +43,11 @@ enum class PixelKind : unsigned char {
     Infinite,
     Negative,
     BeforeNear,
-    AtFar,       ///< on the far plane or behind it: background
-    OutsideRange ///< no depth of the window
+    AtFar,        ///< on the far plane or behind it: background
+    OutsideRange, ///< no depth of the window
+    NoData        ///< a number that means no measurement
 };
-using PixelCounts = std::array<std::size_t, 8>;
+using PixelCounts = std::array<std::size_t, 9>;
 
 /// The pixels that have no point: "12 with 0, 3 on the far plane (100) or behind it".
 /// @param clip  empty for window depths
@@ -88,6 +93,7 @@ public:
     std::optional<Kept> kept() const;
 
 private:
+    bool isNoData(double number) const;
     PixelKind kindOfDepth(double depth) const;
     PixelKind kindOfNumber(double number) const;
     PixelKind kindOfDistance(double z) const;
@@ -110,6 +116,9 @@ public:
     bool isOfWindow() const { return m_values.isOfWindow(); }
     /// @param j  row index from the top
     void read(std::size_t j, DistanceRow &row) const;
+    /// The pixels of a row that are kept as distances, and have the greatest possible whole number.
+    /// @param row  as read() gives it
+    std::size_t saturated(std::size_t j, const DistanceRow &row) const;
 
 private:
     const images::NumberImage &m_image;

@@ -23,8 +23,13 @@ std::string faultOf(const DepthNumbers &numbers, const DepthOptionNames &names)
     if (numbers.meaning == DepthMeaning::Disparity && !numbers.baseline)
         return tr("%1 disparity needs %2, the distance of the two cameras in world units", names.meaning,
                   names.baseline);
-    if (numbers.meaning != DepthMeaning::Disparity && numbers.baseline)
-        return tr("%1 goes with %2 disparity", names.baseline, names.meaning);
+    for (const auto &[name, value] :
+         {std::pair(names.baseline, numbers.baseline), std::pair(names.offset, numbers.disparityOffset)}) {
+        if (value && numbers.meaning != DepthMeaning::Disparity)
+            return tr("%1 goes with %2 disparity", name, names.meaning);
+    }
+    if (numbers.disparityOffset && !std::isfinite(*numbers.disparityOffset))
+        return tr("%1 is %2; it must be a finite number", names.offset, text::shortestText(*numbers.disparityOffset));
     for (const auto &[name, value] :
          {std::pair(names.scale, numbers.scale), std::pair(names.baseline, numbers.baseline)}) {
         if (value && !(*value > 0.0 && std::isfinite(*value)))

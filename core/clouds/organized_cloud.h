@@ -62,7 +62,7 @@ private:
 /// The fault of numbers and their unit, as a sentence about the named options; empty if there is
 /// none.
 struct DepthOptionNames {
-    const char *meaning = "depth_is", *scale = "scale", *baseline = "baseline";
+    const char *meaning = "depth_is", *scale = "scale", *baseline = "baseline", *offset = "disparity_offset";
 };
 std::string faultOf(const DepthNumbers &numbers, const DepthOptionNames &names = {});
 

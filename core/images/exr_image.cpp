@@ -39,10 +39,8 @@ private:
     ImageBytes &m_bytes;
 };
 
-/// The part of a channel's name behind the layers, in small letters: "z" of "ViewLayer.Depth.Z".
-std::string lastName(const std::string &channel)
+std::string inSmallLetters(std::string name)
 {
-    std::string name = channel.substr(channel.rfind('.') + 1);
     std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return name;
 }
@@ -50,44 +48,75 @@ std::string lastName(const std::string &channel)
 /// A channel of a file of one or more parts.
 struct Choice {
     int part = 0;
-    std::string channel;
+    std::string channel; ///< "ViewLayer.Depth.Z"
+
+    /// The layers, in small letters: "viewlayer.depth".
+    std::string layers() const
+    {
+        const std::size_t dot = channel.rfind('.');
+        return dot == channel.npos ? std::string() : inSmallLetters(channel.substr(0, dot));
+    }
+    /// The part of the name behind the layers, in small letters: "z".
+    std::string lastName() const { return inSmallLetters(channel.substr(channel.rfind('.') + 1)); }
 };
 
-/// All channels that are no deep data, and the one of depth among them: named Z or depth, else V,
-/// R or Y.
+/// The channels that are no deep data.
 struct Channels {
     std::vector<Choice> all;
-    std::optional<Choice> depth;
     std::string names;
-};
 
-/// @param asked  the name of the channel to use; empty: by the rule above
-Channels channelsOf(Imf::MultiPartInputFile &file, const std::string &asked)
-{
-    Channels result;
-    for (int part = 0; part < file.parts(); ++part) {
-        const Imf::Header &header = file.header(part);
-        if (header.hasType() && Imf::isDeepData(header.type()))
-            continue;
-        for (auto it = header.channels().begin(); it != header.channels().end(); ++it) {
-            result.all.push_back({part, it.name()});
-            result.names += (result.names.empty() ? "" : ", ") + std::string(it.name());
+    explicit Channels(Imf::MultiPartInputFile &file)
+    {
+        for (int part = 0; part < file.parts(); ++part) {
+            const Imf::Header &header = file.header(part);
+            if (header.hasType() && Imf::isDeepData(header.type()))
+                continue;
+            for (auto it = header.channels().begin(); it != header.channels().end(); ++it) {
+                all.push_back({part, it.name()});
+                names += (names.empty() ? "" : ", ") + std::string(it.name());
+            }
         }
     }
-    if (!asked.empty()) {
-        const auto found = std::ranges::find(result.all, asked, &Choice::channel);
-        if (found != result.all.end())
-            result.depth = *found;
-        return result;
-    }
-    for (const std::string name : {"z", "depth", "v", "r", "y"}) {
-        for (const Choice &choice : result.all) {
-            if (!result.depth && (lastName(choice.channel) == name || result.all.size() == 1))
-                result.depth = choice;
+
+    /// The channels that may hold the depths: those of the first of these groups that has any. Several of them are
+    /// certain only where they have the same numbers.
+    ///
+    ///   named depth, or of a layer of that name; Z without a layer
+    ///   with "depth" in the name; Z of a layer, but Blender's Mist
+    ///   all but A: gray
+    ///
+    /// A channel Z that has X and Y beside it belongs to a vector: a normal, a position.
+    std::vector<Choice> ofDepth() const
+    {
+        if (all.size() == 1)
+            return all;
+        std::array<std::vector<Choice>, 3> groups;
+        for (const Choice &choice : all) {
+            const std::string layers = choice.layers(), last = choice.lastName();
+            if (last == "a" || isOfVector(choice))
+                continue;
+            const std::string path = '.' + layers + '.' + last + '.';
+            const bool isNamed = path.find(".depth.") != path.npos || (layers.empty() && last == "z");
+            const bool isLike = path.find("depth") != path.npos || (last == "z" && layers.find("mist") == layers.npos);
+            groups[isNamed ? 0 : isLike ? 1 : 2].push_back(choice);
         }
+        const auto found = std::ranges::find_if(groups, [](const auto &group) { return !group.empty(); });
+        return found == groups.end() ? std::vector<Choice>() : *found;
     }
-    return result;
-}
+
+private:
+    bool isOfVector(const Choice &choice) const
+    {
+        std::string axes = "xyz";
+        if (axes.find(choice.lastName()) == axes.npos)
+            return false;
+        for (const Choice &other : all) {
+            if (other.part == choice.part && other.layers() == choice.layers())
+                std::erase(axes, other.lastName().size() == 1 ? other.lastName().front() : '\0');
+        }
+        return axes.empty();
+    }
+};
 
 /// Reads the rows of a part. Pixels that it has beyond the image's frame are left out; those that
 /// it lacks are NaN.
@@ -121,41 +150,81 @@ void readRows(Imf::InputPart &part, const std::string &channel, NumberImage &ima
     image.numbers = std::move(numbers);
 }
 
+/// The numbers of a channel in its frame, which is the display window.
+/// @param notes  the image's first ones
+Numbers readChannel(Imf::MultiPartInputFile &file, const Choice &choice, const ImageRequest &request,
+                    std::vector<std::string> notes = {})
+{
+    const Imf::Header &header = file.header(choice.part);
+    const Imath::Box2i frame = header.displayWindow(), data = header.dataWindow();
+    NumberImage image;
+    image.notes = std::move(notes);
+    image.size = {static_cast<std::size_t>(frame.max.x - frame.min.x + 1),
+                  static_cast<std::size_t>(frame.max.y - frame.min.y + 1)};
+    if (auto refused = sizeRefusal(image.size, request))
+        return *refused;
+    const Imf::Channel &channel = header.channels()[choice.channel.c_str()];
+    if (channel.xSampling != 1 || channel.ySampling != 1)
+        return ImageError{
+            tr("the channel %1 of the OpenEXR image has fewer numbers than pixels; write one a pixel", choice.channel)};
+    if (data.min.x > frame.min.x || data.min.y > frame.min.y || data.max.x < frame.max.x || data.max.y < frame.max.y)
+        image.notes.push_back(tr("the OpenEXR image has pixels only in a part of its frame; the others are NaN"));
+    Imf::InputPart part(file, choice.part);
+    if (channel.type == Imf::UINT) {
+        image.greatest = std::numeric_limits<unsigned>::max();
+        readRows<unsigned, double>(part, choice.channel, image, request);
+    } else {
+        readRows<float, float>(part, choice.channel, image, request);
+    }
+    return image;
+}
+
+bool haveSameNumbers(const NumberImage &a, const NumberImage &b)
+{
+    if (a.size != b.size || a.numbers.index() != b.numbers.index())
+        return false;
+    return std::visit(
+        [&]<class Array>(const Array &numbers) {
+            const auto isSame = [](auto x, auto y) { return x == y || (x != x && y != y); }; // NaN is NaN
+            return std::equal(numbers.get(), numbers.get() + a.size.pixels(), std::get<Array>(b.numbers).get(), isSame);
+        },
+        a.numbers);
+}
+
 Numbers read(ImageBytes &bytes, const ImageRequest &request)
 {
     constexpr int kMost = static_cast<int>(kMostSide);
     Imf::Header::setMaxImageSize(kMost, kMost);
     Stream stream(bytes);
     Imf::MultiPartInputFile file(stream);
-    const Channels channels = channelsOf(file, request.channel);
+    const Channels channels(file);
     if (channels.all.empty())
         return ImageError{tr("the OpenEXR image has only deep data, several depths a pixel; write one depth a pixel")};
-    if (!channels.depth && !request.channel.empty())
-        return ImageError{tr("the OpenEXR image has the channels %1, not %2", channels.names, request.channel)};
-    if (!channels.depth)
-        return ImageError{
-            tr("the OpenEXR image has the channels %1; give the one of depth by --channel NAME", channels.names)};
-    const Imf::Header &header = file.header(channels.depth->part);
-    const Imath::Box2i frame = header.displayWindow(), data = header.dataWindow();
-    NumberImage image;
-    image.size = {static_cast<std::size_t>(frame.max.x - frame.min.x + 1),
-                  static_cast<std::size_t>(frame.max.y - frame.min.y + 1)};
-    if (auto refused = sizeRefusal(image.size, request))
-        return *refused;
-    const Imf::Channel &channel = header.channels()[channels.depth->channel.c_str()];
-    if (channel.xSampling != 1 || channel.ySampling != 1)
-        return ImageError{tr("the channel %1 of the OpenEXR image has fewer numbers than pixels; write one a pixel",
-                             channels.depth->channel)};
-    if (channels.all.size() > 1 && request.channel.empty())
-        image.notes.push_back(tr("of the channels %1, %2 is used", channels.names, channels.depth->channel));
-    if (data.min.x > frame.min.x || data.min.y > frame.min.y || data.max.x < frame.max.x || data.max.y < frame.max.y)
-        image.notes.push_back(tr("the OpenEXR image has pixels only in a part of its frame; the others are NaN"));
-    Imf::InputPart part(file, channels.depth->part);
-    if (channel.type == Imf::UINT) {
-        image.greatest = std::numeric_limits<unsigned>::max();
-        readRows<unsigned, double>(part, channels.depth->channel, image, request);
-    } else {
-        readRows<float, float>(part, channels.depth->channel, image, request);
+    if (!request.channel.empty()) {
+        const auto asked = std::ranges::find(channels.all, request.channel, &Choice::channel);
+        if (asked == channels.all.end())
+            return ImageError{tr("the OpenEXR image has the channels %1, not %2", channels.names, request.channel)};
+        return readChannel(file, *asked, request);
+    }
+    const ImageError uncertain{
+        tr("the OpenEXR image has the channels %1; give the one of depth by --channel NAME", channels.names)};
+    std::vector<Choice> choices = channels.ofDepth();
+    if (choices.empty())
+        return uncertain;
+    const Choice used = choices.back(); // R of B, G, R
+    choices.pop_back();
+    std::vector<std::string> notes;
+    if (channels.all.size() > 1)
+        notes.push_back(tr("of the channels %1, %2 is used", channels.names, used.channel));
+    Numbers image = readChannel(file, used, request, std::move(notes));
+    if (!image)
+        return image;
+    ImageRequest silent = request;
+    silent.onRead = [](std::size_t) {};
+    for (const Choice &other : choices) {
+        const Numbers same = readChannel(file, other, silent);
+        if (!same || !haveSameNumbers(*image, *same))
+            return uncertain;
     }
     return image;
 }

@@ -21,12 +21,14 @@ bool isNpy(std::string_view first);
 bool isExr(std::string_view first);
 bool isTiff(std::string_view first);
 bool isNetpbm(std::string_view first); ///< PFM or PGM
+bool isColmap(std::string_view first); ///< a map of COLMAP: depths or normals
 
 Numbers readPng(ImageBytes &bytes, const ImageRequest &request);
 Numbers readNpy(ImageBytes &bytes, const ImageRequest &request);
 Numbers readExr(ImageBytes &bytes, const ImageRequest &request);
 Numbers readTiff(ImageBytes &bytes, const ImageRequest &request);
 Numbers readNetpbm(ImageBytes &bytes, const ImageRequest &request);
+Numbers readColmap(ImageBytes &bytes, const ImageRequest &request);
 /// @param size  of the image
 Numbers readRaw(ImageBytes &bytes, const PixelSize &size, const ImageRequest &request);
 

@@ -93,11 +93,25 @@ float floatFromHalf(std::uint16_t half)
     return (half & 0x8000) != 0 ? -size : size;
 }
 
+namespace {
+
+/// True for a format whose files do not tell their byte order.
+bool hasFreeByteOrder(std::string_view first)
+{
+    const bool isKnown = isPng(first) || isNpy(first) || isExr(first) || isTiff(first) || isColmap(first);
+    return !isKnown && !first.starts_with("Pf");
+}
+
+} // namespace
+
 geometry::Result<NumberImage, ImageError> readNumberImage(ImageBytes &bytes, const ImageRequest &request)
 {
     const std::string_view first = bytes.first();
     if (!request.channel.empty() && !isExr(first))
         return ImageError{tr("--channel is for OpenEXR, and this is another format; leave the option out")};
+    if (request.byteOrder && !hasFreeByteOrder(first))
+        return ImageError{tr("--byte-order is for PGM of 16 bits and raw floats, and this is another format; leave the "
+                             "option out")};
     if (isPng(first))
         return readPng(bytes, request);
     if (isNpy(first))
@@ -108,14 +122,16 @@ geometry::Result<NumberImage, ImageError> readNumberImage(ImageBytes &bytes, con
         return readTiff(bytes, request);
     if (isNetpbm(first))
         return readNetpbm(bytes, request);
+    if (isColmap(first))
+        return readColmap(bytes, request);
     if (isJpeg(first))
         return ImageError{tr("a JPEG image holds no exact numbers; give PNG, .npy, OpenEXR, TIFF, PFM or PGM")};
     if (request.rawSize)
         return readRaw(bytes, *request.rawSize, request);
     if (first.starts_with("PK\x03\x04"))
         return ImageError{tr("this is an archive (.npz or .zip); write the array alone, as by numpy.save")};
-    return ImageError{tr("no depth image: it is neither PNG, .npy, OpenEXR, TIFF, PFM nor PGM; for raw 32-bit floats "
-                         "give --size WxH")};
+    return ImageError{tr("no depth image: it is neither PNG, .npy, OpenEXR, TIFF, PFM, PGM nor COLMAP's .bin; for raw "
+                         "32-bit floats give --size WxH")};
 }
 
 geometry::Result<ColorImage, ImageError> readColorImage(ImageBytes &bytes, const ImageRequest &request)

@@ -3,6 +3,7 @@
 #include "core/geometry/result.h"
 #include "core/images/image_bytes.h"
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -61,6 +62,9 @@ struct ImageRequest {
     std::optional<PixelSize> rawSize;
     /// The channel of an OpenEXR image; empty: the one with a name of depths.
     std::string channel;
+    /// The byte order of a PGM of 16 bits and of raw floats; empty: big for PGM, little for raw floats, and a
+    /// note if the other one gives a far smoother image.
+    std::optional<std::endian> byteOrder;
     /// The reason to refuse an image of a size, before memory is allocated for it.
     std::function<std::optional<ImageError>(const PixelSize &)> refusal;
     /// Receives the number of pixels read since the last call.
@@ -73,7 +77,9 @@ struct ImageRequest {
 ///   PGM ("P5")     8 or 16 bits
 ///   PNG            8 or 16 bits of gray, by libpng
 ///   NumPy (.npy)   whole numbers and floats of 8 to 64 bits, both byte orders and layouts
-///   OpenEXR        one channel: the given one, else the one named Z or depth, else V, R or Y
+///   OpenEXR        one channel: the given one, else the one named Z or depth, else the only one; several count
+///                  as one where they have the same numbers. Pixels outside the data window are NaN
+///   COLMAP (.bin)  "W&H&1&", then 32-bit floats, little-endian, rows from the top
 ///   TIFF           one channel: whole numbers of 8, 16 or 32 bits, floats of 16, 32 or 64 bits
 ///   anything else  raw 32-bit floats, little-endian, rows from the top, of the given size
 ///

@@ -5,6 +5,7 @@
 #include "core/scene_file/json_text.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/strict_json.h"
+#include "core/text/json_number.h"
 #include "core/text/translation.h"
 
 #include <nlohmann/json.hpp>
@@ -39,9 +40,9 @@ Landmark landmarkOf(const Json &point, const std::string &key)
         return landmark;
     glm::dvec3 v(0.0);
     for (std::size_t i = 0; i < 3; ++i) {
-        if (!scene_file::isNumber(point[i]))
+        if (!text::isJsonNumber(point[i]))
             fail(tr("%1 is not a point; write three numbers, or null for a missing one", key));
-        v[static_cast<int>(i)] = scene_file::numberOf(point[i]);
+        v[static_cast<int>(i)] = text::valueOfJsonNumber(point[i]);
     }
     landmark.world = WorldPoint(v);
     return landmark;
@@ -99,8 +100,8 @@ LandmarkSet setOf(const Json &group, const std::string &key, Notes &notes)
             const std::size_t point =
                 mask[k].is_number_unsigned() ? mask[k].get<std::size_t>() : std::size_t(points.size());
             if (point >= points.size())
-                fail(tr("%1.mask names point %2, and there are %3, counted from 0", place, mask[k].dump(),
-                        points.size()));
+                fail(tr("%1.mask names point %2, and there are %3, counted from 0", place,
+                        scene_file::compactJson(mask[k]), points.size()));
             if (mask.size() < fewest[point]) {
                 fewest[point] = mask.size();
                 set.landmarks[point].name = nameOf(label, k, mask.size());

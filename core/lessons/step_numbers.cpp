@@ -9,6 +9,7 @@
 #include "core/scene_file/scene_file.h"
 #include "core/text/error_text.h"
 #include "core/text/expression.h"
+#include "core/text/json_number.h"
 #include "core/text/number_text.h"
 #include "core/unproject/unprojector.h"
 
@@ -157,8 +158,8 @@ Result<Json, LessonError> treeOf(const Scene &scene, const Setup &setup, const C
 /// All numbers under a node, in their order.
 void flatten(const Json &node, std::vector<double> &numbers)
 {
-    if (node.is_number())
-        numbers.push_back(node.get<double>());
+    if (text::isJsonNumber(node))
+        numbers.push_back(text::valueOfJsonNumber(node));
     for (const Json &child : node.is_structured() ? node : Json::array())
         flatten(child, numbers);
 }

@@ -1,5 +1,7 @@
 #include "core/ray/placed_landmark.h"
 
+#include "core/text/json_number.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
@@ -115,8 +117,8 @@ std::optional<LandmarkEdge> edgeOf(const Landmark &landmark)
     LandmarkEdge edge;
     if (object != found->end() && object->is_string())
         edge.object = object->get<std::string>();
-    if (behind != found->end() && behind->is_number())
-        edge.behind = behind->get<double>();
+    if (behind != found->end() && text::isJsonNumber(*behind))
+        edge.behind = text::valueOfJsonNumber(*behind);
     return edge;
 }
 

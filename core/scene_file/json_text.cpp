@@ -1,17 +1,13 @@
 #include "core/scene_file/json_text.h"
 
-#include "core/text/number_text.h"
+#include "core/text/json_number.h"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -25,33 +21,9 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kLineLength = 120;
 constexpr double kExact = 9007199254740992.0; // 2^53: all smaller whole numbers are doubles
 
-std::string_view keptDigits(const Json &json)
-{
-    const Json::binary_t &bytes = json.get_binary();
-    return {reinterpret_cast<const char *>(bytes.data()), bytes.size()};
-}
-
-/// The same digits as in all other texts: the library's differ in the last one if two are equally
-/// near.
-std::string numberText(double value)
-{
-    if (!std::isfinite(value)) // JSON has no such number
-        return "null";
-    std::string digits = text::shortestText(value);
-    if (digits.find_first_of(".e") != std::string::npos)
-        return digits;
-    if (std::abs(value) < kExact)
-        return digits + ".0";
-    std::array<char, 32> power; // written in full, most of its digits would be meaningless
-    const auto end = std::to_chars(power.data(), power.data() + power.size(), value, std::chars_format::scientific);
-    return {power.data(), end.ptr};
-}
-
 std::string leafText(const Json &leaf, Json::error_handler_t badText)
 {
-    if (leaf.is_binary())
-        return std::string(keptDigits(leaf));
-    return leaf.is_number_float() ? numberText(leaf.get<double>()) : leaf.dump(-1, ' ', false, badText);
+    return text::isJsonNumber(leaf) ? text::jsonNumberText(leaf) : leaf.dump(-1, ' ', false, badText);
 }
 
 /// Appends everything on one line; stops early beyond `limit` characters.
@@ -164,33 +136,6 @@ std::string compactJson(const Json &json)
     std::string text;
     appendOnOneLine(text, json, std::string::npos, Json::error_handler_t::replace, {});
     return text;
-}
-
-Json readNumber(double value, const std::string &written)
-{
-    constexpr std::ptrdiff_t kDigitsOfDoubles = 15; // any number with this many survives
-    const std::string_view mantissa(written.data(), std::min(written.find_first_of("eE"), written.size()));
-    const auto digits = std::count_if(mantissa.begin(), mantissa.end(), [](char c) { return c >= '0' && c <= '9'; });
-    if (digits <= kDigitsOfDoubles || numberText(value) == written)
-        return value;
-    return Json::binary(std::vector<std::uint8_t>(written.begin(), written.end()));
-}
-
-bool isNumber(const Json &json)
-{
-    return json.is_number() || json.is_binary();
-}
-
-double numberOf(const Json &json)
-{
-    if (!json.is_binary())
-        return json.get<double>();
-    double value = 0.0;
-    const std::string_view digits = keptDigits(json);
-    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    // Only a number that is too small for a double is left: the parser rejects numbers that are too
-    // large.
-    return read.ec == std::errc() ? value : 0.0;
 }
 
 Json jsonNumber(double value)

@@ -21,16 +21,4 @@ std::string compactJson(const nlohmann::ordered_json &json);
 /// A number as a person would write it: a whole number as 1, not 1.0.
 nlohmann::ordered_json jsonNumber(double value);
 
-// A number that another program wrote with more digits than a double holds is kept as written, so
-// that rewriting does not change it. JSON has no such type: a binary value, which no text can have,
-// represents it.
-
-/// @param written  a number in JSON's own form
-/// @param value    its value as a double
-nlohmann::ordered_json readNumber(double value, const std::string &written);
-/// Returns whether it is a number, including one kept as written.
-bool isNumber(const nlohmann::ordered_json &json);
-/// @pre isNumber(json)
-double numberOf(const nlohmann::ordered_json &json);
-
 } // namespace unprojector::scene_file

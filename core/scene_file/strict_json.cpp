@@ -1,7 +1,7 @@
 #include "core/scene_file/strict_json.h"
 
-#include "core/scene_file/json_text.h"
 #include "core/scene_file/scene_file.h"
+#include "core/text/json_number.h"
 #include "core/text/json_syntax.h"
 #include "core/text/translation.h"
 
@@ -66,7 +66,7 @@ public:
     bool number_unsigned(Json::number_unsigned_t value) { return add(value) != nullptr; }
     bool number_float(Json::number_float_t value, const std::string &written)
     {
-        return add(readNumber(value, written)) != nullptr;
+        return add(text::readJsonNumber(value, written)) != nullptr;
     }
     bool string(std::string &value) { return add(std::move(value)) != nullptr; }
     bool binary(Json::binary_t &) { return false; }

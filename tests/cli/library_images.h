@@ -78,18 +78,22 @@ QByteArray tiffOf(const QString &file, const TiffKind &kind)
 #endif
 
 #ifdef UNPROJECTOR_OPENEXR
-/// @param channels  all with the numbers; those after the first have 1 more each
+/// @param channels    all with the numbers; those after the first have `difference` more each
+/// @param dataWindow  the pixels that the file has; empty: all
 inline QByteArray exr(const QString &file, Imf::PixelType type, const QStringList &channels,
-                      Imf::Compression compression = Imf::ZIP_COMPRESSION)
+                      Imf::Compression compression = Imf::ZIP_COMPRESSION, float difference = 1.0f,
+                      const Imath::Box2i &dataWindow = {})
 {
     Imf::Header header(kWidth, kHeight);
     header.compression() = compression;
+    if (!dataWindow.isEmpty())
+        header.dataWindow() = dataWindow;
     Imf::FrameBuffer buffer;
     QVector<QByteArray> planes;
     for (const QString &name : channels) {
         QByteArray plane;
         for (const int number : numbers<int>()) {
-            const float value = float(number) + float(planes.size());
+            const float value = float(number) + difference * float(planes.size());
             if (type == Imf::FLOAT)
                 plane += bytesOf(QVector<float>{value});
             else if (type == Imf::HALF)
@@ -108,7 +112,7 @@ inline QByteArray exr(const QString &file, Imf::PixelType type, const QStringLis
     {
         Imf::OutputFile out(file.toLocal8Bit().constData(), header);
         out.setFrameBuffer(buffer);
-        out.writePixels(kHeight);
+        out.writePixels(header.dataWindow().max.y - header.dataWindow().min.y + 1);
     }
     QFile written(file);
     return written.open(QIODevice::ReadOnly) ? written.readAll() : QByteArray();

@@ -123,7 +123,9 @@ private slots:
     void everyFormatGivesTheNumbers();
     void wholeNumbersAreSharesOfTheGreatest_data();
     void wholeNumbersAreSharesOfTheGreatest();
-    void channelsAreNamed();
+    void depthsAreFoundAmongChannels_data();
+    void depthsAreFoundAmongChannels();
+    void pixelsOutsideTheDataWindowHaveNoDepth();
     void channelsAreChosen();
     void untoldZeroIsANote();
     void colorsFollowTheirPoints_data();
@@ -185,6 +187,7 @@ void TestDepthImages::everyFormatGivesTheNumbers_data()
     QTest::newRow("raw") << bytesOf(numbers<float>());
     QTest::newRow("PGM, 8 bits") << pgm(255);
     QTest::newRow("PGM, 16 bits") << pgm(65535);
+    QTest::newRow("COLMAP") << "4&3&1&" + bytesOf(numbers<float>());
     QTest::newRow("npy, floats") << npyOf<float>("<f4");
     QTest::newRow("npy, doubles") << npyOf<double>("<f8");
     QTest::newRow("npy, halves") << npyOfHalves();
@@ -245,23 +248,72 @@ void TestDepthImages::wholeNumbersAreSharesOfTheGreatest()
     }
 }
 
-void TestDepthImages::channelsAreNamed()
+void TestDepthImages::depthsAreFoundAmongChannels_data()
+{
+    QTest::addColumn<QStringList>("channels"); // the first has the numbers
+    QTest::addColumn<bool>("areSame");
+    QTest::addColumn<bool>("isFound");
+    const auto row = [](const char *name, const QStringList &channels, bool areSame, bool isFound) {
+        QTest::newRow(name) << channels << areSame << isFound;
+    };
+    const QStringList normal{"View.Normal.X", "View.Normal.Y", "View.Normal.Z"};
+    row("beside colors", {"View.Depth.Z", "B", "G", "R", "A"}, false, true);
+    row("beside a vector", QStringList{"View.Depth.Z"} + normal, false, true);
+    row("V, beside a vector", QStringList{"View.Depth.V", "B", "G", "R"} + normal, false, true);
+    row("small letters", {"depth", "b", "g", "r"}, false, true);
+    row("Z, beside a position", {"Z", "P.X", "P.Y", "P.Z"}, false, true);
+    row("beside mist", {"View.Depth.Z", "View.Mist.Z", "View.IndexOB.X"}, false, true);
+    row("before another depth", {"View.Depth.Z", "View.Denoising Depth.Z"}, false, true);
+    row("in a longer name", {"Main_WorldDepth.R", "B", "G", "R"}, false, true);
+    row("Z of a layer", {"pass.Z", "pass.X", "R"}, false, true);
+    row("gray", {"R", "G", "B"}, true, true);
+    row("gray with opacity", {"Y", "A"}, false, true);
+    row("gray depth", {"Depth.R", "Depth.G", "Depth.B"}, true, true);
+    row("colors", {"R", "G", "B"}, false, false);
+    row("any names", {"one", "two"}, false, false);
+    row("a vector alone", normal, false, false);
+    row("a vector and colors", normal + QStringList{"R", "G", "B"}, false, false);
+    row("mist and colors", {"View.Mist.Z", "R", "G", "B"}, false, false);
+    row("two depths", {"left.Depth.Z", "right.Depth.Z"}, false, false);
+}
+
+void TestDepthImages::depthsAreFoundAmongChannels()
 {
 #ifdef UNPROJECTOR_OPENEXR
-    const QString name = m_folder.path("made.exr");
-    const QStringList options{"--depth-is", "z", "--precision", "double"};
-    // EXR sorts channels by name.
-    const Run several = cloud(exr(name, Imf::FLOAT, {"View.Depth.Z", "B", "G", "R"}), options);
-    QVERIFY2(several.errors.contains("depth: of the channels B, G, R, View.Depth.Z, View.Depth.Z is used\n"),
-             several.errors.constData());
-    QCOMPARE(pointsOf<double>(several.output), expectedPoints());
-    const Run colors = cloud(exr(name, Imf::FLOAT, {"R", "B", "G"}), options);
-    QVERIFY2(colors.errors.contains("depth: of the channels B, G, R, R is used\n"), colors.errors.constData());
-    QCOMPARE(pointsOf<double>(colors.output), expectedPoints());
-    const Run unknown = cloud(exr(name, Imf::FLOAT, {"one", "two"}), options);
-    QCOMPARE(unknown.exitCode, 2);
-    QVERIFY2(unknown.errors.contains("has the channels one, two; give the one of depth by --channel NAME\n"),
-             unknown.errors.constData());
+    QFETCH(QStringList, channels);
+    QFETCH(bool, areSame);
+    QFETCH(bool, isFound);
+    const QByteArray image =
+        exr(m_folder.path("made.exr"), Imf::FLOAT, channels, Imf::ZIP_COMPRESSION, areSame ? 0.0f : 1.0f);
+    const Run run = cloud(image, {"--depth-is", "z", "--precision", "double"});
+    const QByteArray used = channels.front().toUtf8();
+    std::sort(channels.begin(), channels.end()); // as EXR has them
+    const QByteArray all = channels.join(", ").toUtf8();
+    if (isFound) {
+        QVERIFY2(run.errors.endsWith("depth: of the channels " + all + ", " + used + " is used\n"),
+                 run.errors.constData());
+        QCOMPARE(pointsOf<double>(run.output), expectedPoints());
+    } else {
+        QCOMPARE(run.exitCode, 2);
+        QVERIFY2(run.errors.endsWith("has the channels " + all + "; give the one of depth by --channel NAME\n"),
+                 run.errors.constData());
+    }
+#else
+    QSKIP("built without OpenEXR");
+#endif
+}
+
+/// The display window is the image.
+void TestDepthImages::pixelsOutsideTheDataWindowHaveNoDepth()
+{
+#ifdef UNPROJECTOR_OPENEXR
+    const QByteArray image =
+        exr(m_folder.path("made.exr"), Imf::FLOAT, {"Z"}, Imf::ZIP_COMPRESSION, 1.0f, Imath::Box2i({1, 1}, {3, 1}));
+    const Run run = cloud(image, {"--depth-is", "z", "--precision", "double"});
+    QVERIFY2(run.errors.contains("pixels only in a part of its frame; the others are NaN\n")
+                 && run.errors.contains("left out: 9 with NaN\n"),
+             run.errors.constData());
+    QCOMPARE(pointsOf<double>(run.output), expectedPoints().mid(3 * (kWidth + 1), 9));
 #else
     QSKIP("built without OpenEXR");
 #endif
@@ -452,7 +504,12 @@ void TestDepthImages::unusableImages_data()
     QTest::newRow("JPEG") << QByteArray("\xff\xd8\xff\xe0\x00\x10JFIF", 10)
                           << QByteArray("a JPEG image holds no exact numbers");
     QTest::newRow("text") << QByteArray("depth of a scene")
-                          << QByteArray("neither PNG, .npy, OpenEXR, TIFF, PFM nor PGM");
+                          << QByteArray("neither PNG, .npy, OpenEXR, TIFF, PFM, PGM nor COLMAP's .bin");
+    QTest::newRow("COLMAP, normals") << "4&3&3&" + bytesOf(numbers<float>())
+                                     << QByteArray("the map of COLMAP has 3 numbers a pixel");
+    QTest::newRow("COLMAP, another size")
+        << "3&4&1&" + bytesOf(numbers<float>()) << QByteArray("3x4 pixels, the scene's window 4x3");
+    QTest::newRow("COLMAP, too long") << "4&3&1&" + bytesOf(numbers<float>()) + '\0' << QByteArray("too long");
 #ifdef UNPROJECTOR_PNG
     QTest::newRow("PNG of colors") << encoded(colors(), "png") << QByteArray("the PNG has red, green and blue");
     QTest::newRow("PNG with opacity") << encoded(colors().convertToFormat(QImage::Format_ARGB32), "png")
@@ -508,6 +565,7 @@ void TestDepthImages::everyShorterFileIsRefused_data()
 {
     QTest::addColumn<QByteArray>("image");
     QTest::newRow("npy") << npyOf<float>("<f4");
+    QTest::newRow("COLMAP") << "4&3&1&" + bytesOf(numbers<float>());
     addLibraryFormats();
 }
 

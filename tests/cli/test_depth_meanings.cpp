@@ -83,6 +83,11 @@ private slots:
     void pointsLieOnThePixelsRay();
     void floatsAreExact();
     void scaleDividesTheNumbers();
+    void anOffsetIsAddedToDisparities();
+    void theGreatestNumberIsANote_data();
+    void theGreatestNumberIsANote();
+    void theOtherByteOrderIsANote_data();
+    void theOtherByteOrderIsANote();
     void whatHasNoPointIsCounted_data();
     void whatHasNoPointIsCounted();
     void anEmptyCloudNamesTheScale();
@@ -192,6 +197,147 @@ void TestDepthMeanings::scaleDividesTheNumbers()
     }
 }
 
+/// As in the sets of Middlebury, whose second camera has another cx. Disparities below 0 have points, too.
+void TestDepthMeanings::anOffsetIsAddedToDisparities()
+{
+    QVector<float> sixteenths;
+    QVector<long double> sums;
+    for (int pixel = 0; pixel < kWidth * kHeight; ++pixel) {
+        sixteenths << float(16.0 * (6.0 / numberOf(pixel) - 3.2));
+        sums << sixteenths.back() / 16.0L + 3.2L;
+    }
+    const Run run = runCommand({"cloud", m_folder.write("scene.json", sceneOf(R"("type": "frustum")")),
+                                m_folder.write("d.npy", npy(npyHeader("<f4", "(48, 64)"), bytesOf(sixteenths))), "-o",
+                                "-", "--precision", "double", "--depth-is", "disparity", "--baseline", "0.125",
+                                "--depth-scale", "16", "--disparity-offset", "3.2"});
+    QCOMPARE(run.errors, QByteArray());
+    const QVector<double> points = pointsOf<double>(run.output);
+    QCOMPARE(points.size(), qsizetype(3 * kWidth * kHeight));
+    for (int pixel = 0; pixel < kWidth * kHeight; ++pixel) {
+        const Vector expected = pointOf(Kind::Frustum, "disparity", pixel, sums[pixel]);
+        // The sum keeps the rounding of its terms, and the point is that of its reciprocal.
+        const long double tolerance = 1e-12L * 2000 / (sums[pixel] / 3.2L);
+        for (int axis = 0; axis < 3; ++axis)
+            QVERIFY2(std::abs(points[3 * pixel + axis] - expected[std::size_t(axis)]) < tolerance,
+                     qPrintable(QString::number(pixel)));
+    }
+}
+
+void TestDepthMeanings::theGreatestNumberIsANote_data()
+{
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<int>("count"); // of pixels with the greatest number
+    QTest::addColumn<bool>("isByte");
+    QTest::addColumn<QByteArray>("message");
+    const QStringList z{"--depth-is", "z", "--depth-scale", "1000"};
+    const QByteArray why(" Many cameras write it where they measure nothing: --no-data ");
+    QTest::newRow("two of 16 bits") << z << 2 << false
+                                    << "2 pixels have a point by the greatest possible number, 65535." + why
+                                           + "65535 leaves them out\n";
+    QTest::newRow("one of 8 bits") << QStringList{"--depth-is", "distance", "--depth-scale", "2"} << 1 << true
+                                   << "1 pixel has a point by the greatest possible number, 255." + why
+                                          + "255 leaves it out\n";
+    QTest::newRow("none") << z << 0 << false << QByteArray();
+    QTest::newRow("behind the far plane") << QStringList{"--depth-is", "z"} << 2 << false
+                                          << QByteArray("left out: 2 on the far plane (2000) or behind it\n");
+    QTest::newRow("named") << z + QStringList{"--no-data", "65535"} << 2 << false
+                           << QByteArray("left out: 2 with a number that means no measurement\n");
+}
+
+void TestDepthMeanings::theGreatestNumberIsANote()
+{
+    QFETCH(QStringList, options);
+    QFETCH(int, count);
+    QFETCH(bool, isByte);
+    QFETCH(QByteArray, message);
+    constexpr int kPixels = kWidth * kHeight;
+    QVector<quint16> words(kPixels, 1900);
+    QVector<quint8> bytes(kPixels, 100);
+    std::fill_n(words.begin() + 70, count, quint16(65535));
+    std::fill_n(bytes.begin() + 70, count, quint8(255));
+    const QString depth = m_folder.write("depth.npy", isByte ? npy(npyHeader("|u1", "(48, 64)"), bytesOf(bytes))
+                                                             : npy(npyHeader("<u2", "(48, 64)"), bytesOf(words)));
+    const Run run =
+        runCommand(QStringList{"cloud", m_folder.write("scene.json", sceneOf(R"("type": "frustum")")), depth, "-o", "-"}
+                   + options);
+    QCOMPARE(run.exitCode, 0);
+    QCOMPARE(run.errors, message.isEmpty() ? message : depth.toUtf8() + ": " + message);
+    QCOMPARE(pointsOf(run.output).size(), qsizetype(3 * (kPixels - (message.startsWith("left out") ? count : 0))));
+}
+
+void TestDepthMeanings::theOtherByteOrderIsANote_data()
+{
+    QTest::addColumn<QString>("numbers");
+    QTest::addColumn<bool>("isSwapped"); // against the format's byte order
+    QTest::addColumn<bool>("isRaw");
+    QTest::addColumn<QString>("named"); // by the note
+    QTest::newRow("PGM") << "surface" << false << false << "";
+    QTest::newRow("PGM, little-endian") << "surface" << true << false << "little";
+    QTest::newRow("PGM, noise") << "noise" << false << false << "";
+    QTest::newRow("PGM, 8 bits in the upper byte") << "upper" << false << false << "";
+    QTest::newRow("PGM, 255 in the lower byte") << "upper and 255" << false << false << "";
+    QTest::newRow("PGM, one number") << "flat" << true << false << "";
+    QTest::newRow("raw") << "surface" << false << true << "";
+    QTest::newRow("raw, big-endian") << "surface" << true << true << "big";
+    QTest::newRow("raw, noise") << "noise" << false << true << "";
+}
+
+/// The depths of a floor and of a box before it, in millimetres, some without a measurement.
+void TestDepthMeanings::theOtherByteOrderIsANote()
+{
+    QFETCH(QString, numbers);
+    QFETCH(bool, isSwapped);
+    QFETCH(bool, isRaw);
+    QFETCH(QString, named);
+    QVector<quint16> words;
+    QVector<float> floats;
+    quint32 random = 1;
+    for (int pixel = 0; pixel < kWidth * kHeight; ++pixel) {
+        const int i = pixel % kWidth, j = pixel / kWidth;
+        random = random * 1664525u + 1013904223u;
+        const bool isBox = i > 20 && i < 40 && j > 10 && j < 30;
+        const int surface = (isBox ? 1700 : 2500) + 6 * i - 9 * j + int(random >> 30);
+        const int upper = (100 + i + j / 2) << 8;
+        int number = numbers == "noise"           ? int(random >> 16) | 1
+                     : numbers == "upper"         ? upper
+                     : numbers == "upper and 255" ? upper | 255
+                     : numbers == "flat"          ? 2500
+                     : pixel % 37 == 0            ? 0
+                     : pixel % 41 == 0 && !isRaw  ? 65535
+                                                  : surface;
+        words << quint16(number);
+        floats << float(number) / 1000;
+    }
+    const QByteArray bytes = isRaw ? (isSwapped ? swapped(floats) : bytesOf(floats))
+                                   : "P5 64 48 65535\n" + (isSwapped ? bytesOf(words) : swapped(words));
+    const QString depth = m_folder.write("depth", bytes);
+    QStringList given{"cloud",       m_folder.write("scene.json", sceneOf(R"("type": "frustum")")),
+                      depth,         "-o",
+                      "-",           "--depth-is",
+                      "z",           "--no-data",
+                      "65535,65.535"};
+    if (isRaw)
+        given << "--size"
+              << "64x48";
+    else
+        given << "--depth-scale"
+              << "1000";
+    const QByteArray note = "depth: in the other byte order the image is far smoother; if the depths are wrong, give "
+                            "--byte-order ";
+    const Run run = runCommand(given);
+    QCOMPARE(run.errors.contains(note), !named.isEmpty());
+    if (named.isEmpty())
+        return;
+    QVERIFY2(run.errors.contains(note + named.toUtf8() + '\n'), run.errors.constData());
+    const Run turned = runCommand(given + QStringList{"--byte-order", named});
+    QVERIFY2(!turned.errors.contains("byte order"), turned.errors.constData());
+    const QString right = m_folder.write("right.npy", isRaw ? npy(npyHeader("<f4", "(48, 64)"), bytesOf(floats))
+                                                            : npy(npyHeader("<u2", "(48, 64)"), bytesOf(words)));
+    given[2] = right;
+    QCOMPARE(turned.output, runCommand(given).output);
+    QVERIFY(pointsOf(turned.output).size() > 2 * kWidth * kHeight);
+}
+
 void TestDepthMeanings::whatHasNoPointIsCounted_data()
 {
     constexpr float kNaN = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
@@ -214,6 +360,16 @@ void TestDepthMeanings::whatHasNoPointIsCounted_data()
                                           "depth\n");
     QTest::newRow("range") << QStringList{"--depth-is", "range"} << QVector<float>{1.5f, 1}
                            << QByteArray("1 outside the depth range, 1 with the background's depth\n");
+    QTest::newRow("disparity with an offset")
+        << QStringList{"--depth-is", "disparity", "--baseline", "0.125", "--disparity-offset", "1"}
+        << QVector<float>{0, -1.5f, -0.999f}
+        << QByteArray("1 with 0, 1 below 0, 1 on the far plane (2000) or behind it\n");
+    QTest::newRow("no data, z") << QStringList{"--depth-is", "z", "--no-data", "-9999,0.1,7"}
+                                << QVector<float>{7, -9999, 0.1f, 0, 7, -3}
+                                << QByteArray("4 with a number that means no measurement, 1 with 0, 1 below 0\n");
+    QTest::newRow("no data, buffer") << QStringList{"--no-data", "0.1"} << QVector<float>{0.1f, 1}
+                                     << QByteArray("1 with a number that means no measurement, 1 with the background's "
+                                                   "depth\n");
     QTest::newRow("background alone") << QStringList{} << QVector<float>{1, 1} << QByteArray();
 }
 
@@ -222,7 +378,7 @@ void TestDepthMeanings::whatHasNoPointIsCounted()
     QFETCH(QStringList, options);
     QFETCH(QVector<float>, bad);
     QFETCH(QByteArray, message);
-    const bool isOfWindow = options.isEmpty() || options.contains("range");
+    const bool isOfWindow = !options.contains("--depth-is") || options.contains("range");
     const float good = isOfWindow ? 0.5f : options.contains("disparity") ? 2.0f : 4.0f;
     QVector<float> values(qsizetype(kWidth) * kHeight, good);
     std::copy(bad.begin(), bad.end(), values.begin() + 100);
@@ -280,6 +436,10 @@ void TestDepthMeanings::optionsThatContradict_data()
     QTest::newRow("no baseline") << QStringList{"--depth-is", "disparity"} << QByteArray("needs --baseline");
     QTest::newRow("baseline of z") << QStringList{"--depth-is", "z", "--baseline", "1"}
                                    << QByteArray("--baseline goes with --depth-is disparity");
+    QTest::newRow("offset of z") << QStringList{"--depth-is", "z", "--disparity-offset", "1"}
+                                 << QByteArray("--disparity-offset goes with --depth-is disparity");
+    QTest::newRow("no data, a word") << QStringList{"--depth-is", "z", "--no-data", "0,none"}
+                                     << QByteArray("\"none\" is not a finite number");
     QTest::newRow("scale 0") << QStringList{"--depth-is", "z", "--depth-scale", "0"}
                              << QByteArray("\"0\" is not a number above 0");
     QTest::newRow("no such meaning") << QStringList{"--depth-is", "metres"}

@@ -5,6 +5,8 @@
 #include "core/cameras/named_values.h"
 #include "tests/core/foreign_camera_texts.h"
 
+#include <QRandomGenerator>
+#include <QRegularExpression>
 #include <QTest>
 
 #include <glm/vec4.hpp>
@@ -76,6 +78,40 @@ QString assumedOf(const std::vector<NamedText> &texts, const CameraChoices &choi
     return said.join(QLatin1Char('\n'));
 }
 
+/// How programs spell numbers with more digits than the shortest that give a double back.
+struct Spelling {
+    const char *name, *format;
+    bool isExponentShort; ///< as of JavaScript: e-7, not e-07
+};
+constexpr Spelling kSpellings[]{
+    {"%.17g", "%.17g", false}, {"%.16e", "%.16e", false}, {"%.15f", "%.15f", false}, {"JavaScript", "%.16e", true}};
+
+QByteArray spelled(double value, const Spelling &spelling)
+{
+    QByteArray text = QString::asprintf(spelling.format, value).toLatin1();
+    if (const qsizetype e = text.indexOf('e'); spelling.isExponentShort && e >= 0)
+        text = text.left(e + 1) + QByteArray::number(text.mid(e + 1).toInt());
+    return text;
+}
+
+/// A JSON text with its fractions spelled anew.
+std::string respelled(const std::string &json, const Spelling &spelling)
+{
+    static const QRegularExpression parts(QStringLiteral(R"("[^"]*"|-?\d+(?:\.\d+)?(?:[eE][+-]?\d+)?)"));
+    const QString text = QString::fromStdString(json);
+    QString result;
+    qsizetype at = 0;
+    for (auto it = parts.globalMatch(text); it.hasNext();) {
+        const QRegularExpressionMatch part = it.next();
+        const QString word = part.captured();
+        result += QStringView(text).mid(at, part.capturedStart() - at);
+        result += word.startsWith('"') || !word.contains('.') ? word
+                                                              : QString::fromLatin1(spelled(word.toDouble(), spelling));
+        at = part.capturedEnd();
+    }
+    return (result + text.mid(at)).toStdString();
+}
+
 /// The pixel of a point, from the image's top-left corner.
 glm::dvec2 pixelOf(const SceneCamera &camera, const ProjectedPoint &point)
 {
@@ -92,6 +128,7 @@ class TestCameraReaders : public QObject {
 private slots:
     void pixelsAreTheProgramsOwn_data();
     void pixelsAreTheProgramsOwn();
+    void longNumbersAreRead();
     void otherTextsAreNotTaken_data();
     void otherTextsAreNotTaken();
     void anyCharacterMayBeFirst();
@@ -117,15 +154,25 @@ private slots:
 void TestCameraReaders::pixelsAreTheProgramsOwn_data()
 {
     QTest::addColumn<int>("index");
-    for (int i = 0; i < int(kExamples.size()); ++i)
-        QTest::newRow(kExamples[std::size_t(i)].name) << i;
+    QTest::addColumn<int>("spelling");
+    for (int i = 0; i < int(kExamples.size()); ++i) {
+        const CameraExample &example = kExamples[std::size_t(i)];
+        QTest::newRow(example.name) << i << -1;
+        const bool isJson = std::string_view("{[\"").find(example.texts[0].text[0]) != std::string_view::npos;
+        for (int k = 0; isJson && k < int(std::size(kSpellings)); ++k)
+            QTest::addRow("%s, %s", example.name, kSpellings[k].name) << i << k;
+    }
 }
 
 void TestCameraReaders::pixelsAreTheProgramsOwn()
 {
     QFETCH(int, index);
+    QFETCH(int, spelling);
     const CameraExample &example = kExamples[std::size_t(index)];
-    const auto read = readCamera(textsOf(example), choicesOf(example));
+    std::vector<NamedText> texts = textsOf(example);
+    if (spelling >= 0)
+        texts[0].text = respelled(texts[0].text, kSpellings[spelling]);
+    const auto read = readCamera(texts, choicesOf(example));
     QVERIFY(read);
     QVERIFY2(*read, *read ? "" : (*read).error().reason.c_str());
     QVERIFY(QString(QLatin1String(example.name)).startsWith(QString::fromStdString((*read)->program)));
@@ -139,6 +186,35 @@ void TestCameraReaders::pixelsAreTheProgramsOwn()
             QVERIFY2(off <= example.tolerance, qPrintable(QString::number(off)));
         }
     }
+}
+
+/// Each number as the standard library reads it, in a key of its own and in a list.
+void TestCameraReaders::longNumbersAreRead()
+{
+    QRandomGenerator random(300);
+    for (int i = 0; i < 300; ++i) {
+        const Spelling &spelling = kSpellings[i % int(std::size(kSpellings))];
+        const QByteArray fx = spelled((5000 + random.bounded(5000)) / 10.0, spelling),
+                         fy = spelled(500 + 500 * random.generateDouble(), spelling),
+                         k1 = spelled(-random.generateDouble(), spelling), x = spelled(1e-7 * (i + 1), spelling);
+        const NamedText nerf{"transforms.json",
+                             ("{\"fl_x\": " + fx + ", \"fl_y\": " + fy + ", \"k1\": " + k1
+                              + ", \"w\": 640.0000000000000000, \"h\": 480, \"frames\": [{\"transform_matrix\": "
+                                "[[1,0,0,"
+                              + x + "],[0,1,0,0],[0,0,1,0],[0,0,0,1]]}]}")
+                                 .toStdString()};
+        const auto read = readCamera({{nerf}}, {});
+        QVERIFY2(read && *read, nerf.text.c_str());
+        const ForeignCamera &camera = **read;
+        QVERIFY2(camera.intrinsics->fx == fx.toDouble() && camera.intrinsics->fy == fy.toDouble(), nerf.text.c_str());
+        QVERIFY(camera.size == (ImageSize{640, 480}));
+        QCOMPARE((*camera.pose)[3][0], x.toDouble());
+        QVERIFY(camera.distortion);
+    }
+    // A message has the number as the file has it.
+    const NamedText part{"transforms.json", R"({"fl_x": 500, "w": 640.50000000000000, "h": 480, "transform_matrix":
+        [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]})"};
+    QVERIFY2(reasonOf({part}, {}).startsWith("w is 640.50000000000000;"), qPrintable(reasonOf({part}, {})));
 }
 
 void TestCameraReaders::otherTextsAreNotTaken_data()

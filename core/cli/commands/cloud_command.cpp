@@ -110,6 +110,7 @@ struct Cloud {
     std::optional<ClipDistances> clip; ///< empty for window depths
     std::optional<images::ColorImage> colors;
     PixelCounts counts{};
+    std::size_t saturated = 0; ///< kept pixels with the greatest possible whole number
 
     std::size_t seen() const { return counts[static_cast<std::size_t>(PixelKind::Kept)]; }
     std::string source() const { return options.depth == "-" ? "stdin" : options.depth; }
@@ -191,6 +192,13 @@ std::size_t writeDistances(const Cloud &c, ByteSink &sink, Extent &extent, Progr
     return count;
 }
 
+/// True for window depths in single precision, which need no conversion.
+bool areWindowFloats(const images::NumberImage &image, const DepthNumbers &numbers)
+{
+    return numbers.meaning == DepthMeaning::Buffer && numbers.noData.empty()
+           && std::holds_alternative<std::unique_ptr<float[]>>(image.numbers);
+}
+
 /// Reports what is assumed of the numbers, and the pixels without a point unless they are nothing
 /// but background.
 void reportNumbers(const Cloud &c)
@@ -204,6 +212,13 @@ void reportNumbers(const Cloud &c)
     const bool isBackground = !c.clip && leftOut == c.counts[static_cast<std::size_t>(PixelKind::AtFar)];
     if (leftOut > 0 && !isBackground)
         say(tr("left out: %1", leftOutText(c.counts, c.clip)));
+    if (c.saturated > 0)
+        say(tr(c.saturated == 1
+                   ? "%1 pixel has a point by the greatest possible number, %2. Many cameras write it where "
+                     "they measure nothing: --no-data %2 leaves it out"
+                   : "%1 pixels have a point by the greatest possible number, %2. Many cameras write it "
+                     "where they measure nothing: --no-data %2 leaves them out",
+               c.saturated, shortestText(c.image.greatest)));
     if (c.seen() > 0)
         return;
     if (c.clip)
@@ -221,8 +236,7 @@ ExitCode writeCloud(const Cloud &c, ByteSink &sink)
 {
     ProgressBar progress(pixelsOf(c.setup), ProgressBar::Unit::Points);
     Extent extent;
-    const bool isFast = c.options.numbers.meaning == DepthMeaning::Buffer && !c.colors
-                        && std::holds_alternative<std::unique_ptr<float[]>>(c.image.numbers);
+    const bool isFast = areWindowFloats(c.image, c.options.numbers) && !c.colors;
     const std::size_t count =
         isFast ? writeDepths<Scalar>(c, sink, extent, progress) : writeDistances<Scalar>(c, sink, extent, progress);
     const ExitCode written = sink.finish();
@@ -251,37 +265,38 @@ ExitCode writeCloud(const Cloud &c, ByteSink &sink)
 }
 
 /// Counts the pixels of each kind: PLY states the number of points first.
-PixelCounts countsOf(const images::NumberImage &image, const DepthRows &rows, const Setup &g,
-                     const CloudOptions &options)
+void count(Cloud &c)
 {
-    PixelCounts counts{};
-    const auto *floats = std::get_if<std::unique_ptr<float[]>>(&image.numbers);
-    if (floats != nullptr && options.numbers.meaning == DepthMeaning::Buffer) {
-        const Surfaces surfaces(g.depthRange);
+    const images::NumberImage &image = c.image;
+    if (areWindowFloats(image, c.options.numbers)) {
+        const auto &floats = std::get<std::unique_ptr<float[]>>(image.numbers);
+        const Surfaces surfaces(c.setup.depthRange);
         for (std::size_t j = 0; j < image.size.height; ++j)
-            surfaces.count({floats->get() + image.start(j), image.size.width}, counts);
-        return counts;
+            surfaces.count({floats.get() + image.start(j), image.size.width}, c.counts);
+        return;
     }
     DistanceRow row;
     for (std::size_t j = 0; j < image.size.height; ++j) {
-        rows.read(j, row);
+        c.rows.read(j, row);
         for (const PixelKind kind : row.kinds)
-            ++counts[static_cast<std::size_t>(kind)];
+            ++c.counts[static_cast<std::size_t>(kind)];
+        c.saturated += c.rows.saturated(j, row);
     }
-    return counts;
 }
 
 } // namespace
 
 ExitCode runCloud(const CloudOptions &options)
 {
-    if (const std::string fault = faultOf(options.numbers, {"--depth-is", "--depth-scale", "--baseline"});
+    if (const std::string fault =
+            faultOf(options.numbers, {"--depth-is", "--depth-scale", "--baseline", "--disparity-offset"});
         !fault.empty()) {
         complain(fault);
         return ExitCode::UnusableInput;
     }
     DepthImageChoices choices;
     choices.channel = options.channel;
+    choices.byteOrder = options.byteOrder;
     if (!options.size.empty() && !(choices.size = rawSizeOf(options.size)))
         return ExitCode::UnusableInput;
     const std::optional<SceneFile> scene = readScene(options.scene);
@@ -329,8 +344,8 @@ ExitCode runCloud(const CloudOptions &options)
     if (!image)
         return ExitCode::UnusableInput;
     const DepthRows rows(*image, options.numbers, g, *lines, clip.value_or(ClipDistances{}));
-    const Cloud cloud{
-        options, g, *unprojection, *image, rows, *lines, clip, std::move(colors), countsOf(*image, rows, g, options)};
+    Cloud cloud{options, g, *unprojection, *image, rows, *lines, clip, std::move(colors)};
+    count(cloud);
     reportNumbers(cloud);
     return options.precision == PointPrecision::Double ? writeCloud<double>(cloud, sink)
                                                        : writeCloud<float>(cloud, sink);

@@ -8,11 +8,13 @@
 #include "core/cli/commands/usage.h"
 #include "core/cli/commands/usage_options.h"
 
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace unprojector::cli {
@@ -53,6 +55,39 @@ std::string badRows()
            + tr("Other columns (names, notes) pass through unchanged, in their order. A column with the name of a "
                 "result is\noverwritten.\n\nA row that cannot be computed has empty cells and a line on stderr; the "
                 "others are computed, and the exit code is 1.");
+}
+
+/// A finite number in full.
+std::optional<double> numberIn(std::string_view given)
+{
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), number);
+    const bool isWhole = error == std::errc{} && end == given.data() + given.size();
+    return isWhole && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+std::string finiteNumber(const std::string &given)
+{
+    return numberIn(given) ? std::string() : tr("\"%1\" is not a finite number", given);
+}
+
+/// An option that takes a number above 0.
+void addPositive(CLI::App &command, const std::string &name, std::optional<double> &target,
+                 const std::string &description)
+{
+    command.add_option(name, target, description)->type_name("N")->check([](const std::string &given) {
+        return numberIn(given).value_or(0.0) > 0.0 ? std::string() : tr("\"%1\" is not a number above 0", given);
+    });
+}
+
+/// An option that takes finite numbers with commas between them.
+void addNumbers(CLI::App &command, const std::string &name, std::vector<double> &target, const std::string &description)
+{
+    command.add_option(name, target, description)
+        ->type_name("N")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(finiteNumber);
 }
 
 } // namespace
@@ -183,19 +218,6 @@ void addProject(CLI::App &app, Run &run)
     });
 }
 
-/// An option that takes a number above 0.
-void addPositive(CLI::App &command, const std::string &name, std::optional<double> &target,
-                 const std::string &description)
-{
-    command.add_option(name, target, description)->type_name("N")->check([](const std::string &given) {
-        double number = 0.0;
-        const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), number);
-        const bool isWhole = error == std::errc{} && end == given.data() + given.size();
-        return isWhole && number > 0.0 && std::isfinite(number) ? std::string()
-                                                                : tr("\"%1\" is not a number above 0", given);
-    });
-}
-
 void addCloud(CLI::App &app, Run &run)
 {
     CLI::App *command =
@@ -203,15 +225,17 @@ void addCloud(CLI::App &app, Run &run)
     auto options = std::make_shared<CloudOptions>();
     addSceneFile(*command, options->scene);
     addFile(*command, "DEPTH", options->depth,
-            tr("Depth image: PNG of 8 or 16 bits, .npy, OpenEXR, TIFF, PFM, PGM, or raw 32-bit\nfloats row by row from "
-               "the top; "
-               "- is standard input"))
+            tr("Depth image: PNG of 8 or 16 bits, .npy, OpenEXR, TIFF, PFM, PGM, COLMAP's .bin, or\nraw 32-bit floats "
+               "row by row from the top; - is standard input"))
         ->required();
     addFile(*command, "-o,--output", options->output, tr("Binary PLY; - is standard output"))->required();
     addFile(*command, "--color", options->color, tr("Colors of the same pixels: PNG or JPEG"));
     command->add_option("--size", options->size, tr("Size of raw floats, in pixels"))->type_name("WxH");
     command->add_option("--channel", options->channel, tr("Channel of OpenEXR that holds the depths"))
         ->type_name("NAME");
+    addChoice<std::optional<std::endian>>(
+        *command, "--byte-order", options->byteOrder, {{"little", std::endian::little}, {"big", std::endian::big}},
+        tr("Byte order of a PGM of 16 bits, default big, or of raw floats, default\nlittle"));
     CLI::Option *meaning = addChoice<DepthMeaning>(
         *command, "--depth-is", options->numbers.meaning,
         {{"buffer", DepthMeaning::Buffer},
@@ -225,6 +249,14 @@ void addCloud(CLI::App &app, Run &run)
                 tr("Divides the numbers of z, distance and disparity: 1000 for millimetres in a\nscene in metres"));
     addPositive(*command, "--baseline", options->numbers.baseline,
                 tr("Distance of the two cameras of a disparity, world units"));
+    command
+        ->add_option("--disparity-offset", options->numbers.disparityOffset,
+                     tr("Added to disparities, pixels: the second camera's cx less the first's, as doffs\nof "
+                        "Middlebury"))
+        ->type_name("N")
+        ->check(finiteNumber);
+    addNumbers(*command, "--no-data", options->numbers.noData,
+               tr("Numbers of the image that mean no measurement, before --depth-scale: 65535"));
     addChoice<Method>(*command, "--method", options->method, {{"formula", Method::Formula}, {"matrix", Method::Matrix}},
                       tr("Method"));
     addChoice<PointPrecision>(*command, "--precision", options->precision,
@@ -232,9 +264,10 @@ void addCloud(CLI::App &app, Run &run)
                               tr("Precision of the written numbers"));
     command->footer(
         tr("Whole numbers as depths of the window count from 0 to their greatest possible one; all others as they are. "
-           "Pixels with\n0, NaN or infinity, before the near plane, on the far plane or behind it have no point; they "
-           "are "
-           "counted on stderr.\nFloats have 7 digits: for large coordinates, as on maps, use --precision double.")
+           "Pixels with\n0, NaN, infinity or a number of --no-data, before the near plane, on the far plane or behind "
+           "it "
+           "have no point; they\nare counted on stderr. Floats have 7 digits: for large coordinates, as on maps, use "
+           "--precision double.")
         + "\n\n" + tr("Examples:")
         + "\n  unproject cloud scene.json depth.pfm -o cloud.ply\n  unproject cloud --size 1920x1080 scene.json "
           "depth.raw -o cloud.ply\n  unproject cloud scene.json depth.npy --depth-is z --depth-scale 1000 -o "

@@ -39,6 +39,7 @@ std::optional<NumberImage> readDepthImage(const std::string &file, const DepthIm
     ImageRequest request;
     request.rawSize = choices.size;
     request.channel = choices.channel;
+    request.byteOrder = choices.byteOrder;
     request.onRead = onRead;
     request.refusal = [&](const PixelSize &size) -> std::optional<ImageError> {
         if (request.rawSize && *request.rawSize != size)

@@ -3,6 +3,7 @@
 #include "core/cli/rows/byte_stream.h"
 #include "core/images/number_image.h"
 
+#include <bit>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -13,6 +14,7 @@ namespace unprojector::cli {
 struct DepthImageChoices {
     std::optional<images::PixelSize> size; ///< needed for raw floats, otherwise checked against the file's
     std::string channel;                   ///< of OpenEXR; empty: by its name
+    std::optional<std::endian> byteOrder;  ///< of PGM and raw floats; empty: the usual one
 };
 
 /// Reads a depth image, see images::readNumberImage; prints errors and notes on stderr.
