@@ -147,6 +147,7 @@ private slots:
     void heavyHeadersStayInTheirRooms();
     void noHeaderTakesANamespace();
     void allFileDialogsStartInAKnownFolder();
+    void allTextBoxesTakeAnEmptyClipboard();
     void namesThatWindowsTakesAreFound();
     void noNameIsAMacroOfWindows();
 };
@@ -319,6 +320,23 @@ void TestRooms::allFileDialogsStartInAKnownFolder()
         QVERIFY2(!hasDialog || own.contains(file), qPrintable(file));
     }
     QCOMPARE(count, own.size());
+}
+
+/// Only PlainTextBox survives a paste of nothing.
+void TestRooms::allTextBoxesTakeAnEmptyClipboard()
+{
+    static const QRegularExpression edited(
+        "(?:new|public|make_unique<)\\s*(?:QPlainTextEdit|QTextEdit)\\b|QGraphicsTextItem|setReadOnly\\(false\\)|"
+        "Qt::TextEdit(?:able|orInteraction)|^\\s*(?:QPlainTextEdit|QTextEdit) \\w+[;({]",
+        QRegularExpression::MultilineOption);
+    QStringList found;
+    for (const QString &file : sourcesUnder({"gui"})) {
+        if (file.startsWith(QLatin1String("gui/widgets/plain_text_box.")))
+            continue;
+        if (const auto match = edited.match(textOf(file)); match.hasMatch())
+            found << file + QStringLiteral(": ") + match.captured();
+    }
+    QCOMPARE(found, QStringList());
 }
 
 void TestRooms::namesThatWindowsTakesAreFound()
