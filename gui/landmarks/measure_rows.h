@@ -4,6 +4,7 @@
 #include "gui/document/scene_curves.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <cstddef>
 #include <optional>
@@ -22,6 +23,8 @@ struct MeasureRow {
     std::optional<ShownMeasure> shown = {};
     QString copied = {}; ///< `points` with all digits; empty: the same
     bool isComputing = false;
+    /// `value` and `points` in ever less room, see fittedText; empty: without numbers.
+    QStringList valueTexts = {}, pointsTexts = {};
 };
 
 /// The measures of some landmarks, in list order: the distance of two; the angles of three and
@@ -36,6 +39,8 @@ MeasureRow surfaceLengthOf(const landmarks::LandmarkSet &set, const std::vector<
                            const SceneCurves::Line &line);
 /// The length of a curve, "12.34 ± 0.05 mm", or why there is none.
 QString curveLengthText(const SceneCurves::Line &line, const QString &unit);
+/// The same in ever less room, see fittedText; empty without a length.
+QStringList curveLengthTexts(const SceneCurves::Line &line, const QString &unit);
 
 /// Rows for the plane that best mirrors left landmarks to right ones: its landmarks and those
 /// without an uncertainty. Then for each pair the asymmetry, and for each landmark of the middle the

@@ -11,6 +11,7 @@
 #include "gui/text/error_text.h"
 #include "gui/widgets/copy_menu.h"
 #include "gui/widgets/file_dialogs.h"
+#include "gui/widgets/number_delegate.h"
 #include "gui/widgets/save_name.h"
 #include "gui/widgets/segmented_switch.h"
 
@@ -44,7 +45,10 @@ MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
     m_rows->setRootIsDecorated(false);
     m_rows->setUniformRowHeights(true);
     m_rows->setHeaderLabels({tr("Measure"), tr("Landmarks"), tr("Value")});
-    m_rows->setTextElideMode(Qt::ElideMiddle);
+    m_rows->setTextElideMode(Qt::ElideMiddle); // of names: numbers lose digits instead
+    auto *numbers = new NumberDelegate(m_rows);
+    m_rows->setItemDelegateForColumn(1, numbers);
+    m_rows->setItemDelegateForColumn(2, numbers);
     m_rows->setSelectionMode(QAbstractItemView::SingleSelection);
     m_rows->setToolTip(tr("Select a measure to show it in the view; select it again to hide it"));
     connect(m_rows, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem *item) {
@@ -166,6 +170,8 @@ void MeasuresView::showRows()
     for (const MeasureRow &row : m_listed) {
         auto *item = new QTreeWidgetItem(m_rows, {row.kind, row.points, row.value});
         item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
+        item->setData(1, NumberDelegate::kTextsRole, row.pointsTexts);
+        item->setData(2, NumberDelegate::kTextsRole, row.valueTexts);
         if (row.isComputing)
             showComputing(*m_rows, *item, 2, m_document.curves(), true);
         if (isProtocol)
