@@ -116,8 +116,10 @@ void DoctorPanel::connectDocument()
 {
     connect(&m_document, &SceneDocument::opened, this, [this] {
         m_setup.reset();
+        m_setupBefore.reset();
         m_taken.reset();
         m_takenBefore.reset();
+        m_form->forgetClickedRows();
     });
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (!isVisible())

@@ -4,6 +4,7 @@
 #include "gui/doctor/step_heading.h"
 #include "gui/text/number_text.h"
 #include "gui/text/sentences.h"
+#include "gui/widgets/plain_text_box.h"
 #include "gui/widgets/refused_field.h"
 #include "gui/widgets/typing_pause.h"
 
@@ -18,6 +19,7 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -79,7 +81,7 @@ private:
     bool offers(QClipboard::Mode mode) const
     {
         const QString text = QGuiApplication::clipboard()->text(mode);
-        return !text.isEmpty() && takes && takes(text);
+        return !text.isEmpty() && text.size() <= kMostPastedCharacters && takes && takes(text);
     }
 };
 
@@ -112,6 +114,7 @@ struct WrongPointsForm::Row {
     QLineEdit *depth = nullptr;
     PasteField *got = nullptr;
     QToolButton *remove = nullptr;
+    QString clickedPixel; ///< the field's text of the click
     /// The full depth of the click, while the field has its short text.
     std::optional<double> clickedDepth;
     /// The field that was left last, until the next edit.
@@ -119,6 +122,7 @@ struct WrongPointsForm::Row {
 
     std::array<QLineEdit *, 3> fields() const { return {pixel, depth, got}; }
     bool isEmpty() const { return !isFilled(*pixel) && !isFilled(*depth) && !isFilled(*got); }
+    bool isOfClick() const { return isFilled(*pixel) && pixel->text() == clickedPixel; }
     void setClickedDepth(const std::optional<double> &value)
     {
         clickedDepth = value;
@@ -460,7 +464,8 @@ void WrongPointsForm::addClick(const DevicePoint &pixel, const std::optional<dou
     Row &row = waiting ? *waiting : addRow();
     m_beforeClick = {&row, !waiting, row.pixel->text(), row.depth->text(), row.clickedDepth};
     row.left = nullptr;
-    row.pixel->setText(writtenText(pixel.x, 12) + QStringLiteral(", ") + writtenText(pixel.y, 12));
+    row.clickedPixel = writtenText(pixel.x, 12) + QStringLiteral(", ") + writtenText(pixel.y, 12);
+    row.pixel->setText(row.clickedPixel);
     row.pixel->setCursorPosition(0);
     row.setClickedDepth(depth);
     arrange();
@@ -485,6 +490,18 @@ bool WrongPointsForm::takeBackClick()
     markFaults();
     emit changed();
     return true;
+}
+
+void WrongPointsForm::forgetClickedRows()
+{
+    const QSignalBlocker blocker(this);
+    std::vector<const Row *> clicked;
+    for (const auto &row : m_rows) {
+        if (row->isOfClick())
+            clicked.push_back(row.get());
+    }
+    for (const Row *row : clicked)
+        removeRow(row);
 }
 
 void WrongPointsForm::forgetClickedDepths()

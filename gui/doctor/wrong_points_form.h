@@ -41,6 +41,8 @@ public:
     bool takeBackClick();
     /// Keeps the last click: it cannot be reverted any more.
     void forgetClick() { m_beforeClick.reset(); }
+    /// Removes the rows of clicks, which belong to their scene, without `changed`. Typed pixels stay.
+    void forgetClickedRows();
     /// Drops the depths of clicks, which belong to the camera of their view. Typed depths stay.
     void forgetClickedDepths();
     /// Focuses the first row without a program's point.

@@ -31,7 +31,8 @@ std::optional<landmarks::LandmarkSet> transformed(landmarks::LandmarkSet set, co
                                                   const scene::SceneObject &to);
 
 /// Detaches landmarks from objects that no longer exist, and from elements that are missing or
-/// elsewhere, as in another version of the file. They keep their position and become free.
+/// elsewhere, as in another version of the file. They keep their position and become free. The
+/// uncertainty of those that are away from their anchor becomes unknown.
 /// @return how many, and one of them, in sentences; empty if none was detached
 QString detachStale(std::vector<landmarks::Landmark> &landmarks, const std::vector<scene::SceneObject> &objects);
 

@@ -5,6 +5,7 @@
 #include "gui/landmarks/computing_button.h"
 #include "gui/landmarks/measure_rows.h"
 #include "gui/text/error_text.h"
+#include "gui/widgets/number_delegate.h"
 
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -13,7 +14,6 @@
 #include <QMenu>
 #include <QShortcut>
 #include <QSignalBlocker>
-#include <QStyledItemDelegate>
 #include <QTimer>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -31,9 +31,9 @@ using landmarks::CurveKind;
 enum Column { Name, Points, Kind, Count, Length };
 
 /// Edits names and numbers of semilandmarks in place.
-class CurveDelegate : public QStyledItemDelegate {
+class CurveDelegate : public NumberDelegate {
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    using NumberDelegate::NumberDelegate;
 
     QWidget *createEditor(QWidget *parent, const QStyleOptionViewItem &option, const QModelIndex &index) const override
     {
@@ -268,6 +268,7 @@ void CurvesView::showLengths()
         if (!item)
             return; // the landmarks have not been reported yet
         item->setText(Length, curveLengthText(curves.line(i), unit));
+        item->setData(Length, NumberDelegate::kTextsRole, curveLengthTexts(curves.line(i), unit));
         showComputing(*m_rows, *item, Length, curves, curves.line(i).isComputing);
         for (int column = 0; column <= Length; ++column)
             item->setToolTip(column, plainToolTip(tr("%1 %2: %3", "a curve, its points, its length")

@@ -1,6 +1,7 @@
 #include "gui/landmarks/deviations_model.h"
 
 #include "gui/text/number_text.h"
+#include "gui/widgets/number_delegate.h"
 
 #include <QFont>
 #include <QGuiApplication>
@@ -54,6 +55,11 @@ QVariant DeviationsModel::data(const QModelIndex &index, int role) const
         default: return {};
         }
     }
+    if (role == NumberDelegate::kTextsRole && index.column() == Distance)
+        return QStringList{significantText(deviation.distance, 3), significantText(deviation.distance, 2),
+                           significantText(deviation.distance, 1)};
+    if (role == NumberDelegate::kTextsRole && index.column() == Spreads)
+        return QStringList{fixedText(deviation.spreads(), 1), fixedText(deviation.spreads(), 0)};
     if (role == Qt::TextAlignmentRole && (index.column() == Distance || index.column() == Spreads))
         return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     if (role == Qt::FontRole && deviation.isOutOfPlace) {

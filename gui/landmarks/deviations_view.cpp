@@ -5,6 +5,7 @@
 #include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
 #include "gui/text/sentences.h"
+#include "gui/widgets/number_delegate.h"
 
 #include <QHeaderView>
 #include <QLabel>
@@ -34,6 +35,7 @@ DeviationsView::DeviationsView(ScanSeries &series, QWidget *parent)
     m_rows->setRootIsDecorated(false);
     m_rows->setUniformRowHeights(true);
     m_rows->setTextElideMode(Qt::ElideMiddle);
+    m_rows->setItemDelegate(new NumberDelegate(m_rows));
     m_summary->setWordWrap(true);
     m_summary->setTextFormat(Qt::PlainText);
     m_pause.setSingleShot(true);

@@ -167,7 +167,7 @@ std::vector<LandmarkMark> landmarkMarks(const SceneDocument &document)
         mark.isBehind = isBehind(document, landmark, at);
         mark.isSelected = list.isSelected(i);
         mark.isCurrent = list.current() == i;
-        mark.isFree = std::holds_alternative<landmarks::Free>(landmark.anchor) && !landmark.uncertainty;
+        mark.isFree = std::holds_alternative<landmarks::Free>(landmark.anchor);
         mark.color = landmark.color ? QColor(landmark.color->r, landmark.color->g, landmark.color->b) : kUsualColor;
         const QString name = SceneLandmarks::shownNameOf(landmarks, i);
         mark.label = mark.isBehind ? Texts::tr("%1 (behind)", "a point that the surface hides").arg(name) : name;

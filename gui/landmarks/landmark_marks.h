@@ -24,7 +24,7 @@ struct LandmarkMark {
     bool isBehind = false; ///< hidden behind a surface, or cut away
     bool isSelected = false;
     bool isCurrent = false;
-    bool isFree = false; ///< no anchor holds it on a surface, and its uncertainty is unknown
+    bool isFree = false; ///< no anchor holds it on a surface
     QColor color;
     QString label;
 };

@@ -6,6 +6,7 @@
 #include "gui/text/error_text.h"
 #include "gui/text/landmark_text.h"
 #include "gui/text/typed_numbers.h"
+#include "gui/widgets/number_delegate.h"
 #include "gui/widgets/row_drag.h"
 
 #include <QFont>
@@ -179,6 +180,8 @@ QVariant LandmarksModel::data(const QModelIndex &index, int role) const
                    : QVariant();
     case Qt::ToolTipRole: return plainToolTip(toolTip(index));
     case kCertainLengthRole: return isCoordinate(column) ? certainLength(landmark, axisOf(column)) : QVariant();
+    case NumberDelegate::kTextsRole:
+        return column == PlusMinus ? QVariant(QStringList(plusMinusText(landmark))) : QVariant();
     case kSortRole: return sortKey(index);
     default: return {};
     }

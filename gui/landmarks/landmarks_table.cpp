@@ -6,6 +6,7 @@
 #include "gui/text/short_name.h"
 #include "gui/widgets/certain_digits_delegate.h"
 #include "gui/widgets/digits_font.h"
+#include "gui/widgets/number_delegate.h"
 #include "gui/widgets/quiet_selection.h"
 
 #include <QAbstractItemDelegate>
@@ -62,6 +63,7 @@ LandmarksTable::LandmarksTable(SceneDocument &document, LandmarksModel *model, Q
     auto *digits = new CertainDigitsDelegate(this);
     for (const int column : {LandmarksModel::X, LandmarksModel::Y, LandmarksModel::Z})
         setItemDelegateForColumn(column, digits);
+    setItemDelegateForColumn(LandmarksModel::PlusMinus, new NumberDelegate(this));
     setAccessibleName(tr("Placed landmarks"));
     setRootIsDecorated(false);
     setUniformRowHeights(true);

@@ -64,7 +64,10 @@ MeasureRow lengthRow(const QString &kind, const QString &points, const Measured 
 {
     if (!measured)
         return {kind, points, reasonOf(measured.error(), set, indices)};
-    return {kind, points, lengthText(*measured, QString::fromStdString(set.unit)), measured->value, measured->error};
+    MeasureRow row{kind, points, {}, measured->value, measured->error};
+    row.valueTexts = lengthTexts(*measured, QString::fromStdString(set.unit));
+    row.value = row.valueTexts.front();
+    return row;
 }
 
 MeasureRow angleRow(const QString &points, const Measured &measured, const LandmarkSet &set,
@@ -73,8 +76,14 @@ MeasureRow angleRow(const QString &points, const Measured &measured, const Landm
     const QString kind = Measures::tr("Angle");
     if (!measured)
         return {kind, points, reasonOf(measured.error(), set, indices)};
-    return {kind, points, angleText(*measured), degreesFromRadians(measured->value),
-            measured->error ? std::optional(degreesFromRadians(*measured->error)) : std::nullopt};
+    MeasureRow row{kind,
+                   points,
+                   {},
+                   degreesFromRadians(measured->value),
+                   measured->error ? std::optional(degreesFromRadians(*measured->error)) : std::nullopt};
+    row.valueTexts = angleTexts(*measured);
+    row.value = row.valueTexts.front();
+    return row;
 }
 
 } // namespace
@@ -148,11 +157,17 @@ QString curveLengthText(const SceneCurves::Line &line, const QString &unit)
     return line.line ? lengthText(line.line->length, unit) : line.reason;
 }
 
+QStringList curveLengthTexts(const SceneCurves::Line &line, const QString &unit)
+{
+    return !line.isComputing && line.line ? lengthTexts(line.line->length, unit) : QStringList();
+}
+
 MeasureRow surfaceLengthOf(const LandmarkSet &set, const std::vector<std::size_t> &indices,
                            const SceneCurves::Line &line)
 {
     MeasureRow row{Measures::tr("Along the surface"), namesOf(set, indices),
                    curveLengthText(line, QString::fromStdString(set.unit))};
+    row.valueTexts = curveLengthTexts(line, QString::fromStdString(set.unit));
     row.isComputing = line.isComputing;
     if (line.isComputing || !line.line)
         return row;
@@ -216,6 +231,10 @@ MeasureRow planeRow(const LandmarkSet &set, const std::vector<landmarks::Pair> &
                    Measures::tr("offset %1").arg(lengthText(offset, QString::fromStdString(set.unit))), plane.offset,
                    symmetry.offsetError};
     row.copied = normalText(plane.normal, [](double value) { return shortestText(value); });
+    for (int digits = kDigits; digits > 0; --digits)
+        row.pointsTexts << normalText(plane.normal, [digits](double value) { return writtenText(value, digits); });
+    for (const QString &text : lengthTexts(offset, QString::fromStdString(set.unit)))
+        row.valueTexts << Measures::tr("offset %1").arg(text);
     std::vector<std::size_t> partners(set.landmarks.size());
     std::iota(partners.begin(), partners.end(), std::size_t{0});
     for (const landmarks::Pair &pair : pairs) {
@@ -292,7 +311,8 @@ std::vector<MeasureRow> sidesOf(const LandmarkSet &whole)
         } else if (measure) {
             row.number = measure->value;
             row.error = measure->error;
-            row.value = lengthText(*measure, QString::fromStdString(set.unit));
+            row.valueTexts = lengthTexts(*measure, QString::fromStdString(set.unit));
+            row.value = row.valueTexts.front();
             row.shown = ShownMeasure{ShownMeasure::Shape::Mirror, {index, partner}, {}, mirror};
         } else {
             return;

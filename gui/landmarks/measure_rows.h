@@ -5,6 +5,7 @@
 
 #include <QFontMetrics>
 #include <QString>
+#include <QStringList>
 
 #include <cstddef>
 #include <optional>
@@ -23,6 +24,8 @@ struct MeasureRow {
     std::optional<ShownMeasure> shown = {};
     QString copied = {}; ///< `points` with all digits; empty: the same
     bool isComputing = false;
+    /// `value` and `points` in ever less room, see fittedText; empty: without numbers.
+    QStringList valueTexts = {}, pointsTexts = {};
 };
 
 /// The names of a row, shortened so that each keeps a part: else the row would not show their order.
@@ -41,6 +44,8 @@ MeasureRow surfaceLengthOf(const landmarks::LandmarkSet &set, const std::vector<
                            const SceneCurves::Line &line);
 /// The length of a curve, "12.34 ± 0.05 mm", or why there is none.
 QString curveLengthText(const SceneCurves::Line &line, const QString &unit);
+/// The same in ever less room, see fittedText; empty without a length.
+QStringList curveLengthTexts(const SceneCurves::Line &line, const QString &unit);
 
 /// Rows for the plane that best mirrors left landmarks to right ones: its landmarks and those
 /// without an uncertainty. Then for each pair the asymmetry, and for each landmark of the middle the

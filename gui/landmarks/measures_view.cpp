@@ -11,6 +11,7 @@
 #include "gui/text/error_text.h"
 #include "gui/widgets/copy_menu.h"
 #include "gui/widgets/file_dialogs.h"
+#include "gui/widgets/number_delegate.h"
 #include "gui/widgets/save_name.h"
 #include "gui/widgets/segmented_switch.h"
 
@@ -34,14 +35,14 @@ namespace unprojector::gui {
 namespace {
 
 /// Shortens each name of a row instead of the row: its order stays visible.
-class NamesDelegate : public QStyledItemDelegate {
+class NamesDelegate : public NumberDelegate {
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    using NumberDelegate::NumberDelegate;
 
 protected:
     void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
     {
-        QStyledItemDelegate::initStyleOption(option, index);
+        NumberDelegate::initStyleOption(option, index);
         const QStyle &style = option->widget ? *option->widget->style() : *QApplication::style();
         const int margin = style.pixelMetric(QStyle::PM_FocusFrameHMargin, option, option->widget) + 1;
         if (const int width = option->rect.width() - 2 * margin; width > 0) // else the wanted size is asked for
@@ -67,8 +68,8 @@ MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
     m_rows->setRootIsDecorated(false);
     m_rows->setUniformRowHeights(true);
     m_rows->setHeaderLabels({tr("Measure"), tr("Landmarks"), tr("Value")});
-    m_rows->setTextElideMode(Qt::ElideMiddle);
     m_rows->setItemDelegateForColumn(1, new NamesDelegate(m_rows));
+    m_rows->setItemDelegateForColumn(2, new NumberDelegate(m_rows));
     m_rows->setSelectionMode(QAbstractItemView::SingleSelection);
     m_rows->setToolTip(tr("Select a measure to show it in the view; select it again to hide it"));
     connect(m_rows, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem *item) {
@@ -190,6 +191,8 @@ void MeasuresView::showRows()
     for (const MeasureRow &row : m_listed) {
         auto *item = new QTreeWidgetItem(m_rows, {row.kind, row.points, row.value});
         item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
+        item->setData(1, NumberDelegate::kTextsRole, row.pointsTexts);
+        item->setData(2, NumberDelegate::kTextsRole, row.valueTexts);
         if (row.isComputing)
             showComputing(*m_rows, *item, 2, m_document.curves(), true);
         if (isProtocol)

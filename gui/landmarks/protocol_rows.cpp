@@ -76,6 +76,7 @@ MeasureRow rowOf(const KeptMeasure &measure, const LandmarkSet &set, const std::
     const QString unit = QString::fromStdString(set.unit);
     if (measure.kind == MeasureKind::Surface && !indices.empty() && indices == selection && along) {
         row.value = curveLengthText(*along, unit);
+        row.valueTexts = curveLengthTexts(*along, unit);
         if (!along->isComputing && along->line) {
             row.number = along->line->length.value;
             row.error = along->line->length.error;
@@ -102,10 +103,11 @@ MeasureRow rowOf(const KeptMeasure &measure, const LandmarkSet &set, const std::
         landmarks::Measure radians{geometry::radiansFromDegrees(value.measure->value), std::nullopt};
         if (value.measure->error)
             radians.error = geometry::radiansFromDegrees(*value.measure->error);
-        row.value = angleText(radians);
+        row.valueTexts = angleTexts(radians);
     } else {
-        row.value = lengthText(*value.measure, unit);
+        row.valueTexts = lengthTexts(*value.measure, unit);
     }
+    row.value = row.valueTexts.front();
     if (!indices.empty())
         row.shown = shownOf(measure.kind, indices);
     return row;

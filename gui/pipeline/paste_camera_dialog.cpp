@@ -13,6 +13,7 @@
 #include "gui/text/number_text.h"
 #include "gui/text/sentences.h"
 #include "gui/widgets/file_dialogs.h"
+#include "gui/widgets/plain_text_box.h"
 #include "gui/widgets/segmented_switch.h"
 
 #include <QBoxLayout>
@@ -131,6 +132,12 @@ void PasteCameraDialog::connectBox(MatrixRole role)
         m_paste.setText(role, text.toStdString());
         refresh();
     });
+    connect(box(role), &PastedMatrixBox::textRefused, this, [this](qsizetype characters) {
+        m_meaning->setText(tr("The text has %1 characters; at most %2 can be pasted. Save it as a file, and make a "
+                              "scene of it by the command “unproject scene FILE”.")
+                               .arg(characters)
+                               .arg(kMostPastedCharacters));
+    });
     connect(box(role), &PastedMatrixBox::orderChosen, this, [this, role](NumberOrder order) {
         m_paste.setOrder(role, order);
         refresh();
@@ -188,7 +195,9 @@ void PasteCameraDialog::readFiles(const std::vector<std::filesystem::path> &file
     if (!isForeign() && m_files.size() == 1) {
         const QString text = QString::fromStdString(m_files.front().text);
         m_files.clear();
+        refresh();
         setText(MatrixRole::Projection, text);
+        return;
     }
     refresh();
 }

@@ -6,11 +6,11 @@
 #include "gui/text/sentences.h"
 #include "gui/widgets/digits_font.h"
 #include "gui/widgets/number_grid.h"
+#include "gui/widgets/plain_text_box.h"
 #include "gui/widgets/segmented_switch.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -49,11 +49,12 @@ PastedMatrixBox::PastedMatrixBox(MatrixRole role, QWidget *parent) : QWidget(par
     bold.setBold(true);
     m_title->setFont(bold);
 
-    m_text = new QPlainTextEdit;
+    m_text = new PlainTextBox;
+    m_text->setMost(kMostPastedCharacters);
     m_text->setFont(digitsFont(font()));
     m_text->setTabChangesFocus(true);
     m_text->setAcceptDrops(false); // the dialog takes files
-    m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
+    m_text->setLineWrapMode(PlainTextBox::NoWrap);
     m_text->setPlaceholderText(
         role == MatrixRole::Projection
             ? tr("Paste 16 numbers as a program prints them\n(glm::to_string, NumPy, JSON, C …), its calls\n"
@@ -126,7 +127,8 @@ PastedMatrixBox::PastedMatrixBox(MatrixRole role, QWidget *parent) : QWidget(par
     layout->addWidget(m_read);
     layout->addStretch();
 
-    connect(m_text, &QPlainTextEdit::textChanged, this, [this] { emit textChanged(text()); });
+    connect(m_text, &PlainTextBox::textChanged, this, [this] { emit textChanged(text()); });
+    connect(m_text, &PlainTextBox::refused, this, &PastedMatrixBox::textRefused);
     connect(m_order, &SegmentedSwitch::chosen, this,
             [this](int index) { emit orderChosen(index == 0 ? NumberOrder::ByColumns : NumberOrder::ByRows); });
     connect(m_ndcDepth, &SegmentedSwitch::chosen, this,
@@ -143,7 +145,7 @@ QString PastedMatrixBox::text() const
 
 void PastedMatrixBox::setText(const QString &text)
 {
-    m_text->setPlainText(text);
+    m_text->setText(text);
 }
 
 void PastedMatrixBox::showMatrix()

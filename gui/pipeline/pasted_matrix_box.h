@@ -7,7 +7,6 @@
 #include <optional>
 
 class QLabel;
-class QPlainTextEdit;
 class QPushButton;
 class QToolButton;
 
@@ -16,6 +15,7 @@ namespace unprojector::gui {
 class MatrixFindingsView;
 class MatrixModel;
 class NumberGrid;
+class PlainTextBox;
 class SegmentedSwitch;
 
 /// A matrix that is being pasted: its text, the parsed matrix, and the findings about it.
@@ -25,6 +25,7 @@ public:
     explicit PastedMatrixBox(matrices::MatrixRole role, QWidget *parent = nullptr);
 
     QString text() const;
+    /// Replaces the text unless it is too long.
     void setText(const QString &text);
     /// Shows the text and what it was read as.
     void showMatrix();
@@ -36,6 +37,8 @@ public:
 
 signals:
     void textChanged(const QString &text);
+    /// Emitted instead of taking a text of so many characters.
+    void textRefused(qsizetype characters);
     void orderChosen(unprojector::matrices::NumberOrder order);
     void ndcDepthChosen(const std::optional<unprojector::geometry::NdcDepth> &depth);
     void repairWanted(const unprojector::matrices::MatrixFinding &finding);
@@ -52,7 +55,7 @@ private:
     matrices::MatrixRole m_role;
     QLabel *m_title;
     QWidget *m_read; ///< all that the text was read as
-    QPlainTextEdit *m_text;
+    PlainTextBox *m_text;
     QLabel *m_said;
     QPushButton *m_move;
     SegmentedSwitch *m_order;

@@ -3,6 +3,7 @@
 #include "gui/document/recovery_file.h"
 #include "gui/text/error_text.h"
 #include "gui/widgets/contrast.h"
+#include "gui/widgets/plain_text_box.h"
 
 #include <QAccessible>
 #include <QApplication>
@@ -10,7 +11,6 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTimer>
@@ -78,7 +78,7 @@ void makeOverlay(QFrame &frame, const char *background, const char *border)
 }
 
 MessageBar::MessageBar(QWidget *parent)
-    : QFrame(parent), m_text(new QLabel), m_all(new QPlainTextEdit), m_more(new QToolButton), m_close(new QToolButton)
+    : QFrame(parent), m_text(new QLabel), m_all(new PlainTextBox), m_more(new QToolButton), m_close(new QToolButton)
 {
     makeOverlay(*this, "#fdeeda", "#d9a35b");
     m_text->setWordWrap(true);

@@ -6,7 +6,6 @@
 
 class QComboBox;
 class QLabel;
-class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
 class QTimer;
@@ -14,6 +13,7 @@ class QToolButton;
 
 namespace unprojector::gui {
 
+class PlainTextBox;
 struct RecoveryInfo;
 
 /// Makes a frame a bar over the view, hidden at first. It is dark where the window's colours
@@ -38,7 +38,7 @@ private:
 
     QString m_full;
     QLabel *m_text;
-    QPlainTextEdit *m_all; ///< scrolls; shows all lines on demand
+    PlainTextBox *m_all; ///< scrolls; shows all lines on demand
     QToolButton *m_more;
     QToolButton *m_close;
 };

@@ -8,6 +8,7 @@
 #include "gui/text/error_text.h"
 #include "gui/widgets/digits_font.h"
 #include "gui/widgets/help_link.h"
+#include "gui/widgets/plain_text_box.h"
 #include "gui/widgets/save_name.h"
 #include "gui/widgets/segmented_switch.h"
 
@@ -16,7 +17,6 @@
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollBar>
@@ -36,7 +36,7 @@ constexpr std::array kDialects{CodeDialect::Glu, CodeDialect::Glm, CodeDialect::
 } // namespace
 
 SceneCodeWindow::SceneCodeWindow(const SceneDocument &document, const Session &session, QWidget *parent)
-    : QDialog(parent), m_document(document), m_session(session), m_text(new QPlainTextEdit)
+    : QDialog(parent), m_document(document), m_session(session), m_text(new PlainTextBox)
 {
     setWindowTitle(tr("Scene as Code"));
     constexpr int kDigits = 118, kLines = 40;
@@ -51,7 +51,7 @@ SceneCodeWindow::SceneCodeWindow(const SceneDocument &document, const Session &s
          {QStringLiteral("NumPy"),
           tr("Python with NumPy alone: the matrices, and a click by formula and by inverse")}});
     m_text->setReadOnly(true);
-    m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
+    m_text->setLineWrapMode(PlainTextBox::NoWrap);
     m_text->setFont(digitsFont(font()));
     m_text->setAccessibleName(tr("The scene's code"));
     // The text can be selected by the keyboard too.

@@ -5,10 +5,10 @@
 #include <QDialog>
 
 class QLabel;
-class QPlainTextEdit;
 
 namespace unprojector::gui {
 
+class PlainTextBox;
 class SceneDocument;
 class SegmentedSwitch;
 class Session;
@@ -43,7 +43,7 @@ private:
     const SceneDocument &m_document;
     const Session &m_session;
     SegmentedSwitch *m_dialects;
-    QPlainTextEdit *m_text;
+    PlainTextBox *m_text;
     QLabel *m_said; ///< confirms that the code is saved
 };
 

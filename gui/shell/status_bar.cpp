@@ -1,6 +1,7 @@
 #include "gui/shell/status_bar.h"
 
 #include "gui/text/error_text.h"
+#include "gui/text/fitted_text.h"
 
 #include <QHelpEvent>
 #include <QPainter>
@@ -36,7 +37,8 @@ QRect StatusBar::messageRoom() const
 
 QString StatusBar::shownMessage() const
 {
-    return fontMetrics().elidedText(currentMessage(), Qt::ElideRight, messageRoom().width());
+    return elidedSentence(currentMessage(), messageRoom().width(),
+                          [metrics = fontMetrics()](const QString &text) { return metrics.horizontalAdvance(text); });
 }
 
 bool StatusBar::event(QEvent *event)

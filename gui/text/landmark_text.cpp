@@ -2,6 +2,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/ray/placed_landmark.h"
+#include "gui/text/fitted_text.h"
 
 #include <QCoreApplication>
 
@@ -29,17 +30,29 @@ Cases(Fs...) -> Cases<Fs...>;
 /// last certain digit.
 QString toLastDigitOf(const QString &error, double value, double exactError)
 {
-    if (error.contains(u'×')) // a power of ten
+    if (error.contains(u'×')) { // a power of ten
+        constexpr double kLeastWrittenOut = 1e-4, kTooLarge = 1e10;
+        const double size = std::abs(value);
+        const int place = certainPlace(exactError);
+        if (place < 0 && size >= kLeastWrittenOut && size < kTooLarge)
+            return fixedText(value, -place);
         return certainText(value, exactError);
+    }
     const qsizetype point = error.indexOf(u'.');
     return fixedText(value, point < 0 ? 0 : static_cast<int>(error.size() - point - 1));
+}
+
+/// The unit behind a number.
+QString behindNumber(const QString &unit)
+{
+    return unit.isEmpty() || unit == QStringLiteral("°") ? unit : QChar(QChar::Nbsp) + unit;
 }
 
 /// A value with its error.
 QString measureText(double value, const std::optional<double> &error, const QString &unit)
 {
     constexpr int kDigits = 7; // for a value with unknown uncertainty
-    const QString behind = unit.isEmpty() || unit == QStringLiteral("°") ? unit : QChar(QChar::Nbsp) + unit;
+    const QString behind = behindNumber(unit);
     const QString inner = unit == QStringLiteral("°") ? unit : QString();
     if (!error)
         return writtenText(value, kDigits) + inner + QStringLiteral(" ± ?") + (inner.isEmpty() ? behind : QString());
@@ -47,6 +60,20 @@ QString measureText(double value, const std::optional<double> &error, const QStr
         return writtenText(value) + behind;
     const QString bound = boundText(*error);
     return QStringLiteral("%1 ± %2").arg(toLastDigitOf(bound, value, *error) + inner, bound + behind);
+}
+
+/// The same in ever less room: without its error, then with ever fewer digits.
+QStringList measureTexts(double value, const std::optional<double> &error, const QString &unit)
+{
+    QStringList texts{measureText(value, error, unit)};
+    const bool isUncertain = error && *error > 0.0;
+    const QString certain = isUncertain ? toLastDigitOf(boundText(*error), value, *error) : writtenText(value);
+    texts << certain + behindNumber(unit);
+    for (const QString &shorter : shorterTexts(value)) {
+        if (shorter.size() < certain.size())
+            texts << shorter + behindNumber(unit);
+    }
+    return texts;
 }
 
 /// The state of a landmark without a position, in one or two words.
@@ -154,16 +181,26 @@ Notation landmarkNotation(const landmarks::Landmark &landmark, int axis, int cha
     return notation;
 }
 
+QStringList lengthTexts(const landmarks::Measure &measure, const QString &unit)
+{
+    return measureTexts(measure.value, measure.error, unit);
+}
+
+QStringList angleTexts(const landmarks::Measure &measure)
+{
+    return measureTexts(degreesFromRadians(measure.value),
+                        measure.error ? std::optional(degreesFromRadians(*measure.error)) : std::nullopt,
+                        QStringLiteral("°"));
+}
+
 QString lengthText(const landmarks::Measure &measure, const QString &unit)
 {
-    return measureText(measure.value, measure.error, unit);
+    return lengthTexts(measure, unit).front();
 }
 
 QString angleText(const landmarks::Measure &measure)
 {
-    return measureText(degreesFromRadians(measure.value),
-                       measure.error ? std::optional(degreesFromRadians(*measure.error)) : std::nullopt,
-                       QStringLiteral("°"));
+    return angleTexts(measure).front();
 }
 
 QString measureErrorText(const landmarks::MeasureError &error)

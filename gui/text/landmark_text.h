@@ -5,6 +5,7 @@
 #include "gui/text/number_text.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <optional>
 
@@ -36,6 +37,9 @@ QString lengthText(const landmarks::Measure &measure, const QString &unit);
 /// The same in degrees: "91.2° ± 0.4°".
 /// @param measure  radians
 QString angleText(const landmarks::Measure &measure);
+/// The same in ever less room, see fittedText: without the error, then with ever fewer digits.
+QStringList lengthTexts(const landmarks::Measure &measure, const QString &unit);
+QStringList angleTexts(const landmarks::Measure &measure);
 /// The reason why a measure doesn't exist.
 QString measureErrorText(const landmarks::MeasureError &error);
 

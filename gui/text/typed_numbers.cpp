@@ -25,6 +25,9 @@ std::optional<std::vector<double>> typedNumbers(const QString &text, std::size_t
         QRegularExpression::DotMatchesEverythingOption);
     static const QRegularExpression separators(QStringLiteral("[\\s;]+|,\\s+"));
     static const QRegularExpression lastComma(QStringLiteral(",$")), floatSuffix(QStringLiteral("(?<=[\\d.])[fF]$"));
+    constexpr qsizetype kMostCharacters = 10'000; // more than so few numbers ever take: the window waits here
+    if (text.size() > kMostCharacters)
+        return std::nullopt;
     const QRegularExpressionMatch inside = bracketed.match(text);
     const QString numbers = inside.hasMatch() ? inside.captured(1) : text;
     QStringList parts = numbers.split(separators, Qt::SkipEmptyParts);

@@ -6147,6 +6147,10 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>读取一个相机文件，或几个同属的文件（COLMAP）。也可以把文件拖到这里</translation>
     </message>
     <message>
+        <source>The text has %1 characters; at most %2 can be pasted. Save it as a file, and make a scene of it by the command “unproject scene FILE”.</source>
+        <translation>该文本有 %1 个字符；最多可粘贴 %2 个。请把它存为文件，再用命令“unproject scene FILE”生成场景。</translation>
+    </message>
+    <message>
         <source>Open a Camera</source>
         <translation>打开相机</translation>
     </message>

@@ -148,6 +148,7 @@ private slots:
     void noHeaderTakesANamespace();
     void allFileDialogsStartInAKnownFolder();
     void theSystemIsAskedForItsCoresInOnePlace();
+    void allTextBoxesTakeAnEmptyClipboard();
     void namesThatWindowsTakesAreFound();
     void noNameIsAMacroOfWindows();
 };
@@ -333,6 +334,23 @@ void TestRooms::theSystemIsAskedForItsCoresInOnePlace()
             asking << file;
     }
     QCOMPARE(asking, QStringList{"core/threads/parallel.cpp"});
+}
+
+/// Only PlainTextBox survives a paste of nothing.
+void TestRooms::allTextBoxesTakeAnEmptyClipboard()
+{
+    static const QRegularExpression edited(
+        "(?:new|public|make_unique<)\\s*(?:QPlainTextEdit|QTextEdit)\\b|QGraphicsTextItem|setReadOnly\\(false\\)|"
+        "Qt::TextEdit(?:able|orInteraction)|^\\s*(?:QPlainTextEdit|QTextEdit) \\w+[;({]",
+        QRegularExpression::MultilineOption);
+    QStringList found;
+    for (const QString &file : sourcesUnder({"gui"})) {
+        if (file.startsWith(QLatin1String("gui/widgets/plain_text_box.")))
+            continue;
+        if (const auto match = edited.match(textOf(file)); match.hasMatch())
+            found << file + QStringLiteral(": ") + match.captured();
+    }
+    QCOMPARE(found, QStringList());
 }
 
 void TestRooms::namesThatWindowsTakesAreFound()

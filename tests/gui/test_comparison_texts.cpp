@@ -4,15 +4,19 @@
 #include "gui/click/comparison_panel.h"
 #include "gui/click/verdict_view.h"
 #include "gui/text/error_text.h"
+#include "gui/text/fitted_text.h"
 #include "gui/text/formula_text.h"
+#include "gui/text/landmark_text.h"
 #include "gui/text/number_text.h"
 #include "gui/widgets/formula_view.h"
 
 #include "comparison_picks.h"
 
+#include <QRegularExpression>
 #include <QTest>
 #include <QToolButton>
 
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -39,6 +43,10 @@ class TestComparisonTexts : public QObject {
 private slots:
     void numbersAreWritten_data();
     void numbersAreWritten();
+    void aNumberInAnyRoomIsRightInItsDigits_data();
+    void aNumberInAnyRoomIsRightInItsDigits();
+    void measuresAreWrittenOut();
+    void aSentenceIsNeverCutInANumber();
     void theFormulaIsWrittenWithItsNumbers_data();
     void theFormulaIsWrittenWithItsNumbers();
     void theRayOfABackgroundIsWritten();
@@ -104,6 +112,87 @@ void TestComparisonTexts::numbersAreWritten()
     QFETCH(QString, is);
     QFETCH(QString, expected);
     QCOMPARE(withPlainSpaces(is), expected);
+}
+
+void TestComparisonTexts::aNumberInAnyRoomIsRightInItsDigits_data()
+{
+    QTest::addColumn<double>("value");
+    QTest::addColumn<double>("error"); // negative: unknown
+    for (const double value : {0.0422343399942, 24.773746776, 103.76353143, 1.0715559448, 9.9996, 0.99999999, 0.3,
+                               1234.5, 5123000.25, 4.5e9, 6.02e23, 1.2e-7, -0.042234339, -1.5e-300, 2.0 / 3.0, 0.0}) {
+        for (const double error : {1.5e-13, 2e-9, 0.05, 300.0, 0.0, -1.0})
+            QTest::addRow("%.17g within %g", value, error) << value << error;
+    }
+}
+
+/// Whatever the width: the text is read back as the value rounded to the last digit shown, with its
+/// power of ten and its unit, or it is a sign that is no number.
+void TestComparisonTexts::aNumberInAnyRoomIsRightInItsDigits()
+{
+    QFETCH(double, value);
+    QFETCH(double, error);
+    const auto known = error < 0.0 ? std::nullopt : std::optional(error);
+    const QStringList texts = lengthTexts({value, known}, QStringLiteral("mm"));
+    QCOMPARE(texts.front(), lengthText({value, known}, QStringLiteral("mm")));
+    static const QRegularExpression number(
+        QStringLiteral("^(-?\\d+(?:\\.(\\d+))?(?:e([+-]\\d+))?)(?: ± (?:\\?|[\\d.]+(?: × 10⁻?[⁰-⁹¹²³]+)?))? mm$"));
+    const auto size = [](const QString &text) { return static_cast<int>(text.size()); };
+    qsizetype before = 0;
+    for (int width = 0; width <= texts.front().size() + 1; ++width) {
+        const QString text = withPlainSpaces(fittedText(texts, width, size));
+        QVERIFY2(text.size() <= std::max(width, 1), qPrintable(text));
+        if (text.startsWith(u'#')) {
+            QCOMPARE(text, QString(text.size(), u'#'));
+            QCOMPARE(before, 0); // more room is never worse
+            continue;
+        }
+        QVERIFY2(text.size() >= before, qPrintable(text));
+        before = text.size();
+        const QRegularExpressionMatch match = number.match(text);
+        QVERIFY2(match.hasMatch(), qPrintable(text));
+        const int power = match.captured(3).toInt() - static_cast<int>(match.captured(2).size());
+        const double off = std::abs(match.captured(1).toDouble() - value);
+        // Without a power of ten, a large error rounds before the decimal point.
+        const double place =
+            std::max(std::pow(10.0, power), match.captured(2).isEmpty() ? std::max(error, 0.0) * 10.0 : 0.0);
+        QVERIFY2(off <= (0.5 + 1e-6) * place, qPrintable(text));
+    }
+    QCOMPARE(before, texts.front().size());
+}
+
+void TestComparisonTexts::measuresAreWrittenOut()
+{
+    const auto fitted = [](double value, double error, int width) {
+        return withPlainSpaces(fittedText(lengthTexts({value, error}, QStringLiteral("mm")), width,
+                                          [](const QString &text) { return static_cast<int>(text.size()); }));
+    };
+    // Never "4.2234339994…".
+    QCOMPARE(fitted(0.0422343399942, 1.5e-13, 60), QStringLiteral("0.042234339994 ± 1.5 × 10⁻¹³ mm"));
+    QCOMPARE(fitted(0.0422343399942, 1.5e-13, 20), QStringLiteral("0.042234339994 mm"));
+    QCOMPARE(fitted(0.0422343399942, 1.5e-13, 11), QStringLiteral("0.042234 mm"));
+    QCOMPARE(fitted(0.0422343399942, 1.5e-13, 7), QStringLiteral("0.04 mm"));
+    QCOMPARE(fitted(0.0422343399942, 1.5e-13, 6), QStringLiteral("####"));
+    QCOMPARE(fitted(1.25e-9, 3e-14, 11), QStringLiteral("1.25e-09 mm"));
+    QCOMPARE(fitted(1.25e-9, 3e-14, 9), QStringLiteral("1e-09 mm"));
+    QCOMPARE(fitted(12.345, 0.05, 60), QStringLiteral("12.35 ± 0.05 mm"));
+    QCOMPARE(fitted(12.349, 0.05, 7), QStringLiteral("12.3 mm")); // not from 12.35
+}
+
+void TestComparisonTexts::aSentenceIsNeverCutInANumber()
+{
+    const auto size = [](const QString &text) { return static_cast<int>(text.size()); };
+    const QString said = QStringLiteral("They were moved onto the mesh by at most 1.23e-05 mm (nasion left).");
+    for (int width = 1; width <= said.size(); ++width) {
+        const QString shown = elidedSentence(said, width, size);
+        QVERIFY2(shown.size() <= width, qPrintable(shown));
+        QVERIFY2(shown == said || !shown.contains(u'1') || shown.contains(QStringLiteral("1.23e-05 mm")),
+                 qPrintable(shown));
+    }
+    QCOMPARE(elidedSentence(said, 50, size), QStringLiteral("They were moved onto the mesh by at most…"));
+    QCOMPARE(elidedSentence(said, 63, size),
+             QStringLiteral("They were moved onto the mesh by at most 1.23e-05 mm (nasion l…"));
+    QCOMPARE(elidedSentence(QStringLiteral("标志点最多移动了1.23e-05毫米"), 12, size),
+             QStringLiteral("标志点最多移动…"));
 }
 
 void TestComparisonTexts::theFormulaIsWrittenWithItsNumbers_data()

@@ -91,6 +91,7 @@ private slots:
     void theCameraThatCountsIsNamed();
     void theWholeTaskIsDone();
     void depthsOfClicksGoWithTheirCamera();
+    void clicksGoWithTheirScene();
     void theSolvedValueIsInSentenceTableAndCode();
     void eachCandidateHasOneRow();
     void noLibraryWithoutALineIsShown();
@@ -196,6 +197,39 @@ void TestDoctorSteps::depthsOfClicksGoWithTheirCamera()
     const MatrixProjection other{glm::frustum(-1.0, 1.0, -0.75, 0.75, 3.0, 60.0), std::nullopt};
     QVERIFY(editMatrices(window->document(), other, std::nullopt, {"lens"}));
     QCOMPARE(depth->text(), QStringLiteral("0.75"));
+}
+
+void TestDoctorSteps::clicksGoWithTheirScene()
+{
+    const auto window = doctorWindow();
+    const auto textOf = [&](const char *name, int row = 0) {
+        const QList<QLineEdit *> fields = fieldsOf(*window, QLatin1String(name));
+        return row < fields.size() ? fields[row]->text() : QStringLiteral("no row");
+    };
+    const auto openAnother = [&] {
+        openObjects(window->document(), cubeScene(), {WorldPoint(0.0, 0.0, 9.0), WorldPoint(), {0.0, 1.0, 0.0}});
+        settle();
+    };
+    clickedAndWrong(*window);
+    QVERIFY(!textOf("Pixel").isEmpty() && !textOf("Depth").isEmpty());
+    openAnother();
+    QCOMPARE(textOf("Pixel"), QString());
+    QCOMPARE(textOf("Depth"), QString());
+    // The row goes with what was typed for it; a row that was typed as a whole stays.
+    type(fieldsOf(*window, QStringLiteral("Pixel")).value(0), QStringLiteral("3.5, 4.5"));
+    type(gotOf(*window), QStringLiteral("1 2 3"));
+    clickedAndWrong(*window);
+    type(gotOf(*window, 1), QStringLiteral("4 5 6"));
+    QTRY_VERIFY_WITH_TIMEOUT(window->document().picks().wrongPoints().size() == 2, kPatienceMilliseconds);
+    window->workspaces().enter(Workspace::Pipeline); // hidden panels too
+    settle();
+    openAnother();
+    window->workspaces().enter(Workspace::Doctor);
+    settle();
+    QCOMPARE(textOf("Pixel"), QStringLiteral("3.5, 4.5"));
+    QCOMPARE(textOf("Your program's coordinate"), QStringLiteral("1 2 3"));
+    QCOMPARE(textOf("Pixel", 1), QStringLiteral("no row"));
+    QTRY_VERIFY_WITH_TIMEOUT(window->document().picks().wrongPoints().size() == 1, kPatienceMilliseconds);
 }
 
 void TestDoctorSteps::theSolvedValueIsInSentenceTableAndCode()

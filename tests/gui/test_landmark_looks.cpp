@@ -277,6 +277,11 @@ void TestLandmarkLooks::aFreeLandmarkLooksDifferent()
     const LandmarkMark moved = landmarkMarks(document)[0];
     QVERIFY(moved.isFree);
     QVERIFY2(landmarkTip(document, moved).contains(QStringLiteral("free")), qPrintable(landmarkTip(document, moved)));
+    // However certain it is: a file may give a free landmark's uncertainty.
+    landmarks::LandmarkSet set = document.scene().landmarks;
+    set.landmarks[0].uncertainty = WorldVector(0.1, 0.1, 0.1);
+    QVERIFY(editLandmarkSet(document, std::move(set), {QStringLiteral("test")}));
+    QVERIFY(landmarkMarks(document)[0].isFree);
     LandmarkMark disc = markInMiddle(), diamond = disc;
     diamond.isFree = true;
     QVERIFY(differentPixels(pictureOf({disc}, kMarkRadius), pictureOf({diamond}, kMarkRadius)) > 10);

@@ -165,13 +165,16 @@ void TestOpenedLandmarks::whatDoesNotHoldIsLetGo()
               "projection": {"type": "frustum", "left": -1, "right": 1, "bottom": -0.75, "top": 0.75, "near": 1, "far": 100},
               "view": {"eye": [5, 5, 30], "center": [5, 5, 0], "up": [0, 1, 0]},
               "objects": [{"name": "square", "file": "square.obj"}],
-              "landmarks": {"points": [{"name": "a", "position": [2.5, 5, 0], "object": "square", "held": )"
+              "landmarks": {"points": [{"name": "a", "position": [2.5, 5, 0],
+                                        "uncertainty": [1e-13, 1e-13, 1e-13], "object": "square", "held": )"
               + held + "}]}}");
     open({QStringLiteral("scene.json")});
     QVERIFY2(m_failures.isEmpty(), qPrintable(m_failures.join(u'\n')));
     QCOMPARE(points().size(), std::size_t(1));
     QVERIFY(*points()[0].world == WorldPoint(2.5, 5.0, 0.0));
     QCOMPARE(std::holds_alternative<landmarks::Free>(points()[0].anchor), !said.isEmpty());
+    // Away from its anchor, it is as uncertain as a position that somebody typed.
+    QCOMPARE(points()[0].uncertainty.has_value(), !said.contains(QStringLiteral("away")));
     QCOMPARE(m_warnings.size(), said.isEmpty() ? 0 : 1);
     if (said.isEmpty())
         return;

@@ -13,13 +13,14 @@
 #include "gui/pipeline/pipeline_panel.h"
 #include "gui/text/translation.h"
 #include "gui/widgets/number_grid.h"
+#include "gui/widgets/plain_text_box.h"
 #include "tests/support/patience.h"
 
 #include <QClipboard>
 #include <QDialogButtonBox>
 #include <QGuiApplication>
 #include <QLabel>
-#include <QPlainTextEdit>
+#include <QMimeData>
 #include <QPushButton>
 #include <QScopeGuard>
 #include <QScrollArea>
@@ -191,6 +192,8 @@ private slots:
     void theSameTextGivesTheSameDepths();
     void theFileKeepsThemAsGiven();
     void whatStillHoldsIsSaidInThePipeline();
+    void pastingNothingChangesNothing();
+    void aTextThatIsTooLongIsRefused();
     void pasteInThePipelineOpensTheDialog();
     void whatIsTypedInAMatrixStaysThere();
 };
@@ -642,6 +645,70 @@ void TestPasteMatrices::whatStillHoldsIsSaidInThePipeline()
     QVERIFY(!button());
     document.undoStack().undo();
     QVERIFY(button());
+}
+
+/// A box whose protected functions the clipboard and the pointer call.
+class OpenBox : public PlainTextBox {
+public:
+    using PlainTextBox::canInsertFromMimeData;
+    using PlainTextBox::insertFromMimeData;
+};
+
+void TestPasteMatrices::pastingNothingChangesNothing()
+{
+    Pasting pasting;
+    auto *edit = pasting.box(MatrixRole::Projection)->findChild<QPlainTextEdit *>();
+    edit->setPlainText(QStringLiteral("1 2"));
+    QGuiApplication::clipboard()->clear();
+    edit->setFocus();
+    QTest::keySequence(edit, QKeySequence::Paste);
+    QCOMPARE(edit->toPlainText(), QStringLiteral("1 2"));
+    QGuiApplication::clipboard()->clear(QClipboard::Selection);
+    QTest::mouseClick(edit->viewport(), Qt::MiddleButton);
+    QCOMPARE(edit->toPlainText(), QStringLiteral("1 2"));
+
+    OpenBox box;
+    QMimeData nothing, picture, marked;
+    box.insertFromMimeData(&nothing);
+    picture.setData(QStringLiteral("image/png"), "x");
+    box.insertFromMimeData(&picture);
+    QVERIFY(!box.canInsertFromMimeData(&nothing) && !box.canInsertFromMimeData(&picture));
+    QCOMPARE(box.toPlainText(), QString());
+    marked.setData(QStringLiteral("text/markdown"), "**1**");
+    marked.setText(QStringLiteral("**1**"));
+    box.insertFromMimeData(&marked);
+    QCOMPARE(box.toPlainText(), QStringLiteral("**1**"));
+    box.setReadOnly(true);
+    box.insertFromMimeData(&marked);
+    QCOMPARE(box.toPlainText(), QStringLiteral("**1**"));
+}
+
+void TestPasteMatrices::aTextThatIsTooLongIsRefused()
+{
+    Pasting pasting;
+    pasting.paste(MatrixRole::Projection, QStringLiteral("1 2 3"));
+    const QString text = QStringLiteral("1 ").repeated(500'000) + QStringLiteral("1");
+    pasting.paste(MatrixRole::Projection, text);
+    QVERIFY(pasting.says(QStringLiteral("The text has 1000001 characters; at most 1000000 can be pasted.")));
+    QVERIFY(pasting.says(QStringLiteral("“unproject scene FILE”")));
+    QCOMPARE(pasting.box(MatrixRole::Projection)->text(), QStringLiteral("1 2 3"));
+    // From the Pipeline panel too, and together with the text there.
+    pasting.dialog.setText(MatrixRole::View, text);
+    QVERIFY(pasting.says(QStringLiteral("1000001 characters")));
+    QCOMPARE(pasting.box(MatrixRole::View)->text(), QString());
+    OpenBox box;
+    QSignalSpy refused(&box, &PlainTextBox::refused);
+    QMimeData four;
+    four.setText(QStringLiteral("1234"));
+    box.setMost(7);
+    box.insertFromMimeData(&four);
+    box.insertFromMimeData(&four);
+    QCOMPARE(refused.size(), 1);
+    QCOMPARE(refused[0][0].toLongLong(), 8);
+    QCOMPARE(box.toPlainText(), QStringLiteral("1234"));
+    box.selectAll();
+    box.insertFromMimeData(&four);
+    QCOMPARE(refused.size(), 1);
 }
 
 void TestPasteMatrices::pasteInThePipelineOpensTheDialog()
