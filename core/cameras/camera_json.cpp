@@ -3,6 +3,7 @@
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/strict_json.h"
 #include "core/text/json_number.h"
+#include "core/text/translation.h"
 
 #include <nlohmann/json.hpp>
 
@@ -56,6 +57,8 @@ geometry::Result<Json, CameraError> parsedJson(const NamedText &text)
     if (parsed)
         return std::move(parsed).value();
     scene_file::SceneFileError error = parsed.error();
+    if (error.code == scene_file::SceneFileErrorCode::TooLarge)
+        return CameraError{text.name, 0, text::tr("longer than %1 MiB; give the file of one camera", kMostBytes >> 20)};
     const std::size_t line = std::exchange(error.line, 0);
     error.file.clear();
     std::string reason = scene_file::sceneErrorText(error);

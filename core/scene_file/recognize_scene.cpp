@@ -72,7 +72,8 @@ bool isSceneFile(const std::filesystem::path &file)
     if (first != std::string::npos && text[first] != '{')
         return false;
     if (text.size() == kStart) {
-        text.resize(kMostSceneBytes);
+        const auto size = std::filesystem::file_size(file, error);
+        text.resize(std::max<std::size_t>(kStart, error ? 0 : std::min<std::uintmax_t>(size, kMostSceneBytes)));
         read(kStart);
     }
     return isSceneText(text);

@@ -60,7 +60,10 @@ std::string sentence(const SceneFileError &e)
     case SceneFileErrorCode::IsOwnModel:
         return tr("the scene shows this model and would overwrite it; give another name");
     case SceneFileErrorCode::EmptyFile: return tr("the file is empty");
-    case SceneFileErrorCode::TooLarge: return tr("a scene may have at most %1", bytesText(e.limit));
+    case SceneFileErrorCode::TooLarge:
+        return tr("a scene may have at most %1; keep the landmarks in a file of their own (File > Export Landmarks), "
+                  "then remove them from the scene",
+                  bytesText(e.limit));
     case SceneFileErrorCode::NumberTooLarge: return tr("%1 is too large for a number", e.found);
     case SceneFileErrorCode::TooDeep: return tr("brackets are nested deeper than %1 levels", shortestText(e.limit));
     case SceneFileErrorCode::DuplicateKey: return tr("the key \"%1\" is here for the second time", e.found);

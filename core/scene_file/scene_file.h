@@ -82,9 +82,10 @@ struct SceneFile {
     text::JsonValue extra;
 };
 
-/// The maximum number of bytes and depth of brackets of a scene file. This allows tens of thousands
-/// of objects, and prevents any file from exhausting memory or stack.
-constexpr std::size_t kMostSceneBytes = std::size_t{8} << 20;
+/// The maximum number of bytes and depth of brackets of a scene file. This allows more than a
+/// million landmarks, and every file of landmarks that can be imported. It prevents a file or a pipe
+/// without end from exhausting memory or stack: a scene takes up to some 40 times its text.
+constexpr std::size_t kMostSceneBytes = std::size_t{256} << 20;
 constexpr std::size_t kMostSceneLevels = 64;
 /// The maximum size of the window, in logical pixels and in device pixels.
 constexpr int kMostWindowPixels = 65536;
@@ -92,7 +93,9 @@ constexpr int kMostWindowPixels = 65536;
 /// Reads the text of a scene file. Everything is checked: a returned scene has a valid setup.
 /// @param text  UTF-8, with or without a byte order mark
 /// @param name  of the file, for the error
-geometry::Result<SceneFile, SceneFileError> parseScene(std::string_view text, const std::string &name);
+/// @param mostBytes  the maximum size of the text; a text that this program wrote needs none
+geometry::Result<SceneFile, SceneFileError> parseScene(std::string_view text, const std::string &name,
+                                                       std::size_t mostBytes = kMostSceneBytes);
 
 /// Applies a JSON merge patch to a scene file.
 /// @param change  the changed keys in objects as in the file; null removes a key (RFC 7396)
@@ -115,15 +118,16 @@ bool isSceneFile(const std::filesystem::path &file);
 bool isSceneText(std::string_view text);
 
 /// The text of a scene file. Numbers have all their digits, so parseScene restores them exactly.
-/// @return NotUtf8; TooLarge
+/// It may have more bytes than a scene file.
+/// @return NotUtf8
 geometry::Result<std::string, SceneFileError> sceneText(const SceneFile &scene);
 
 /// Writes a scene file atomically: to a new file beside it, which then replaces the old one. Does
 /// not overwrite a model that the scene shows.
 /// @param onlyIf  the expected state of the file, so that no other program's changes are
 ///         overwritten unseen
-/// @return the stamp of the new contents; the errors of sceneText; IsDirectory, IsOwnModel,
-///         ChangedMeanwhile, NotWritable
+/// @return the stamp of the new contents; the errors of sceneText; TooLarge if it could not be read
+///         again; IsDirectory, IsOwnModel, ChangedMeanwhile, NotWritable
 geometry::Result<files::FileStamp, SceneFileError>
 writeSceneFile(const std::filesystem::path &file, const SceneFile &scene,
                const std::optional<files::FileStamp> &onlyIf = std::nullopt);

@@ -85,6 +85,11 @@ Result<FileStamp, SceneFileError> writeSceneFile(const std::filesystem::path &fi
         error.file = utf8FromPath(file);
         return error;
     }
+    if (text->size() > kMostSceneBytes) {
+        SceneFileError error = failed(file, SceneFileErrorCode::TooLarge);
+        error.limit = double(kMostSceneBytes);
+        return error;
+    }
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         if (scene.objects[i].file.empty() || !isSameFile(objectFile(scene.objects[i], file), file))
             continue;

@@ -28,9 +28,9 @@ Result<SceneFile, SceneFileError> readScene(const Result<nlohmann::ordered_json,
 
 } // namespace
 
-Result<SceneFile, SceneFileError> parseScene(std::string_view text, const std::string &name)
+Result<SceneFile, SceneFileError> parseScene(std::string_view text, const std::string &name, std::size_t mostBytes)
 {
-    return readScene(parseStrictJson(text), name);
+    return readScene(parseStrictJson(text, mostBytes), name);
 }
 
 Result<SceneFile, SceneFileError> changed(const SceneFile &scene, const text::JsonValue &change,
@@ -43,13 +43,7 @@ Result<SceneFile, SceneFileError> changed(const SceneFile &scene, const text::Js
 
 Result<std::string, SceneFileError> sceneText(const SceneFile &scene)
 {
-    Result<std::string, SceneFileError> text = readableJson(FieldWriter::write(scene, Plain{}, nullptr));
-    if (!text || text->size() <= kMostSceneBytes)
-        return text;
-    SceneFileError error;
-    error.code = SceneFileErrorCode::TooLarge;
-    error.limit = double(kMostSceneBytes);
-    return error;
+    return readableJson(FieldWriter::write(scene, Plain{}, nullptr));
 }
 
 } // namespace unprojector::scene_file

@@ -255,9 +255,9 @@ Result<SceneFile, SceneFileError> RecoveryFile::scene() const
         return error;
     }
     file.readLine(kMostInfoBytes);
-    // one byte too many is rejected as too large
-    const QByteArray text = file.read(static_cast<qint64>(kMostSceneBytes) + 1);
-    return parseScene({text.constData(), static_cast<std::size_t>(text.size())}, name);
+    const QByteArray text = file.readAll();
+    const auto size = static_cast<std::size_t>(text.size());
+    return parseScene({text.constData(), size}, name, size); // a scene that cannot be saved is kept too
 }
 
 void RecoveryFile::remove()

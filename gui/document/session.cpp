@@ -10,6 +10,7 @@
 #include "gui/document/scene_edits.h"
 #include "gui/text/added_text.h"
 #include "gui/text/error_text.h"
+#include "gui/text/sentences.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -409,7 +410,8 @@ void Session::createAutosave()
     m_autosave = new Autosave(
         folder, m_options.autosave, [this] { return unsavedContent(); }, this);
     connect(m_autosave, &Autosave::failed, this, [this](const QString &reason) {
-        emit noticed(tr("A crash would lose unsaved changes, because they cannot be kept: %1").arg(reason));
+        emit warned(joinSentences({tr("Unsaved changes are not protected from a crash, because they cannot be kept."),
+                                   ended(reason.toStdString()), tr("Save the scene.")}));
     });
 }
 

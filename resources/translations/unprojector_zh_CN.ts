@@ -8459,8 +8459,12 @@ of a point that needs no division</source>
         <translation>已保存。观察变换原以矩阵给出，读入后有改动，现以 eye、center 和 up 写出。</translation>
     </message>
     <message>
-        <source>A crash would lose unsaved changes, because they cannot be kept: %1</source>
-        <translation>如果程序意外退出，未保存的更改将会丢失，因为无法将其保留：%1</translation>
+        <source>Unsaved changes are not protected from a crash, because they cannot be kept.</source>
+        <translation>未保存的更改无法保留；如果程序意外退出，这些更改将会丢失。</translation>
+    </message>
+    <message>
+        <source>Save the scene.</source>
+        <translation>请保存场景。</translation>
     </message>
     <message>
         <source>Unsaved changes of an earlier session are damaged and cannot be recovered. The file was kept as %1.</source>

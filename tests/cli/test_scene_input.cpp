@@ -290,32 +290,32 @@ void TestSceneInput::hugeFiles_data()
 {
     QTest::addColumn<QByteArray>("before");
     QTest::addColumn<QByteArray>("repeated");
-    QTest::addColumn<QByteArray>("after");
-    QTest::newRow("blanks") << QByteArray() << QByteArray(" ") << QByteArray(kScene);
-    QTest::newRow("one text") << QByteArray("{\"note\": \"") << QByteArray("a") << "\", " + kScene.mid(1);
-    QTest::newRow("a list of numbers") << QByteArray("{\"list\": [0") << QByteArray(",1e5") << "], " + kScene.mid(1);
-    QTest::newRow("brackets") << QByteArray() << QByteArray("[") << QByteArray();
-    QTest::newRow("zeros") << QByteArray() << QByteArray(1, '\0') << QByteArray();
+    QTest::newRow("blanks") << QByteArray() << QByteArray(" ");
+    QTest::newRow("one text") << QByteArray("{\"note\": \"") << QByteArray("a");
+    QTest::newRow("a list of numbers") << QByteArray("{\"list\": [0") << QByteArray(",1e5");
+    QTest::newRow("brackets") << QByteArray() << QByteArray("[");
+    QTest::newRow("zeros") << QByteArray() << QByteArray(1, '\0');
 }
 
 void TestSceneInput::hugeFiles()
 {
     QFETCH(QByteArray, before);
     QFETCH(QByteArray, repeated);
-    QFETCH(QByteArray, after);
     const QString path = m_folder.path("huge.json");
     {
         QFile file(path);
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(before);
         const QByteArray piece = repeated.repeated(1000000 / repeated.size());
-        for (int i = 0; i < 100; ++i)
-            QCOMPARE(file.write(piece), piece.size());
-        file.write(after);
+        QCOMPARE(file.write(piece), piece.size());
+        QVERIFY(file.resize((qint64{256} << 20) + 1)); // zeros, which take no room on most disks
     }
     const Run run = runCommand({"points", path}, "px,py,depth\n4,3,0.5\n");
     QFile::remove(path);
-    QCOMPARE(run.errors, path.toUtf8() + ": a scene may have at most 8 MiB\n");
+    QCOMPARE(run.errors,
+             path.toUtf8()
+                 + ": a scene may have at most 256 MiB; keep the landmarks in a file of their own (File > Export "
+                   "Landmarks), then remove them from the scene\n");
     QCOMPARE(run.output, QByteArray());
     QCOMPARE(run.exitCode, 2);
 }

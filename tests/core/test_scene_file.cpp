@@ -42,6 +42,7 @@ private slots:
     void everyAngleSurvives();
     void radiansThatContradictTheDegreesAreRefused();
     void filesAreReadAndWritten();
+    void manyLandmarksAreWrittenAndRead();
     void writingReplacesWholeFilesOnly();
     void aNameThatIsNotUtf8IsRefused();
 };
@@ -378,6 +379,26 @@ void TestSceneFile::filesAreReadAndWritten()
     QVERIFY(!toFolder && toFolder.error().code == SceneFileErrorCode::IsDirectory);
     const auto nowhere = writeSceneFile(directory / "none" / "a.json", parsed(kFullScene));
     QVERIFY(!nowhere && nowhere.error().code == SceneFileErrorCode::NotWritable);
+}
+
+void TestSceneFile::manyLandmarksAreWrittenAndRead()
+{
+    constexpr int kCount = 60000; // more than 8 MiB
+    SceneFile scene = parsed(kLeastScene);
+    for (int i = 0; i < kCount; ++i) {
+        unprojector::landmarks::Landmark landmark;
+        landmark.name = "landmark number " + std::to_string(i);
+        landmark.world = WorldPoint(i / 3.0, i / 7.0, i / 11.0);
+        landmark.uncertainty = WorldVector(1e-5 / 3.0, 1e-5 / 7.0, 1e-5 / 11.0);
+        scene.landmarks.landmarks.push_back(std::move(landmark));
+    }
+    const QTemporaryDir folder;
+    const std::filesystem::path file = folder.filePath(QStringLiteral("many.json")).toStdString();
+    QVERIFY(writeSceneFile(file, scene));
+    QVERIFY(std::filesystem::file_size(file) > std::size_t{8} << 20);
+    QVERIFY(isSceneFile(file));
+    const auto again = readSceneFile(file);
+    QVERIFY(again && again->landmarks.landmarks == scene.landmarks.landmarks);
 }
 
 void TestSceneFile::writingReplacesWholeFilesOnly()

@@ -90,6 +90,8 @@ struct Desk {
                          [this](const QString &reason) { failures << reason; });
         QObject::connect(&session, &unprojector::gui::Session::noticed, &context,
                          [this](const QString &text) { notices << text; });
+        QObject::connect(&session, &unprojector::gui::Session::warned, &context,
+                         [this](const QString &text) { warnings << text; });
     }
     bool openAndWait(const QStringList &files, bool adds = false)
     {
@@ -113,6 +115,7 @@ struct Desk {
     unprojector::gui::Session session;
     QStringList failures;
     QStringList notices;
+    QStringList warnings;
     QObject context;
 };
 

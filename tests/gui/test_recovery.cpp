@@ -97,6 +97,7 @@ private slots:
 
     void aProgramThatIsCarriedAboutKeepsThemBesideItself();
     void whatIsWrittenIsReadAgain();
+    void aLargeSceneIsKept();
     void aKilledProgramsChangesAreOfferedAndRecovered();
     void aRecoveredSceneIsKeptUntilItIsSaved();
     void aSceneWithoutAFileIsRecovered();
@@ -157,6 +158,26 @@ void TestRecovery::whatIsWrittenIsReadAgain()
     QVERIFY(again && again->name == info.name && again->sceneFile == info.sceneFile && again->time == info.time);
     const Result<SceneFile, SceneFileError> scene = files[0]->scene();
     QVERIFY(scene && scene->objects.size() == 1);
+}
+
+void TestRecovery::aLargeSceneIsKept()
+{
+    constexpr int kCount = 60000; // more than 8 MiB
+    const auto created = RecoveryFile::create(m_folder->recovery());
+    QVERIFY(created);
+    SceneFile scene = *parseScene(kScene.toStdString(), "scene.json");
+    for (int i = 0; i < kCount; ++i) {
+        unprojector::landmarks::Landmark landmark;
+        landmark.name = "landmark number " + std::to_string(i);
+        landmark.world = WorldPoint(i / 3.0, i / 7.0, i / 11.0);
+        landmark.uncertainty = WorldVector(1e-5 / 3.0, 1e-5 / 7.0, 1e-5 / 11.0);
+        scene.landmarks.landmarks.push_back(std::move(landmark));
+    }
+    const auto text = sceneText(scene);
+    QVERIFY(text && text->size() > std::size_t{8} << 20);
+    QVERIFY((*created)->write({QStringLiteral("x.json"), {}, QDateTime::currentDateTime()}, *text));
+    const Result<SceneFile, SceneFileError> again = (*created)->scene();
+    QVERIFY(again && again->landmarks.landmarks == scene.landmarks.landmarks);
 }
 
 void TestRecovery::aKilledProgramsChangesAreOfferedAndRecovered()

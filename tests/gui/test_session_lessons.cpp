@@ -185,15 +185,17 @@ void TestSessionLessons::changesThatCannotBeKeptAreToldAgain()
     const auto desk = this->desk();
     desk->session.openBundledScene();
     desk->cut();
-    QTRY_COMPARE_WITH_TIMEOUT(desk->notices.size(), 1, kPatienceMilliseconds); // once, however often it fails
-    QVERIFY2(desk->notices[0].contains(QStringLiteral("cannot be kept")), qPrintable(desk->notices[0]));
+    QTRY_COMPARE_WITH_TIMEOUT(desk->warnings.size(), 1, kPatienceMilliseconds); // once, however often it fails
+    QVERIFY2(desk->warnings[0].startsWith(QStringLiteral("Unsaved changes are not protected from a crash"))
+                 && desk->warnings[0].contains(QDir::toNativeSeparators(inTheWay)),
+             qPrintable(desk->warnings[0]));
     LessonPlayer player(desk->document, desk->session);
     QVERIFY(player.start("pipeline"));
-    QCOMPARE(desk->notices.size(), 2); // no retry as long as the scene is behind the lesson
+    QCOMPARE(desk->warnings.size(), 2); // no retry as long as the scene is behind the lesson
     QVERIFY(player.next() && player.leave());
     QVERIFY(QFile::remove(inTheWay));
     QVERIFY(player.start("pipeline")); // and now it is tried
-    QCOMPARE(desk->notices.size(), 2);
+    QCOMPARE(desk->warnings.size(), 2);
     QVERIFY(kept() > 0);
     QVERIFY(player.leave());
     QVERIFY(desk->session.hasUnsavedChanges());
@@ -210,7 +212,7 @@ void TestSessionLessons::aStepThatCannotBeShownLeavesTheChangesKept()
     Scene step = desk->document.scene();
     step.camera = {step.camera->center, step.camera->center, step.camera->up};
     QVERIFY(!desk->session.openLesson(step, QStringLiteral("Step"), QStringLiteral("rows")));
-    QCOMPARE(desk->notices.size(), 1);
+    QCOMPARE(desk->warnings.size(), 1);
     QVERIFY(QFile::remove(inTheWay));
     QTRY_VERIFY_WITH_TIMEOUT(kept() > 0, kPatienceMilliseconds);
     desk->session.end();
