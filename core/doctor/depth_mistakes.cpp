@@ -108,11 +108,15 @@ void addDepthMistakes(VariantList &list, const Given &given)
             [](Run &run, const Variant &) { run.depth = unitDepth(run, 1.0 - run.click.depth); }, 0.0,
             marked("before the depth range"));
     }
-    // Vector3.Unproject of SharpDX and Viewport.Unproject of XNA take a depth range.
+    // Vector3.Unproject of SharpDX and Viewport.Unproject of XNA take a depth range. The depth comes
+    // close to 0, where other mistakes of the depth make it 0: in pairs they would pass for depth 0.
     if (std::isfinite(given.farDistance))
-        list.add("depth-range-is-planes", Stage::Depth, [](Run &run, const Variant &) {
-            run.depth = (run.click.depth - run.given.nearDistance) / (run.given.farDistance - run.given.nearDistance);
-        });
+        list.addAlone("depth-range-is-planes", Stage::Depth,
+                      [](Run &run, const Variant &) {
+                          const double n = run.given.nearDistance, f = run.given.farDistance;
+                          run.depth = (run.click.depth - n) / (f - n);
+                      },
+                      {});
     for (const int bits : {16, 24, 8}) {
         list.add("depth-rounded", Stage::Depth,
                  [](Run &run, const Variant &v) { run.depth = std::round(run.depth * v.parameter) / v.parameter; },

@@ -199,7 +199,11 @@ void TestDoctorVerdicts::aRightPointStaysRight()
 void TestDoctorVerdicts::aMistakeThatExplainsAsWellIsNamed()
 {
     Case of = testScene();
-    of.setup.lens = Projection(Perspective{std::numbers::pi / 4, 800.0 / 600.0, 1e-6, 100});
+    // The far plane is at infinity: with another one, too many mistakes come that close to the eye.
+    glm::dmat4 clipFromEye = geometry::clipFromEye(of.setup).value();
+    clipFromEye[2][2] = -1.0;
+    clipFromEye[3][2] = -2e-6;
+    of.setup.lens = MatrixProjection{clipFromEye, {}};
     WrongPoint point = wrongPoint({3, 2, 5});
     point.depth = windowFromWorld(of.setup, WorldPoint(0.5, 0.75, -0.25)).value().z;
     const Diagnosis diagnosis = diagnosed(of, point);
