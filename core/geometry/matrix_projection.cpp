@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace unprojector::geometry {
@@ -22,9 +23,10 @@ Error entryError(const glm::dmat4 &m, int column, int row)
 }
 
 /// The entries (column, row) that are 0 in every matrix of these forms, and further ones in a
-/// perspective.
-constexpr std::array<std::pair<int, int>, 6> kZeros{{{1, 0}, {0, 1}, {0, 2}, {1, 2}, {0, 3}, {1, 3}}};
+/// perspective and in a box.
+constexpr std::array<std::pair<int, int>, 5> kZeros{{{0, 1}, {0, 2}, {1, 2}, {0, 3}, {1, 3}}};
 constexpr std::array<std::pair<int, int>, 3> kZerosOfPerspective{{{3, 0}, {3, 1}, {3, 3}}};
+constexpr std::array<std::pair<int, int>, 1> kZerosOfBox{{{1, 0}}};
 
 /// True if the whole depth range lies in front of the eye; a far plane at infinity counts as in
 /// front.
@@ -46,6 +48,7 @@ ProjectionCoefficients coefficientsWithSign(const glm::dmat4 &m)
         c.xOffset = -c.side * m[2][0];
         c.yOffset = -c.side * m[2][1];
         c.zScale = -c.side * m[2][2];
+        c.xSkew = m[1][0];
     } else {
         c.w = m[3][3];
         c.xOffset = -m[3][0];
@@ -81,8 +84,10 @@ Result<ProjectionCoefficients> coefficientsOf(const glm::dmat4 &m)
         if (m[column][row] != 0.0)
             return entryError(m, column, row);
     }
-    for (const auto &[column, row] : kZerosOfPerspective) {
-        if (m[2][3] != 0.0 && m[column][row] != 0.0)
+    const bool isPerspective = m[2][3] != 0.0;
+    for (const auto &[column, row] : isPerspective ? std::span<const std::pair<int, int>>(kZerosOfPerspective)
+                                                   : std::span<const std::pair<int, int>>(kZerosOfBox)) {
+        if (m[column][row] != 0.0)
             return entryError(m, column, row);
     }
     const ProjectionCoefficients c = coefficientsWithSign(m);
@@ -92,7 +97,8 @@ Result<ProjectionCoefficients> coefficientsOf(const glm::dmat4 &m)
 /// The same matrix with w = 1.
 ProjectionCoefficients scaledToOne(ProjectionCoefficients c)
 {
-    for (double *number : {&c.xScale, &c.yScale, &c.xOffset, &c.yOffset, &c.xShear, &c.yShear, &c.zScale, &c.zOffset})
+    for (double *number :
+         {&c.xScale, &c.yScale, &c.xOffset, &c.yOffset, &c.xSkew, &c.xShear, &c.yShear, &c.zScale, &c.zOffset})
         *number /= c.w;
     c.w = 1.0;
     return c;
@@ -206,6 +212,11 @@ RecognisedProjection readPerspective(const ProjectionCoefficients &c, NdcDepth d
     readDistances(c, result, p.nearDistance, p.farDistance, same);
     readEdges(c.xScale, c.xOffset, p.nearDistance, p.left, p.right, true, same, result.exact);
     readEdges(c.yScale, c.yOffset, p.nearDistance, p.bottom, p.top, true, same, result.exact);
+    if (c.xSkew != 0.0) {
+        double none = 0.0;
+        p.skew = c.xSkew / c.xScale;
+        result.exact &= shorten(p.skew, none, [&](double skew, double) { return same(c.xScale * skew, c.xSkew); });
+    }
     result.parameters = p;
     return result;
 }
@@ -340,6 +351,8 @@ Result<PrecisePoint<EyeSpace>> preciseEyePoint(const MatrixProjection &projectio
                             : (DoubleDouble(c.zScale) + DoubleDouble(c.w) * (1.0 - k)) + c.w * k * d->fromNear;
         const DoubleDouble z = c.zOffset / denominator;
         eye = {x * z, y * z, c.side * z};
+        if (c.xSkew != 0.0)
+            eye.x = eye.x - c.xSkew * eye.y / c.xScale;
     } else {
         const DoubleDouble ndc = k == 2.0 ? d->fromNear - d->fromFar : d->fromNear;
         const DoubleDouble z = (c.w * ndc - c.zOffset) / c.zScale;

@@ -26,7 +26,8 @@ struct MatrixProjection {
 /// -z, else +1, so that z_eye = side z with z the distance. w scales the whole matrix and is
 /// usually 1. A matrix with all signs turned has the coefficients of the turned one, so w > 0:
 ///
-///   perspective  w x_n = xScale x / z - xOffset,  w y_n = …,  w z_n = zOffset / z - zScale
+///   perspective  w x_n = (xScale x + xSkew y) / z - xOffset,  w y_n = …,
+///                w z_n = zOffset / z - zScale
 ///   box          w x_n = xScale x + xShear z_eye - xOffset,  w y_n = …,
 ///                w z_n = zScale z_eye + zOffset
 struct ProjectionCoefficients {
@@ -35,6 +36,7 @@ struct ProjectionCoefficients {
     double w = 1.0;
     double xScale = 1.0, yScale = 1.0;
     double xOffset = 0.0, yOffset = 0.0;
+    double xSkew = 0.0;                ///< perspective only
     double xShear = 0.0, yShear = 0.0; ///< box only
     double zScale = -1.0, zOffset = 0.0;
 };
@@ -54,7 +56,7 @@ struct RecognisedProjection {
     ProjectionCoefficients coefficients;
 };
 
-/// Recognises a projection matrix: glFrustum, glOrtho or sheared glOrtho. The depth may be
+/// Recognises a projection matrix: glFrustum, with a skew or without, glOrtho or sheared glOrtho. The depth may be
 /// OpenGL's, or Direct3D's and Vulkan's, reversed or not. The far plane may be at infinity, eye
 /// space may look down either direction, and any factor but 0 may scale the matrix.
 /// @return NotFinite; SingularMatrix; MatrixNotAProjection (value: the entry that does not fit;
