@@ -63,9 +63,11 @@ public:
     /// The same, plus the rounding error of a ray through it at t.
     WorldVector rounding(const glm::dvec3 &place, const Ray<WorldSpace> &ray, double t) const
     {
+        // A point at t has (1 - t) times the error of one end and t times that of the other.
+        const double ends = std::max(1.0, std::abs(2.0 * t - 1.0));
         const glm::dvec3 along =
-            glm::abs(ray.from.coordinates()) + 2.0 * std::abs(t) * glm::abs(ray.along.coordinates());
-        return rounding(place) + WorldVector(kRoundings * along) + ray.error * (std::abs(t) + std::abs(1.0 - t));
+            ends * glm::abs(ray.from.coordinates()) + 2.0 * std::abs(t) * glm::abs(ray.along.coordinates());
+        return rounding(place) + WorldVector(kRoundings * along) + ray.error * ends;
     }
 
 private:
