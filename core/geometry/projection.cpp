@@ -63,7 +63,10 @@ struct Checker {
             return Error{ErrorCode::FocalLengthIsZero, 0.0};
         if (!(p.width > 0.0 && p.height > 0.0))
             return Error{ErrorCode::EmptyImage, p.width, p.height};
-        return checkBox(projectionWindow(p), true);
+        // The edges are multiples of near.
+        if (const Check depths = checkClipDistances(p.nearDistance, p.farDistance, true); !depths)
+            return depths.error();
+        return checkWindow(projectionWindow(p));
     }
     Check operator()(const Oblique &p) const
     {
