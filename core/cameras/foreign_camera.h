@@ -3,6 +3,7 @@
 #include "core/geometry/box.h"
 #include "core/geometry/matrix_projection.h"
 #include "core/geometry/result.h"
+#include "core/geometry/setup.h"
 
 #include <glm/mat4x4.hpp>
 
@@ -116,7 +117,7 @@ struct CameraError {
 
 /// A scene's camera. Its eye space is OpenGL's; pixels count as everywhere in the program.
 struct SceneCamera {
-    geometry::MatrixProjection projection;
+    geometry::Lens projection; ///< a pinhole, or the file's matrix
     glm::dmat4 eyeFromWorld{1.0};
     ImageSize size;
     std::optional<Distortion> distortion;                   ///< of its pixels, where it was not dropped

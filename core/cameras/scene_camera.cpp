@@ -116,22 +116,27 @@ Result<glm::dmat4, CameraError> rigidPose(const glm::dmat4 &pose, PoseDirection 
     return rigid;
 }
 
-/// The projection matrix of a pinhole, for pixels counted from the image's corner:
-///
-///   w x_n = 2 (fx X + s Y + cx Z) / width - Z,  w y_n = Z - 2 (fy Y + cy Z) / height,  w = Z
-glm::dmat4 clipFromEye(const Intrinsics &k, const ImageSize &size, double n, double f)
+Pinhole pinhole(const Intrinsics &k, const ImageSize &size, double n, double f)
 {
-    const double width = size.width, height = size.height, toCorner = cornerToCentre(k.centres);
-    glm::dmat4 m(0.0);
-    m[0][0] = 2.0 * k.fx / width;
-    m[1][0] = k.skew == 0.0 ? 0.0 : -2.0 * k.skew / width;
-    m[2][0] = 1.0 - 2.0 * (k.cx + toCorner) / width;
-    m[1][1] = 2.0 * k.fy / height;
-    m[2][1] = 2.0 * (k.cy + toCorner) / height - 1.0;
-    m[2][2] = -(f + n) / (f - n);
-    m[3][2] = -2.0 * f * n / (f - n);
-    m[2][3] = -1.0;
-    return m;
+    return {k.fx,
+            k.fy,
+            k.cx,
+            k.cy,
+            k.skew,
+            double(size.width),
+            double(size.height),
+            n,
+            f,
+            k.centres == PixelCentres::AtIntegers};
+}
+
+/// The matrix with which objects are looked for in the image; depths do not count there.
+glm::dmat4 clipFromEye(const ForeignCamera &camera, const SceneCamera &scene)
+{
+    if (camera.projection)
+        return wInFront(*camera.projection) * camera.projection->clipFromEye;
+    const Result<glm::dmat4> matrix = geometry::clipFromEye(pinhole(*scene.intrinsics, scene.size, 0.5, 1.0));
+    return matrix ? *matrix : glm::dmat4(1.0);
 }
 
 double withTwoDigits(double value)
@@ -286,8 +291,7 @@ std::string remedyOf(const ForeignCamera &camera, const SceneCamera &scene, cons
         return m;
     };
     const glm::dvec3 shift(pose[3]);
-    const glm::dmat4 clip =
-        camera.projection ? camera.projection->clipFromEye : clipFromEye(*scene.intrinsics, scene.size, 0.5, 1.0);
+    const glm::dmat4 clip = clipFromEye(camera, scene);
     const auto shows = [&](const glm::dmat4 &other, const Reading &by) {
         return seenPart(clip, eyeFromWorldOf(camera, other, by), objects) > 0.0;
     };
@@ -363,12 +367,8 @@ Result<SceneCamera, CameraError> sceneCamera(const ForeignCamera &camera, const 
         if (!pose)
             return pose.error();
         const glm::dmat4 eyeFromWorld = eyeFromWorldOf(camera, *pose, reading);
-        if (haveObjects) {
-            // Depths do not count here: any near and far will do.
-            const glm::dmat4 clip = camera.projection ? camera.projection->clipFromEye
-                                                      : clipFromEye(*scene.intrinsics, scene.size, 0.5, 1.0);
-            reading.seen = seenPart(clip, eyeFromWorld, *objects);
-        }
+        if (haveObjects)
+            reading.seen = seenPart(clipFromEye(camera, scene), eyeFromWorld, *objects);
         if (!taken || reading.seen > taken->seen) {
             taken = reading;
             scene.eyeFromWorld = eyeFromWorld;
@@ -388,9 +388,8 @@ Result<SceneCamera, CameraError> sceneCamera(const ForeignCamera &camera, const 
         scene.assumed.push_back(tr("The camera sees none of the objects: %1.", remedyOf(camera, scene, *objects)));
     if (haveObjects && taken->seen > 0.0) {
         constexpr double kTiny = 0.02;
-        const glm::dmat4 clip =
-            camera.projection ? camera.projection->clipFromEye : clipFromEye(*scene.intrinsics, scene.size, 0.5, 1.0);
-        if (const double share = imageShare(clip, scene.eyeFromWorld, *objects); share > 0.0 && share < kTiny)
+        if (const double share = imageShare(clipFromEye(camera, scene), scene.eyeFromWorld, *objects);
+            share > 0.0 && share < kTiny)
             scene.assumed.push_back(tr("The objects take only %1 % of the image: check the units of t.",
                                        significantText(100.0 * share, 2)));
     }
@@ -409,11 +408,7 @@ Result<SceneCamera, CameraError> sceneCamera(const ForeignCamera &camera, const 
         if (!isFinite({k.fx, k.fy, k.cx, k.cy, k.skew}) || k.fx == 0.0 || k.fy == 0.0)
             return errorOf(tr("the focal lengths are %1 and %2; they must be finite and not 0", shortestText(k.fx),
                               shortestText(k.fy)));
-        scene.projection = {clipFromEye(k, scene.size, distances->first, distances->second), NdcDepth::MinusOneToOne};
-        if (k.skew != 0.0)
-            scene.assumed.push_back(tr("The skew is %1: the formulas know no skew, so only the inverted matrix "
-                                       "answers.",
-                                       shortestText(k.skew)));
+        scene.projection = pinhole(k, scene.size, distances->first, distances->second);
         if (!(k.cx >= 0.0 && k.cx <= scene.size.width && k.cy >= 0.0 && k.cy <= scene.size.height))
             scene.assumed.push_back(tr("The principal point (%1, %2) lies outside the image of %3: check the size.",
                                        shortestText(k.cx), shortestText(k.cy), sizeText(scene.size)));

@@ -29,7 +29,7 @@ void readLens(Given &given, const Lens &lens)
     if (const auto *projection = std::get_if<Projection>(&lens)) {
         const ProjectionWindow window = projectionWindow(*projection);
         given.isPerspective = geometry::isPerspective(*projection);
-        given.isFrustum = kindOf(*projection) == ProjectionKind::Frustum;
+        given.isFrustum = std::holds_alternative<Frustum>(*projection);
         given.nearDistance = window.nearDistance;
         given.farDistance = window.farDistance;
         return;
@@ -222,6 +222,7 @@ cameras::Intrinsics intrinsicsOf(const Given &given)
     cameras::Intrinsics k;
     k.fx = m[0][0] / w * v.width / 2.0;
     k.fy = m[1][1] / w * v.height / 2.0;
+    k.skew = -m[1][0] / w * v.width / 2.0;
     k.cx = v.x + (middle.x + 1.0) / 2.0 * v.width;
     k.cy = flippedY(given.surface, v.y + (middle.y + 1.0) / 2.0 * v.height);
     k.centres = cameras::PixelCentres::AtHalves;

@@ -150,6 +150,7 @@ LookAt recentered(const Setup &setup, const WorldPoint &point)
     const ProjectionWindow w = projectionWindow(setup.projection());
     const double scale = isPerspective(setup.projection()) ? -inEye.z / w.nearDistance : 1.0;
     glm::dvec2 middle((w.left + w.right) / 2.0 * scale, (w.bottom + w.top) / 2.0 * scale);
+    middle.x -= w.skew * middle.y;
     if (const auto *oblique = std::get_if<Oblique>(&setup.projection()))
         middle -= glm::dvec2(cotangent(oblique->thetaRadians), cotangent(oblique->phiRadians)) * inEye.z;
     const WorldVector offset = (inEye.x - middle.x) * frame.side + (inEye.y - middle.y) * frame.upward;

@@ -43,10 +43,11 @@ Framing::Framing(const Setup &setup) : m_setup(setup), m_frame(frameOf(setup.cam
     // Measured from the world's origin, not from the eye: the camera's present position does not
     // matter.
     const auto along = [](const WorldVector &axis) { return glm::dvec4(axis.coordinates(), 0.0); };
-    const glm::dvec4 side = along(m_frame.side), upward = along(m_frame.upward), forward = along(m_frame.forward);
+    const glm::dvec4 upward = along(m_frame.upward), forward = along(m_frame.forward);
+    const glm::dvec4 side = along(m_frame.side) + w.skew * upward; // the window's x
     // A point seen at an edge: its lateral position is the edge's at its distance.
     const bool recedes = isPerspective(projection);
-    m_planes[Side] = side;
+    m_planes[Side] = along(m_frame.side);
     m_planes[Upward] = upward;
     m_planes[Forward] = forward;
     m_planes[FromLeft] = side - forward * (recedes ? m_low.x : m_shear.x);
@@ -162,6 +163,7 @@ Setup Framing::framed() const
         // The other pair of edges leaves room on both sides; the eye divides it equally.
         across.x = (m_lowest[FromLeft] + m_low.x * along + m_highest[FromRight] + m_high.x * along) / 2.0;
         across.y = (m_lowest[FromBottom] + m_low.y * along + m_highest[FromTop] + m_high.y * along) / 2.0;
+        across.x -= projectionWindow(m_setup.projection()).skew * across.y;
     } else {
         const double least = kLeastShare * size();
         const double scale = std::max(std::max(extent(FromLeft), least) / (m_high.x - m_low.x),

@@ -3,10 +3,13 @@
 #include "core/geometry/condition_number.h"
 #include "core/geometry/finite.h"
 
+#include <glm/matrix.hpp>
+
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace unprojector::geometry {
@@ -20,36 +23,34 @@ Error entryError(const glm::dmat4 &m, int column, int row)
 }
 
 /// The entries (column, row) that are 0 in every matrix of these forms, and further ones in a
-/// perspective.
-constexpr std::array<std::pair<int, int>, 6> kZeros{{{1, 0}, {0, 1}, {0, 2}, {1, 2}, {0, 3}, {1, 3}}};
+/// perspective and in a box.
+constexpr std::array<std::pair<int, int>, 5> kZeros{{{0, 1}, {0, 2}, {1, 2}, {0, 3}, {1, 3}}};
 constexpr std::array<std::pair<int, int>, 3> kZerosOfPerspective{{{3, 0}, {3, 1}, {3, 3}}};
+constexpr std::array<std::pair<int, int>, 1> kZerosOfBox{{{1, 0}}};
 
-Result<ProjectionCoefficients> coefficientsOf(const glm::dmat4 &m)
+/// True if the whole depth range lies in front of the eye; a far plane at infinity counts as in
+/// front.
+bool isInFront(const ProjectionCoefficients &c, NdcDepth depth)
 {
-    if (const Check finite = checkFinite(m); !finite)
-        return finite.error();
-    if (std::isinf(conditionNumber(m)))
-        return Error{ErrorCode::SingularMatrix};
-    for (const auto &[column, row] : kZeros) {
-        if (m[column][row] != 0.0)
-            return entryError(m, column, row);
-    }
+    if (!c.perspective)
+        return true;
+    return c.zOffset < 0.0 ? c.zScale <= -c.w : c.zScale >= (depth == NdcDepth::ZeroToOne ? 0.0 : c.w);
+}
+
+/// The coefficients of a matrix with the zeros of its form; `w` may have either sign.
+ProjectionCoefficients coefficientsWithSign(const glm::dmat4 &m)
+{
     ProjectionCoefficients c;
     c.perspective = m[2][3] != 0.0;
     if (c.perspective) {
-        for (const auto &[column, row] : kZerosOfPerspective) {
-            if (m[column][row] != 0.0)
-                return entryError(m, column, row);
-        }
         c.w = std::abs(m[2][3]);
         c.side = m[2][3] < 0.0 ? -1.0 : 1.0;
         c.xOffset = -c.side * m[2][0];
         c.yOffset = -c.side * m[2][1];
         c.zScale = -c.side * m[2][2];
+        c.xSkew = m[1][0];
     } else {
         c.w = m[3][3];
-        if (!(c.w > 0.0))
-            return entryError(m, 3, 3);
         c.xOffset = -m[3][0];
         c.yOffset = -m[3][1];
         c.xShear = m[2][0];
@@ -67,22 +68,40 @@ Result<ProjectionCoefficients> coefficientsOf(const glm::dmat4 &m)
     return c;
 }
 
+/// Returns whether all signs are turned: then w is negative in front of the eye.
+bool isNegated(const ProjectionCoefficients &c)
+{
+    return c.perspective ? !isInFront(c, NdcDepth::MinusOneToOne) && !isInFront(c, NdcDepth::ZeroToOne) : c.w < 0.0;
+}
+
+Result<ProjectionCoefficients> coefficientsOf(const glm::dmat4 &m)
+{
+    if (const Check finite = checkFinite(m); !finite)
+        return finite.error();
+    if (std::isinf(conditionNumber(m)))
+        return Error{ErrorCode::SingularMatrix};
+    for (const auto &[column, row] : kZeros) {
+        if (m[column][row] != 0.0)
+            return entryError(m, column, row);
+    }
+    const bool isPerspective = m[2][3] != 0.0;
+    for (const auto &[column, row] : isPerspective ? std::span<const std::pair<int, int>>(kZerosOfPerspective)
+                                                   : std::span<const std::pair<int, int>>(kZerosOfBox)) {
+        if (m[column][row] != 0.0)
+            return entryError(m, column, row);
+    }
+    const ProjectionCoefficients c = coefficientsWithSign(m);
+    return isNegated(c) ? coefficientsWithSign(glm::dmat4(0.0) - m) : c;
+}
+
 /// The same matrix with w = 1.
 ProjectionCoefficients scaledToOne(ProjectionCoefficients c)
 {
-    for (double *number : {&c.xScale, &c.yScale, &c.xOffset, &c.yOffset, &c.xShear, &c.yShear, &c.zScale, &c.zOffset})
+    for (double *number :
+         {&c.xScale, &c.yScale, &c.xOffset, &c.yOffset, &c.xSkew, &c.xShear, &c.yShear, &c.zScale, &c.zOffset})
         *number /= c.w;
     c.w = 1.0;
     return c;
-}
-
-/// True if the whole depth range lies in front of the eye; a far plane at infinity counts as in
-/// front.
-bool isInFront(const ProjectionCoefficients &c, NdcDepth depth)
-{
-    if (!c.perspective)
-        return true;
-    return c.zOffset < 0.0 ? c.zScale <= -c.w : c.zScale >= (depth == NdcDepth::ZeroToOne ? 0.0 : c.w);
 }
 
 double roundedTo(double value, int digits)
@@ -193,6 +212,11 @@ RecognisedProjection readPerspective(const ProjectionCoefficients &c, NdcDepth d
     readDistances(c, result, p.nearDistance, p.farDistance, same);
     readEdges(c.xScale, c.xOffset, p.nearDistance, p.left, p.right, true, same, result.exact);
     readEdges(c.yScale, c.yOffset, p.nearDistance, p.bottom, p.top, true, same, result.exact);
+    if (c.xSkew != 0.0) {
+        double none = 0.0;
+        p.skew = c.xSkew / c.xScale;
+        result.exact &= shorten(p.skew, none, [&](double skew, double) { return same(c.xScale * skew, c.xSkew); });
+    }
     result.parameters = p;
     return result;
 }
@@ -271,7 +295,21 @@ Result<RecognisedProjection> recognised(const MatrixProjection &projection)
     const ProjectionCoefficients one = scaledToOne(*c);
     RecognisedProjection result = one.perspective ? readPerspective(one, *depth, same) : readBox(one, *depth, same);
     result.coefficients = *c;
+    result.negated = isNegated(coefficientsWithSign(projection.clipFromEye));
     return result;
+}
+
+double wInFront(const MatrixProjection &projection)
+{
+    constexpr double kRounding = 1e-12;
+    const glm::dmat4 inverse = glm::inverse(projection.clipFromEye);
+    const double low = ndcDepthOf(projection) == NdcDepth::ZeroToOne ? 0.0 : -1.0;
+    // 1 / w at the ends of the view's axis
+    const double first = inverse[2][3] * low + inverse[3][3], second = inverse[2][3] + inverse[3][3];
+    const double larger = std::abs(first) > std::abs(second) ? first : second;
+    const double smaller = larger == first ? second : first;
+    const bool haveOneSign = smaller / larger > -kRounding;
+    return haveOneSign && larger < 0.0 ? -1.0 : 1.0;
 }
 
 NdcDepth ndcDepthOf(const MatrixProjection &projection)
@@ -313,6 +351,8 @@ Result<PrecisePoint<EyeSpace>> preciseEyePoint(const MatrixProjection &projectio
                             : (DoubleDouble(c.zScale) + DoubleDouble(c.w) * (1.0 - k)) + c.w * k * d->fromNear;
         const DoubleDouble z = c.zOffset / denominator;
         eye = {x * z, y * z, c.side * z};
+        if (c.xSkew != 0.0)
+            eye.x = eye.x - c.xSkew * eye.y / c.xScale;
     } else {
         const DoubleDouble ndc = k == 2.0 ? d->fromNear - d->fromFar : d->fromNear;
         const DoubleDouble z = (c.w * ndc - c.zOffset) / c.zScale;

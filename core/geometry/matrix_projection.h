@@ -24,9 +24,10 @@ struct MatrixProjection {
 
 /// The coefficients of a matrix of one of the known forms. side is -1 where eye space looks down
 /// -z, else +1, so that z_eye = side z with z the distance. w scales the whole matrix and is
-/// usually 1:
+/// usually 1. A matrix with all signs turned has the coefficients of the turned one, so w > 0:
 ///
-///   perspective  w x_n = xScale x / z - xOffset,  w y_n = …,  w z_n = zOffset / z - zScale
+///   perspective  w x_n = (xScale x + xSkew y) / z - xOffset,  w y_n = …,
+///                w z_n = zOffset / z - zScale
 ///   box          w x_n = xScale x + xShear z_eye - xOffset,  w y_n = …,
 ///                w z_n = zScale z_eye + zOffset
 struct ProjectionCoefficients {
@@ -35,6 +36,7 @@ struct ProjectionCoefficients {
     double w = 1.0;
     double xScale = 1.0, yScale = 1.0;
     double xOffset = 0.0, yOffset = 0.0;
+    double xSkew = 0.0;                ///< perspective only
     double xShear = 0.0, yShear = 0.0; ///< box only
     double zScale = -1.0, zOffset = 0.0;
 };
@@ -48,14 +50,15 @@ struct RecognisedProjection {
     NdcDepth ndcDepth = NdcDepth::MinusOneToOne;
     bool reversed = false; ///< near has the greater NDC depth
     bool infiniteFar = false;
+    bool negated = false;         ///< all signs are turned: w < 0 in front of the eye
     bool looksAlongPlusZ = false; ///< left-handed eye space; `parameters` count z forward nevertheless
     bool exact = false; ///< `parameters` give the matrix to the last bit (of single precision if its numbers are)
     ProjectionCoefficients coefficients;
 };
 
-/// Recognises a projection matrix: glFrustum, glOrtho or sheared glOrtho. The depth may be
+/// Recognises a projection matrix: glFrustum, with a skew or without, glOrtho or sheared glOrtho. The depth may be
 /// OpenGL's, or Direct3D's and Vulkan's, reversed or not. The far plane may be at infinity, eye
-/// space may look down either direction, and any positive factor may scale the matrix.
+/// space may look down either direction, and any factor but 0 may scale the matrix.
 /// @return NotFinite; SingularMatrix; MatrixNotAProjection (value: the entry that does not fit;
 ///         other: its index among the 16, column by column, from 0)
 Result<RecognisedProjection> recognised(const MatrixProjection &projection);
@@ -76,5 +79,9 @@ Result<PrecisePoint<EyeSpace>> preciseEyePoint(const MatrixProjection &projectio
 /// The depth convention that both methods use: the given one, else the one that `recognised` finds,
 /// else OpenGL's.
 NdcDepth ndcDepthOf(const MatrixProjection &projection);
+
+/// The sign of w in front of the eye: -1 for a matrix with all signs turned. Where w has both signs
+/// in the depth range, OpenGL's: 1.
+double wInFront(const MatrixProjection &projection);
 
 } // namespace unprojector::geometry

@@ -15,7 +15,7 @@ constexpr double kFirstShearRadians = kPi / 4.0;
 
 Check checkWindow(const ProjectionWindow &w)
 {
-    if (const auto value = firstNotFinite({w.left, w.right, w.bottom, w.top, w.nearDistance, w.farDistance}))
+    if (const auto value = firstNotFinite({w.left, w.right, w.bottom, w.top, w.nearDistance, w.farDistance, w.skew}))
         return Error{ErrorCode::NotFinite, *value};
     if (w.left == w.right)
         return Error{ErrorCode::LeftEqualsRight, w.left};
@@ -55,6 +55,16 @@ struct Checker {
             return Error{ErrorCode::AspectNotPositive, p.aspect};
         return checkClipDistances(p.nearDistance, p.farDistance, true);
     }
+    Check operator()(const Pinhole &p) const
+    {
+        if (const auto value = firstNotFinite({p.fx, p.fy, p.cx, p.cy, p.skew, p.width, p.height}))
+            return Error{ErrorCode::NotFinite, *value};
+        if (p.fx == 0.0 || p.fy == 0.0)
+            return Error{ErrorCode::FocalLengthIsZero, 0.0};
+        if (!(p.width > 0.0 && p.height > 0.0))
+            return Error{ErrorCode::EmptyImage, p.width, p.height};
+        return checkBox(projectionWindow(p), true);
+    }
     Check operator()(const Oblique &p) const
     {
         for (const double angle : {p.thetaRadians, p.phiRadians}) {
@@ -86,6 +96,31 @@ glm::dmat4 frustumMatrix(const Frustum &p)
     m[1][1] = 2.0 * n / (t - b);
     m[2] = {(r + l) / (r - l), (t + b) / (t - b), -(f + n) / (f - n), -1.0};
     m[3][2] = -2.0 * f * n / (f - n);
+    if (p.skew != 0.0)
+        m[1][0] = m[0][0] * p.skew;
+    return m;
+}
+
+double cornerToCentre(const Pinhole &p)
+{
+    return p.areCentersWhole ? 0.5 : 0.0;
+}
+
+/// For pixels counted from the image's corner:
+///
+///   w x_n = 2 (fx X + skew Y + cx Z) / width - Z,  w y_n = Z - 2 (fy Y + cy Z) / height,  w = Z
+glm::dmat4 pinholeMatrix(const Pinhole &p)
+{
+    const double n = p.nearDistance, f = p.farDistance, toCorner = cornerToCentre(p);
+    glm::dmat4 m(0.0);
+    m[0][0] = 2.0 * p.fx / p.width;
+    m[1][0] = p.skew == 0.0 ? 0.0 : -2.0 * p.skew / p.width;
+    m[2][0] = 1.0 - 2.0 * (p.cx + toCorner) / p.width;
+    m[1][1] = 2.0 * p.fy / p.height;
+    m[2][1] = 2.0 * (p.cy + toCorner) / p.height - 1.0;
+    m[2][2] = -(f + n) / (f - n);
+    m[3][2] = -2.0 * f * n / (f - n);
+    m[2][3] = -1.0;
     return m;
 }
 
@@ -119,8 +154,14 @@ Check check(const Projection &projection)
 
 Frustum frustumFromPerspective(const Perspective &p)
 {
-    const auto &[left, right, bottom, top] = preciseEdges(p);
-    return {left.value, right.value, bottom.value, top.value, p.nearDistance, p.farDistance};
+    const PreciseEdges e = preciseEdges(p);
+    return {e.left.value, e.right.value, e.bottom.value, e.top.value, p.nearDistance, p.farDistance};
+}
+
+Frustum frustumFromPinhole(const Pinhole &p)
+{
+    const PreciseEdges e = preciseEdges(p);
+    return {e.left.value, e.right.value, e.bottom.value, e.top.value, p.nearDistance, p.farDistance, e.skew.value};
 }
 
 PreciseEdges preciseEdges(const Projection &projection)
@@ -128,10 +169,16 @@ PreciseEdges preciseEdges(const Projection &projection)
     if (const auto *p = std::get_if<Perspective>(&projection)) {
         const DoubleDouble top = p->nearDistance * preciseTangent(preciseRadians(p->verticalFovRadians) / 2.0),
                            right = top * p->aspect;
-        return {-right, right, -top, top};
+        return {-right, right, -top, top, 0.0};
+    }
+    if (const auto *p = std::get_if<Pinhole>(&projection)) {
+        const DoubleDouble n = p->nearDistance, toCorner = cornerToCentre(*p);
+        const DoubleDouble cx = p->cx + toCorner, cy = p->cy + toCorner;
+        return {-(n * cx) / p->fx, n * (p->width - cx) / p->fx, -(n * (p->height - cy)) / p->fy, n * cy / p->fy,
+                p->skew == 0.0 ? DoubleDouble() : -DoubleDouble(p->skew) / p->fx};
     }
     const ProjectionWindow w = projectionWindow(projection);
-    return {w.left, w.right, w.bottom, w.top};
+    return {w.left, w.right, w.bottom, w.top, w.skew};
 }
 
 ProjectionWindow projectionWindow(const Projection &projection)
@@ -139,8 +186,9 @@ ProjectionWindow projectionWindow(const Projection &projection)
     struct Visitor {
         ProjectionWindow operator()(const Frustum &p) const
         {
-            return {p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance};
+            return {p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance, p.skew};
         }
+        ProjectionWindow operator()(const Pinhole &p) const { return (*this)(frustumFromPinhole(p)); }
         ProjectionWindow operator()(const Ortho &p) const
         {
             return {p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance};
@@ -153,7 +201,7 @@ ProjectionWindow projectionWindow(const Projection &projection)
 
 bool isPerspective(const Projection &projection)
 {
-    return std::holds_alternative<Frustum>(projection) || std::holds_alternative<Perspective>(projection);
+    return !std::holds_alternative<Ortho>(projection) && !std::holds_alternative<Oblique>(projection);
 }
 
 Result<glm::dmat4> clipFromEye(const Projection &projection)
@@ -162,6 +210,7 @@ Result<glm::dmat4> clipFromEye(const Projection &projection)
         return valid.error();
     struct Visitor {
         glm::dmat4 operator()(const Frustum &p) const { return frustumMatrix(p); }
+        glm::dmat4 operator()(const Pinhole &p) const { return pinholeMatrix(p); }
         glm::dmat4 operator()(const Ortho &p) const { return orthoMatrix(p); }
         glm::dmat4 operator()(const Perspective &p) const { return frustumMatrix(frustumFromPerspective(p)); }
         glm::dmat4 operator()(const Oblique &p) const
@@ -186,6 +235,12 @@ Projection withAspect(const Projection &projection, double aspect)
             p.left *= scale;
             p.right *= scale;
             return p;
+        }
+        Projection operator()(const Pinhole &p) const
+        {
+            constexpr double kRounding = 1e-12;
+            const double own = std::abs(p.width / p.fx) / std::abs(p.height / p.fy);
+            return std::abs(own - aspect) <= kRounding * aspect ? Projection(p) : (*this)(frustumFromPinhole(p));
         }
         Projection operator()(const Ortho &p) const { return widened(p); }
         Projection operator()(Perspective p) const
@@ -215,6 +270,7 @@ ProjectionKind kindOf(const Projection &projection)
 {
     struct Visitor {
         ProjectionKind operator()(const Frustum &) const { return ProjectionKind::Frustum; }
+        ProjectionKind operator()(const Pinhole &) const { return ProjectionKind::Frustum; }
         ProjectionKind operator()(const Perspective &) const { return ProjectionKind::Perspective; }
         ProjectionKind operator()(const Ortho &) const { return ProjectionKind::Ortho; }
         ProjectionKind operator()(const Oblique &) const { return ProjectionKind::Oblique; }
@@ -248,7 +304,7 @@ Projection converted(const Projection &projection, ProjectionKind kind, double d
         return Oblique{box, kFirstShearRadians, kFirstShearRadians};
     }
 
-    Frustum frustum{w.left, w.right, w.bottom, w.top, w.nearDistance, w.farDistance};
+    Frustum frustum{w.left, w.right, w.bottom, w.top, w.nearDistance, w.farDistance, w.skew};
     if (!wasPerspective) {
         constexpr double kNearShare = 0.01; // share of the distance, where a box begins behind the eye
         const double n = box.nearDistance > 0.0 ? box.nearDistance : distance * kNearShare;
@@ -269,7 +325,13 @@ Projection withClipDistances(const Projection &projection, double nearDistance, 
         Projection operator()(Frustum p) const
         {
             const double scale = n / p.nearDistance;
-            return Frustum{p.left * scale, p.right * scale, p.bottom * scale, p.top * scale, n, f};
+            return Frustum{p.left * scale, p.right * scale, p.bottom * scale, p.top * scale, n, f, p.skew};
+        }
+        Projection operator()(Pinhole p) const
+        {
+            p.nearDistance = n;
+            p.farDistance = f;
+            return p;
         }
         Projection operator()(Ortho p) const
         {

@@ -11,10 +11,13 @@
 namespace unprojector::geometry {
 
 /// The arguments of glFrustum: the window [left, right] x [bottom, top] on the plane z_eye = -near,
-/// eye units. It may be off-centre, and mirrored (left > right). 0 < near < far.
+/// eye units. It may be off-centre, and mirrored (left > right). 0 < near < far. A skew shears eye
+/// space before glFrustum: x_eye is replaced by x_eye + skew y_eye, as by the skew of a camera
+/// matrix.
 struct Frustum {
     double left = -1.0, right = 1.0, bottom = -1.0, top = 1.0;
     double nearDistance = 1.0, farDistance = 100.0;
+    double skew = 0.0;
     friend bool operator==(const Frustum &, const Frustum &) = default;
 };
 
@@ -43,10 +46,25 @@ struct Oblique {
     friend bool operator==(const Oblique &, const Oblique &) = default;
 };
 
-using Projection = std::variant<Frustum, Ortho, Perspective, Oblique>;
+/// A frustum given by a camera matrix K and the size of its image in pixels, counted from the
+/// top-left corner: x = fx X / Z + skew Y / Z + cx, y = fy Y / Z + cy, with X right, Y down, Z
+/// ahead. fx and fy are not 0; a negative one mirrors. 0 < near < far.
+///
+///   left = -n cx' / fx,  right = n (width - cx') / fx,  bottom = -n (height - cy') / fy,
+///   top = n cy' / fy,  skew of the frustum = -skew / fx;  cx', cy' count from the image's corner
+struct Pinhole {
+    double fx = 1.0, fy = 1.0, cx = 0.0, cy = 0.0, skew = 0.0;
+    double width = 1.0, height = 1.0;
+    double nearDistance = 1.0, farDistance = 100.0;
+    /// The centre of the first pixel has the coordinates 0, as in OpenCV; otherwise ½.
+    bool areCentersWhole = false;
+    friend bool operator==(const Pinhole &, const Pinhole &) = default;
+};
+
+using Projection = std::variant<Frustum, Ortho, Perspective, Oblique, Pinhole>;
 
 /// Checks the parameters.
-/// @return NotFinite; LeftEqualsRight; BottomEqualsTop; NearNotPositive (frustum and perspective);
+/// @return NotFinite; FocalLengthIsZero; EmptyImage; LeftEqualsRight; BottomEqualsTop; NearNotPositive (all but boxes);
 ///         NearNotBeforeFar; FieldOfViewOutOfRange; AspectNotPositive; ShearAngleOutOfRange
 Check check(const Projection &projection);
 
@@ -54,31 +72,40 @@ Check check(const Projection &projection);
 /// computes the tangent itself, so the digits do not depend on the system's library.
 Frustum frustumFromPerspective(const Perspective &perspective);
 
+/// The edges and the skew of a pinhole, rounded.
+Frustum frustumFromPinhole(const Pinhole &pinhole);
+
 /// The window on the near plane and the clip distances of a projection. For Oblique it is the
-/// unsheared box. `isPerspective` distinguishes a frustum from a box.
+/// unsheared box. `isPerspective` distinguishes a frustum from a box. skew is a frustum's: the
+/// window is that of x_eye + skew y_eye.
 struct ProjectionWindow {
     double left, right, bottom, top, nearDistance, farDistance;
+    double skew = 0.0;
 };
 ProjectionWindow projectionWindow(const Projection &projection);
-/// The edges of that window before rounding: a perspective's edges depend on a tangent.
+/// The edges of that window and its skew before rounding: a perspective's edges depend on a
+/// tangent, a pinhole's on quotients.
 struct PreciseEdges {
-    DoubleDouble left, right, bottom, top;
+    DoubleDouble left, right, bottom, top, skew;
 };
 PreciseEdges preciseEdges(const Projection &projection);
 bool isPerspective(const Projection &projection);
 
-/// The projection matrix as glFrustum, glOrtho and gluPerspective build it; for Oblique ortho *
-/// shear. The third row of the frustum is (0, 0, -(f+n)/(f-n), -2fn/(f-n)).
+/// The projection matrix as glFrustum, glOrtho and gluPerspective build it; for Oblique and for a
+/// frustum with a skew times the shear; for a pinhole by its own numbers. The third row of the frustum is (0, 0,
+/// -(f+n)/(f-n), -2fn/(f-n)).
 /// @return the errors of `check`
 /// Source: OpenGL 2.1 reference; `parallel-projection` for the shear. (The zhangci tutorial prints
 ///         the ortho matrix with a garbled third row.)
 Result<glm::dmat4> clipFromEye(const Projection &projection);
 
+/// A pinhole is a frustum.
 enum class ProjectionKind { Frustum, Perspective, Ortho, Oblique };
 ProjectionKind kindOf(const Projection &projection);
 
 /// The projection of another kind whose view is as similar as possible. A frustum and a perspective
-/// convert exactly (an off-centre frustum is centred and keeps its height). Between frustum and
+/// convert exactly (an off-centre frustum is centred and keeps its height; only frustums keep a
+/// skew). Between frustum and
 /// box, and where a shear is dropped, points at `distance` in front of the eye keep their position
 /// in the view. A new oblique gets angles of 45 degrees, so that the shear is visible.
 /// @param distance  > 0, eye units

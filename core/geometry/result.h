@@ -18,6 +18,8 @@ enum class ErrorCode {
     BottomEqualsTop,       ///< value: bottom = top
     FieldOfViewOutOfRange, ///< value: vertical field of view in radians; must lie inside (0, pi)
     AspectNotPositive,     ///< value: aspect
+    FocalLengthIsZero,     ///< value: 0
+    EmptyImage,            ///< value: width, other: height, of a pinhole's image
     ShearAngleOutOfRange,  ///< value: angle in radians; must lie inside (0, pi), where its cotangent is finite
     EyeEqualsCenter,       ///< the eye lies on the point it looks at
     UpIsZero,              ///< up has no length

@@ -19,6 +19,8 @@ std::array<EyePoint, 8> viewVolumeCorners(const Projection &projection)
         const double distance = i & 4 ? w.farDistance : w.nearDistance;
         const double magnified = perspective ? distance / w.nearDistance : 1.0;
         EyePoint corner((i & 1 ? w.right : w.left) * magnified, (i & 2 ? w.top : w.bottom) * magnified, -distance);
+        if (w.skew != 0.0)
+            corner.x -= w.skew * corner.y;
         if (oblique) {
             corner.x += cotangent(oblique->thetaRadians) * distance;
             corner.y += cotangent(oblique->phiRadians) * distance;

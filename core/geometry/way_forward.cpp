@@ -19,12 +19,12 @@ Rows rowsOf(const glm::dmat4 &m)
 
 Rows rowsOf(const Projection &projection)
 {
-    const auto &[l, r, b, t] = preciseEdges(projection);
+    const auto &[l, r, b, t, skew] = preciseEdges(projection);
     const ProjectionWindow w = projectionWindow(projection);
     const DoubleDouble n = w.nearDistance, f = w.farDistance, thickness = f - n;
     const DoubleDouble xSkew = (r + l) / (r - l), ySkew = (t + b) / (t - b), zSkew = (f + n) / thickness;
     if (isPerspective(projection))
-        return {{{2.0 * n / (r - l), 0.0, xSkew, 0.0},
+        return {{{2.0 * n / (r - l), skew.value == 0.0 ? DoubleDouble() : 2.0 * n * skew / (r - l), xSkew, 0.0},
                  {0.0, 2.0 * n / (t - b), ySkew, 0.0},
                  {0.0, 0.0, -zSkew, -2.0 * n * (f / thickness)},
                  {0.0, 0.0, -1.0, 0.0}}};

@@ -38,6 +38,7 @@ public:
     PreciseStages fromEye(const DoubleDouble3 &eye) const;
 
 private:
+    friend class WayBack;
     using Rows = std::array<DoubleDouble4, 4>;
 
     WayForward() = default;

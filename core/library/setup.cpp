@@ -34,21 +34,22 @@ geometry::Ortho internalBox(const Ortho &o)
 
 geometry::Projection internalProjection(const Projection &projection, const geometry::Viewport &viewport)
 {
-    return std::visit(
-        Overloaded{[&](const Perspective &p) -> geometry::Projection {
-                       return geometry::Perspective{geometry::radiansFromDegrees(p.verticalFovDegrees),
-                                                    p.aspect.value_or(viewport.width / viewport.height), p.nearDistance,
-                                                    p.farDistance};
-                   },
-                   [](const Frustum &f) -> geometry::Projection {
-                       return geometry::Frustum{f.left, f.right, f.bottom, f.top, f.nearDistance, f.farDistance};
-                   },
-                   [](const Ortho &o) -> geometry::Projection { return internalBox(o); },
-                   [](const Oblique &o) -> geometry::Projection {
-                       return geometry::Oblique{internalBox(o.box), geometry::radiansFromDegrees(o.thetaDegrees),
-                                                geometry::radiansFromDegrees(o.phiDegrees)};
-                   }},
-        projection);
+    return std::visit(Overloaded{[&](const Perspective &p) -> geometry::Projection {
+                                     return geometry::Perspective{geometry::radiansFromDegrees(p.verticalFovDegrees),
+                                                                  p.aspect.value_or(viewport.width / viewport.height),
+                                                                  p.nearDistance, p.farDistance};
+                                 },
+                                 [](const Frustum &f) -> geometry::Projection {
+                                     return geometry::Frustum{f.left,         f.right,       f.bottom, f.top,
+                                                              f.nearDistance, f.farDistance, f.skew};
+                                 },
+                                 [](const Ortho &o) -> geometry::Projection { return internalBox(o); },
+                                 [](const Oblique &o) -> geometry::Projection {
+                                     return geometry::Oblique{internalBox(o.box),
+                                                              geometry::radiansFromDegrees(o.thetaDegrees),
+                                                              geometry::radiansFromDegrees(o.phiDegrees)};
+                                 }},
+                      projection);
 }
 
 Projection publicProjection(const geometry::Projection &projection)
@@ -56,19 +57,22 @@ Projection publicProjection(const geometry::Projection &projection)
     const auto boxOf = [](const geometry::Ortho &o) {
         return Ortho{o.left, o.right, o.bottom, o.top, o.nearDistance, o.farDistance};
     };
-    return std::visit(Overloaded{[](const geometry::Perspective &p) -> Projection {
-                                     return Perspective{geometry::degreesFromRadians(p.verticalFovRadians), p.aspect,
-                                                        p.nearDistance, p.farDistance};
-                                 },
-                                 [](const geometry::Frustum &f) -> Projection {
-                                     return Frustum{f.left, f.right, f.bottom, f.top, f.nearDistance, f.farDistance};
-                                 },
-                                 [&](const geometry::Ortho &o) -> Projection { return boxOf(o); },
-                                 [&](const geometry::Oblique &o) -> Projection {
-                                     return Oblique{boxOf(o.box), geometry::degreesFromRadians(o.thetaRadians),
-                                                    geometry::degreesFromRadians(o.phiRadians)};
-                                 }},
-                      projection);
+    const auto frustumOf = [](const geometry::Frustum &f) {
+        return Frustum{f.left, f.right, f.bottom, f.top, f.nearDistance, f.farDistance, f.skew};
+    };
+    return std::visit(
+        Overloaded{[](const geometry::Perspective &p) -> Projection {
+                       return Perspective{geometry::degreesFromRadians(p.verticalFovRadians), p.aspect, p.nearDistance,
+                                          p.farDistance};
+                   },
+                   [&](const geometry::Frustum &f) -> Projection { return frustumOf(f); },
+                   [&](const geometry::Pinhole &p) -> Projection { return frustumOf(geometry::frustumFromPinhole(p)); },
+                   [&](const geometry::Ortho &o) -> Projection { return boxOf(o); },
+                   [&](const geometry::Oblique &o) -> Projection {
+                       return Oblique{boxOf(o.box), geometry::degreesFromRadians(o.thetaRadians),
+                                      geometry::degreesFromRadians(o.phiRadians)};
+                   }},
+        projection);
 }
 
 /// A setup in a window, still without projection and camera.
@@ -129,6 +133,11 @@ std::vector<Named> numbersOf(const Projection &projection)
                                      std::vector<Named> numbers = ofBox(o.box);
                                      numbers.push_back({"theta", o.thetaDegrees});
                                      numbers.push_back({"phi", o.phiDegrees});
+                                     return numbers;
+                                 },
+                                 [&](const Frustum &f) {
+                                     std::vector<Named> numbers = ofBox(f);
+                                     numbers.push_back({"skew", f.skew});
                                      return numbers;
                                  },
                                  [&](const auto &box) { return ofBox(box); }},
@@ -206,7 +215,8 @@ std::string projectionText(const Projection &projection)
                                  },
                                  [](const Frustum &f) {
                                      return "frustum" + edgesText(f.left, f.right, f.bottom, f.top)
-                                            + clipText(f.nearDistance, f.farDistance);
+                                            + clipText(f.nearDistance, f.farDistance)
+                                            + (f.skew == 0.0 ? "" : " skew " + text::shortestText(f.skew));
                                  },
                                  [](const Ortho &o) {
                                      return "ortho" + edgesText(o.left, o.right, o.bottom, o.top)

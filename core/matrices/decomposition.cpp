@@ -126,11 +126,14 @@ std::optional<Decomposition> decomposed(const dmat4 &clipFromWorld)
     const auto apart = decomposed(clipFromWorld, 1.0);
     if (!apart)
         return std::nullopt;
-    if (geometry::recognised({apart->clipFromEye, std::nullopt}))
+    const auto isProjection = [](const Decomposition &one) {
+        const auto form = geometry::recognised({one.clipFromEye, std::nullopt});
+        return form && !form->negated;
+    };
+    if (isProjection(*apart))
         return withoutNegativeZeros(*apart);
     const auto negated = decomposed(clipFromWorld, -1.0);
-    return withoutNegativeZeros(negated && geometry::recognised({negated->clipFromEye, std::nullopt}) ? *negated
-                                                                                                      : *apart);
+    return withoutNegativeZeros(negated && isProjection(*negated) ? *negated : *apart);
 }
 
 std::string decompositionText(const Decomposition &apart)

@@ -29,6 +29,15 @@ constexpr Names kFrustumInverse = {{"(r−l)/(2n)", "0", "0", "(r+l)/(2n)"},
                                    {"0", "0", "0", "−1"},
                                    {"0", "0", "−(f−n)/(2fn)", "(f+n)/(2fn)"}};
 
+constexpr Names kSkewed = {{"2n/(r−l)", "2n·skew/(r−l)", "(r+l)/(r−l)", "0"},
+                           {"0", "2n/(t−b)", "(t+b)/(t−b)", "0"},
+                           {"0", "0", "−(f+n)/(f−n)", "−2fn/(f−n)"},
+                           {"0", "0", "−1", "0"}};
+constexpr Names kSkewedInverse = {{"(r−l)/(2n)", "−skew·(t−b)/(2n)", "0", "(r+l)/(2n) − skew·(t+b)/(2n)"},
+                                  {"0", "(t−b)/(2n)", "0", "(t+b)/(2n)"},
+                                  {"0", "0", "0", "−1"},
+                                  {"0", "0", "−(f−n)/(2fn)", "(f+n)/(2fn)"}};
+
 constexpr Names kPerspective = {{"cot(fovy/2)/aspect", "0", "0", "0"},
                                 {"0", "cot(fovy/2)", "0", "0"},
                                 {"0", "0", "−(f+n)/(f−n)", "−2fn/(f−n)"},
@@ -67,8 +76,10 @@ constexpr Names kNdcFromWindow = {{"2/w", "0", "0", "−(2vx+w)/w"},
 
 constexpr Names kNone = {};
 
-const Names &projectionNames(ProjectionKind kind, bool forward)
+const Names &projectionNames(ProjectionKind kind, bool isSkewed, bool forward)
 {
+    if (isSkewed)
+        return forward ? kSkewed : kSkewedInverse;
     switch (kind) {
     case ProjectionKind::Frustum: return forward ? kFrustum : kFrustumInverse;
     case ProjectionKind::Perspective: return forward ? kPerspective : kPerspectiveInverse;
@@ -78,13 +89,13 @@ const Names &projectionNames(ProjectionKind kind, bool forward)
     return kNone;
 }
 
-const Names &namesOf(PipelineStage stage, bool forward, ProjectionKind kind)
+const Names &namesOf(PipelineStage stage, bool forward, ProjectionKind kind, bool isSkewed)
 {
     switch (stage) {
     case PipelineStage::ModelMatrix:
     case PipelineStage::ModelviewMatrix: return kAxes;
     case PipelineStage::ViewMatrix: return forward ? kEyeFromWorld : kWorldFromEye;
-    case PipelineStage::ProjectionMatrix: return projectionNames(kind, forward);
+    case PipelineStage::ProjectionMatrix: return projectionNames(kind, isSkewed, forward);
     case PipelineStage::ViewportMatrix: return forward ? kWindowFromNdc : kNdcFromWindow;
     case PipelineStage::WholeMatrix: return kNone;
     }
@@ -94,9 +105,9 @@ const Names &namesOf(PipelineStage stage, bool forward, ProjectionKind kind)
 } // namespace
 
 std::string_view matrixEntryName(PipelineStage stage, PipelineDirection direction, ProjectionKind kind, int row,
-                                 int column)
+                                 int column, bool isSkewed)
 {
-    return namesOf(stage, direction == PipelineDirection::Forward, kind)[row][column];
+    return namesOf(stage, direction == PipelineDirection::Forward, kind, isSkewed)[row][column];
 }
 
 } // namespace unprojector::matrices

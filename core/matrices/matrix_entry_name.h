@@ -15,9 +15,10 @@ namespace unprojector::matrices {
 /// Backward, X, Y, Z, T belong to the space that the matrix starts from.
 ///
 /// @param kind         of the projection; matters for PipelineStage::ProjectionMatrix
+/// @param isSkewed     the projection is a frustum with a skew
 /// @param row, column  0 to 3, in the column-vector layout (swap them for rows)
 /// @return empty for an entry of the whole pipeline, which is a product without a short name
 std::string_view matrixEntryName(PipelineStage stage, PipelineDirection direction, geometry::ProjectionKind kind,
-                                 int row, int column);
+                                 int row, int column, bool isSkewed = false);
 
 } // namespace unprojector::matrices

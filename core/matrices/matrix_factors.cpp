@@ -24,7 +24,7 @@ std::vector<MatrixFactor> boxFactors(const Ortho &box)
 
 std::vector<MatrixFactor> frustumFactors(const Frustum &frustum)
 {
-    const auto &[l, r, b, t, n, f] = frustum;
+    const auto &[l, r, b, t, n, f, skew] = frustum;
     glm::dmat4 ontoNear(0.0), toSquare(1.0);
     ontoNear[0][0] = ontoNear[1][1] = n;
     ontoNear[2] = {0.0, 0.0, -(f + n) / (f - n), -1.0};
@@ -32,11 +32,18 @@ std::vector<MatrixFactor> frustumFactors(const Frustum &frustum)
     toSquare[0][0] = 2.0 / (r - l);
     toSquare[1][1] = 2.0 / (t - b);
     toSquare[3] = {-(r + l) / (r - l), -(t + b) / (t - b), 0.0, 1.0};
-    return {{MatrixStep::OntoNear, ontoNear}, {MatrixStep::NearToSquare, toSquare}};
+    std::vector<MatrixFactor> result{{MatrixStep::OntoNear, ontoNear}, {MatrixStep::NearToSquare, toSquare}};
+    if (skew != 0.0) {
+        glm::dmat4 shear(1.0);
+        shear[1][0] = skew;
+        result.insert(result.begin(), {MatrixStep::Skew, shear});
+    }
+    return result;
 }
 
 struct FactorsOf {
     std::vector<MatrixFactor> operator()(const Frustum &p) const { return frustumFactors(p); }
+    std::vector<MatrixFactor> operator()(const Pinhole &p) const { return frustumFactors(frustumFromPinhole(p)); }
     std::vector<MatrixFactor> operator()(const Perspective &p) const
     {
         return frustumFactors(frustumFromPerspective(p));

@@ -16,6 +16,7 @@ enum class MatrixStep {
     MoveEye,         ///< gluLookAt's T: world -> axes as in the world, origin at the eye
     TurnAxes,        ///< gluLookAt's R: rows s, u, -f
     Shear,           ///< x += cot theta z, y += cot phi z, eye units
+    Skew,            ///< x += skew y, eye units
     MoveBox,         ///< the box's middle, z = -(n + f)/2, to the origin; eye units
     ScaleBox,        ///< the box to sides of 2: 2/(r-l), 2/(t-b), 2/(f-n)
     TurnZ,           ///< z times -1: a greater NDC depth is farther away
@@ -34,7 +35,7 @@ struct MatrixFactor {
 /// the reverse order:
 ///
 ///   glOrtho    TurnZ * ScaleBox * MoveBox, oblique: * Shear
-///   glFrustum  NearToSquare * OntoNear
+///   glFrustum  NearToSquare * OntoNear, with a skew: * Skew
 ///
 /// Each entry of their product in double is within a unit in the last place of
 /// clipFromEye(projection).

@@ -129,7 +129,7 @@ void lookAtProjection(const dmat4 &m, const RecognisedProjection &r, const std::
 bool isPlainProjection(const dmat4 &m)
 {
     const auto r = projectionIn(m, std::nullopt);
-    return r && std::abs(r->coefficients.w - 1.0) <= kZero;
+    return r && !r->negated && std::abs(r->coefficients.w - 1.0) <= kZero;
 }
 
 std::vector<MatrixFinding> projectionFindings(const dmat4 &m, const std::optional<NdcDepth> &depth)
@@ -143,11 +143,11 @@ std::vector<MatrixFinding> projectionFindings(const dmat4 &m, const std::optiona
     if (!isPlain && isPlainProjection(glm::inverse(glm::transpose(m))))
         return {{MatrixFault::Transposed, MatrixRepair::OtherOrder}, {MatrixFault::Inverse, MatrixRepair::Invert}};
     if (const auto r = projectionIn(m, depth)) {
+        if (r->negated)
+            return {{MatrixFault::Negated, MatrixRepair::Negate}};
         lookAtProjection(m, *r, depth, found);
         return found;
     }
-    if (isPlainProjection(-m))
-        return {{MatrixFault::Negated, MatrixRepair::Negate}};
     if (axesOff(m) || axesOff(glm::transpose(m)))
         return {{MatrixFault::Exchanged, MatrixRepair::Exchange}};
     return {{MatrixFault::UnknownForm}};

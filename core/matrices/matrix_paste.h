@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/matrix_projection.h"
+#include "core/geometry/setup.h"
 #include "core/matrices/decomposition.h"
 #include "core/matrices/matrix_findings.h"
 #include "core/matrices/pasted_matrix.h"
@@ -60,7 +60,7 @@ public:
 
     /// The camera that a scene takes from the paste.
     struct Camera {
-        std::optional<geometry::MatrixProjection> projection;
+        std::optional<geometry::Lens> projection;
         std::optional<glm::dmat4> eyeFromWorld;
         std::optional<geometry::Viewport> viewport; ///< of a call
         bool isAnything() const { return projection || eyeFromWorld || viewport; }

@@ -175,20 +175,22 @@ aspect : float, optional
         py::arg("fovy"), py::arg("aspect") = py::none());
     defConstructor(
         setup, "frustum",
-        [](double left, double right, double bottom, double top, double nearDistance, double farDistance,
+        [](double left, double right, double bottom, double top, double skew, double nearDistance, double farDistance,
            const py::object &eye, const py::object &center, const py::object &up, const Size &size,
            const OptionalViewport &viewport, const Ends &depthRange) {
-            return built(Frustum{left, right, bottom, top, nearDistance, farDistance}, eye, center, up,
+            return built(Frustum{left, right, bottom, top, nearDistance, farDistance, skew}, eye, center, up,
                          windowOf(size, viewport, depthRange));
         },
         R"(The setup of glFrustum and gluLookAt.
 
 frustum(*, left, right, bottom, top, near, far, eye, center, up=(0, 1, 0), size,
-        viewport=None, depth_range=(0, 1))
+        skew=0.0, viewport=None, depth_range=(0, 1))
 
 left, right, bottom, top : float
-    The window on the near plane, eye units.)",
-        py::arg("left"), py::arg("right"), py::arg("bottom"), py::arg("top"));
+    The window on the near plane, eye units.
+skew : float
+    Replaces x by x + skew y in eye space before glFrustum.)",
+        py::arg("left"), py::arg("right"), py::arg("bottom"), py::arg("top"), py::arg("skew") = 0.0);
     defConstructor(
         setup, "ortho",
         [](double left, double right, double bottom, double top, double nearDistance, double farDistance,

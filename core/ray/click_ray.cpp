@@ -3,6 +3,9 @@
 #include "core/geometry/finite.h"
 #include "core/geometry/view_matrix.h"
 
+#include <glm/common.hpp>
+
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <variant>
@@ -26,43 +29,98 @@ std::optional<WorldPoint> eyeOf(const Setup &setup)
 } // namespace
 
 ClickRays::ClickRays(const Unprojector &unprojector)
-    : m_unprojector(unprojector), m_depthAtNear(unprojector.setup().depthRange.atNear),
-      m_depthAtFar(unprojector.setup().depthRange.atFar)
+    : m_unprojector(unprojector), m_wayBack(Error{ErrorCode::SingularMatrix}),
+      m_depthAtNear(unprojector.setup().depthRange.atNear), m_depthAtFar(unprojector.setup().depthRange.atFar)
 {
     const Setup &setup = unprojector.setup();
-    bool hasEye = false;
+    bool hasEye = false, isKnown = true;
     if (const auto *projection = std::get_if<Projection>(&setup.lens)) {
         hasEye = isPerspective(*projection);
-    } else if (const auto form = recognised(std::get<MatrixProjection>(setup.lens))) {
-        hasEye = form->coefficients.perspective;
-        if (form->reversed)
-            std::swap(m_depthAtNear, m_depthAtFar);
     } else {
-        m_method = Method::Matrix;
+        const auto &matrix = std::get<MatrixProjection>(setup.lens);
+        m_wInFront = wInFront(matrix);
+        const auto form = recognised(matrix);
+        isKnown = form.hasValue();
+        hasEye = isKnown && form->coefficients.perspective;
+        if (isKnown && form->reversed)
+            std::swap(m_depthAtNear, m_depthAtFar);
     }
-    if (const auto *pose = std::get_if<glm::dmat4>(&setup.pose); pose && !axesOff(*pose))
+    if (const Result<glm::dmat4> matrix = geometry::clipFromWorld(setup))
+        m_clipFromWorld = m_wInFront * *matrix;
+    const auto *pose = std::get_if<glm::dmat4>(&setup.pose);
+    if (!isKnown || (pose && !axesOff(*pose))) {
         m_method = Method::Matrix;
-    if (hasEye)
+        m_wayBack = WayBack::of(setup);
+    }
+    if (!isKnown)
+        orderDepths();
+    if (!isKnown && m_wayBack)
+        m_eye = m_wayBack->eye();
+    else if (hasEye)
         m_eye = eyeOf(setup);
+}
+
+/// Exchanges near and far if the depth range begins at the far end. 1 / w is linear in the depth,
+/// so one line of sight decides for all.
+void ClickRays::orderDepths()
+{
+    const Setup &setup = m_unprojector.setup();
+    const auto at = [&](double depth) {
+        const Viewport &v = setup.viewport;
+        return m_wayBack->solution(WindowPoint(v.x + v.width / 2.0, v.y + v.height / 2.0, depth));
+    };
+    const auto first = m_wayBack ? at(m_depthAtNear) : m_wayBack.error();
+    const auto last = m_wayBack ? at(m_depthAtFar) : m_wayBack.error();
+    if (!first || !last)
+        return;
+    const DoubleDouble one = first->point[3], other = last->point[3];
+    const bool haveOneSign = one.value * other.value > 0.0;
+    double ahead = (one - other).value * (haveOneSign ? one.value : m_wInFront);
+    const bool isBox = std::abs((one - other).value) <= first->error.w + last->error.w;
+    if (isBox) {
+        const Result<WayBack::Bounded> from = m_wayBack->world(*first), to = m_wayBack->world(*last);
+        const Result<glm::dmat4> eyeFromWorld = geometry::eyeFromWorld(setup);
+        if (!from || !to || !eyeFromWorld)
+            return;
+        ahead = -(*eyeFromWorld * glm::dvec4((to->point - from->point).coordinates(), 0.0)).z;
+    }
+    if (ahead < 0.0)
+        std::swap(m_depthAtNear, m_depthAtFar);
+}
+
+Result<ClickRays::End> ClickRays::endAt(const DevicePoint &position, double depth) const
+{
+    const WindowPoint window = windowFromDevice(setup().surface, position, depth);
+    if (m_method == Method::Formula) {
+        const Result<WorldPoint> point = m_unprojector.worldAt(m_method, window);
+        return point ? Result<End>(End{*point}) : point.error();
+    }
+    if (!m_wayBack)
+        return m_wayBack.error();
+    const Result<WayBack::Solution> solution = m_wayBack->solution(window);
+    if (!solution)
+        return solution.error();
+    const Result<WayBack::Bounded> world = m_wayBack->world(*solution);
+    return world ? Result<End>(End{world->point, world->error, solution->point[3].value}) : world.error();
 }
 
 Result<Ray<WorldSpace>> ClickRays::at(const DevicePoint &position) const
 {
-    const auto pointAt = [&](double depth) {
-        return m_unprojector.worldAt(m_method, windowFromDevice(setup().surface, position, depth));
-    };
-    const Result<WorldPoint> from = pointAt(m_depthAtNear);
+    const Result<End> from = endAt(position, m_depthAtNear);
     if (!from)
         return from.error();
-    Ray<WorldSpace> ray{*from, {}, 0.0, 1.0};
-    Result<WorldPoint> to = pointAt(m_depthAtFar);
-    if (!to) { // at infinity
-        to = pointAt(m_depthAtNear / 2.0 + m_depthAtFar / 2.0);
+    Ray<WorldSpace> ray{from->point, {}, 0.0, 1.0};
+    Result<End> to = endAt(position, m_depthAtFar);
+    constexpr double kLeastShare = 0x1p-60;
+    const auto isBehindInfinity = [&] { return !to || (to->inverseW < 0.0) != (from->inverseW < 0.0); };
+    for (double share = 0.5; isBehindInfinity() && share > kLeastShare; share /= 2.0) {
+        to = endAt(position, m_depthAtNear * (1.0 - share) + m_depthAtFar * share);
         ray.high = std::numeric_limits<double>::infinity();
     }
     if (!to)
         return to.error();
-    ray.along = *to - *from;
+    ray.along = to->point - from->point;
+    ray.error = WorldVector(glm::max(from->error.coordinates(), to->error.coordinates()));
     return ray;
 }
 

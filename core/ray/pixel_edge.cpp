@@ -72,7 +72,7 @@ private:
     bool prepareView()
     {
         const Setup &setup = m_rays.rays().setup();
-        const Result<glm::dmat4> matrix = clipFromWorld(setup);
+        const std::optional<glm::dmat4> &matrix = m_rays.rays().clipFromWorld();
         if (!matrix)
             return false;
         const auto deviceAt = [&](double ndc) {

@@ -13,6 +13,9 @@ struct Ray {
     geometry::Vector<Space> along;
     double low = 0.0;
     double high = 1.0; ///< infinity: the ray has no end
+    /// The largest deviation of its points with t in [0, 1], beyond the rounding of `from` and
+    /// `along` to doubles.
+    geometry::Vector<Space> error = {};
 
     geometry::Point<Space> at(double t) const { return from + along * t; }
 };

@@ -1,5 +1,7 @@
 #include "core/ray/scene_hit.h"
 
+#include "core/geometry/double_double.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -35,6 +37,23 @@ public:
     ObjectPoint object(const glm::dvec3 &place) const { return ObjectPoint(m_origin + place); }
     const glm::dmat3 &linear() const { return m_linear; }
 
+    /// A normal of a triangle in the world, of any length, accurate to the last digit also where the
+    /// triangle is seen edge on.
+    glm::dvec3 preciseNormal(const std::array<glm::dvec3, 3> &corners, double size) const
+    {
+        const auto side = [&](const glm::dvec3 &corner) {
+            DoubleDouble3 object, world;
+            for (int k = 0; k < 3; ++k)
+                object[static_cast<std::size_t>(k)] = (DoubleDouble(corner[k]) - corners[0][k]) / size;
+            for (int k = 0; k < 3; ++k)
+                world[static_cast<std::size_t>(k)] =
+                    m_linear[0][k] * object[0] + m_linear[1][k] * object[1] + m_linear[2][k] * object[2];
+            return world;
+        };
+        const DoubleDouble3 normal = cross(side(corners[1]), side(corners[2]));
+        return {normal[0].value, normal[1].value, normal[2].value};
+    }
+
     /// The rounding error in double of a position of the mesh in the world, and of differences
     /// between positions that are no larger.
     WorldVector rounding(const glm::dvec3 &place) const
@@ -44,9 +63,11 @@ public:
     /// The same, plus the rounding error of a ray through it at t.
     WorldVector rounding(const glm::dvec3 &place, const Ray<WorldSpace> &ray, double t) const
     {
+        // A point at t has (1 - t) times the error of one end and t times that of the other.
+        const double ends = std::max(1.0, std::abs(2.0 * t - 1.0));
         const glm::dvec3 along =
-            glm::abs(ray.from.coordinates()) + 2.0 * std::abs(t) * glm::abs(ray.along.coordinates());
-        return rounding(place) + WorldVector(kRoundings * along);
+            ends * glm::abs(ray.from.coordinates()) + 2.0 * std::abs(t) * glm::abs(ray.along.coordinates());
+        return rounding(place) + WorldVector(kRoundings * along) + ray.error * ends;
     }
 
 private:
@@ -164,11 +185,11 @@ SceneHit hitOnTriangle(const RayCaster &caster, const Placement &placement, std:
     }
 
     // An error of the plane along its normal moves the hit along the ray.
-    const glm::dvec3 n = glm::abs(detail.normal.coordinates()), along = glm::abs(ray.along.coordinates());
+    const glm::dvec3 n = placed.preciseNormal(corners, size), along = ray.along.coordinates();
     const glm::dvec3 largest = glm::max(glm::max(glm::abs(corners[0]), glm::abs(corners[1])), glm::abs(corners[2]));
     const WorldVector rounding = placed.rounding(largest, ray, hit.t);
-    const double shift = glm::dot(n, rounding.coordinates()) / std::abs(dot(detail.normal, ray.along));
-    hit.uncertainty = rounding + WorldVector(along * shift);
+    const double shift = glm::dot(glm::abs(n), rounding.coordinates()) / std::abs(glm::dot(n, along));
+    hit.uncertainty = rounding + WorldVector(glm::abs(along) * shift);
     hit.triangle = detail;
     return hit;
 }

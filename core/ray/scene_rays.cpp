@@ -115,7 +115,7 @@ std::optional<SceneRays::TakenPoint> SceneRays::nearestPoint(const DevicePoint &
                                                              const Ray<WorldSpace> &ray) const
 {
     const Setup &setup = m_rays.setup();
-    const Result<glm::dmat4> matrix = clipFromWorld(setup);
+    const std::optional<glm::dmat4> &matrix = m_rays.clipFromWorld();
     if (!matrix)
         return std::nullopt;
     const WindowPoint window = windowFromDevice(setup.surface, position, setup.depthRange.atNear);

@@ -23,8 +23,7 @@ constexpr double kSamePlace = 1e-6;
 
 SnapSearch::SnapSearch(const SceneRays &rays, const DevicePoint &position) : m_rays(rays), m_position(position)
 {
-    if (const Result<glm::dmat4> matrix = clipFromWorld(rays.rays().setup()))
-        m_clipFromWorld = *matrix;
+    m_clipFromWorld = rays.rays().clipFromWorld();
     if (const Result<Ray<WorldSpace>> ray = rays.rays().at(position); ray && m_clipFromWorld)
         m_nearW = (*m_clipFromWorld * glm::dvec4(ray->from.coordinates(), 1.0)).w;
     std::vector<std::pair<double, DevicePoint>> positions;

@@ -20,8 +20,9 @@ Result<SceneSettings> withSetup(SceneSettings settings, Setup given)
     if (matrix) {
         settings.projection = SceneProjection(*matrix, shown->projection());
         settings.isDepthRangeTurned = shown->depthRange != given.depthRange;
-        settings.projectionFollowsViewport = settings.clipDistancesFitObjects = false;
     }
+    if (givenLens(settings))
+        settings.projectionFollowsViewport = settings.clipDistancesFitObjects = false;
     if (const auto *eyeFromWorld = std::get_if<glm::dmat4>(&given.pose))
         settings.camera = SceneCamera(*eyeFromWorld, shown->camera());
     return settings;
@@ -32,6 +33,14 @@ SceneSettings afterChange(const SceneSettings &before, SceneSettings settings)
     if (settings.depthRange != before.depthRange && !before.projection.matrix() && !settings.projection.matrix())
         settings.isDepthRangeTurned = false;
     return settings;
+}
+
+std::optional<Lens> givenLens(const SceneSettings &settings)
+{
+    if (const MatrixProjection *matrix = settings.projection.matrix())
+        return *matrix;
+    const Projection &projection = *settings.projection;
+    return std::holds_alternative<Pinhole>(projection) ? std::optional<Lens>(projection) : std::nullopt;
 }
 
 } // namespace unprojector::scene

@@ -81,4 +81,11 @@ glm::dmat4 shearOf(const Oblique &oblique)
     return shear;
 }
 
+glm::dmat4 shearOf(const Frustum &frustum)
+{
+    glm::dmat4 shear(1.0);
+    shear[1][0] = frustum.skew;
+    return shear;
+}
+
 } // namespace unprojector::scene_code

@@ -33,5 +33,7 @@ glm::dvec3 axisForCode(const glm::dvec3 &axis);
 
 /// The matrix by which glOrtho's is multiplied: x += cot(theta) z_eye, y += cot(phi) z_eye.
 glm::dmat4 shearOf(const geometry::Oblique &oblique);
+/// The matrix by which glFrustum's is multiplied: x += skew y_eye.
+glm::dmat4 shearOf(const geometry::Frustum &frustum);
 
 } // namespace unprojector::scene_code

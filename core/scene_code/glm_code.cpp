@@ -32,8 +32,10 @@ std::string projection(const Setup &setup)
         const Setup &setup;
         std::string operator()(const Frustum &f) const
         {
-            return "glm::frustumRH_NO(" + list(projectionWindow(f), kStyle) + ')';
+            return "glm::frustumRH_NO(" + list(projectionWindow(f), kStyle) + ')'
+                   + (f.skew == 0.0 ? std::string() : "\n        * " + mat4(shearOf(f)));
         }
+        std::string operator()(const Pinhole &p) const { return (*this)(frustumFromPinhole(p)); }
         std::string operator()(const Ortho &o) const
         {
             return "glm::orthoRH_NO(" + list(projectionWindow(o), kStyle) + ')';

@@ -34,7 +34,12 @@ std::string projectionCalls(const Setup &setup)
         return matrixCall("glMultMatrixd", "projection", matrix->clipFromEye);
     struct Visitor {
         const Setup &setup;
-        std::string operator()(const Frustum &f) const { return call("glFrustum", list(projectionWindow(f), kStyle)); }
+        std::string operator()(const Frustum &f) const
+        {
+            return call("glFrustum", list(projectionWindow(f), kStyle))
+                   + (f.skew == 0.0 ? std::string() : matrixCall("glMultMatrixd", "shear", shearOf(f)));
+        }
+        std::string operator()(const Pinhole &p) const { return (*this)(frustumFromPinhole(p)); }
         std::string operator()(const Ortho &o) const { return call("glOrtho", list(projectionWindow(o), kStyle)); }
         std::string operator()(const Perspective &p) const
         {

@@ -55,7 +55,15 @@ std::string projection(const Setup &setup)
 {
     struct Visitor {
         const Setup &setup;
-        std::string operator()(const Frustum &f) const { return edges(projectionWindow(f), "glFrustum") + kFrustum; }
+        std::string operator()(const Frustum &f) const
+        {
+            if (f.skew == 0.0)
+                return edges(projectionWindow(f), "glFrustum") + kFrustum;
+            return edges(projectionWindow(f), "glFrustum") + "skew = " + number(f.skew) + '\n' + kFrustum
+                   + "clip_from_eye = clip_from_eye @ np.array([  # x += skew y\n"
+                     "    [1, skew, 0, 0],\n    [0, 1, 0, 0],\n    [0, 0, 1, 0],\n    [0, 0, 0, 1],\n])\n";
+        }
+        std::string operator()(const Pinhole &p) const { return (*this)(frustumFromPinhole(p)); }
         std::string operator()(const Ortho &o) const { return edges(projectionWindow(o), "glOrtho") + kOrtho; }
         std::string operator()(const Perspective &p) const
         {
@@ -208,9 +216,10 @@ def world_by_inverse(window):
 std::string eyeLines(const Projection &projection)
 {
     if (isPerspective(projection))
-        return "    z = near * far / (far * (1 - d) + near * d)  # in front of the eye\n"
-               "    x = ((xv - vx) * (right - left) / width + left) * z / near  # (9)\n"
-               "    y = ((yv - vy) * (top - bottom) / height + bottom) * z / near  # (10)\n";
+        return std::string("    z = near * far / (far * (1 - d) + near * d)  # in front of the eye\n"
+                           "    x = ((xv - vx) * (right - left) / width + left) * z / near  # (9)\n"
+                           "    y = ((yv - vy) * (top - bottom) / height + bottom) * z / near  # (10)\n")
+               + (projectionWindow(projection).skew == 0.0 ? "" : "    x -= skew * y  # the skew undone\n");
     return std::string("    z = near * (1 - d) + far * d  # in front of the eye\n"
                        "    x = (xv - vx) * (right - left) / width + left  # (11)\n"
                        "    y = (yv - vy) * (top - bottom) / height + bottom  # (12)\n")
@@ -228,6 +237,7 @@ std::string eyeLines(const ProjectionCoefficients &form, bool isZeroToOne)
            + (form.perspective ? "    z = m[2, 3] / (m[3, 2] * z_ndc - m[2, 2])  # along the eye's axis\n"
                                  "    x = (m[3, 2] * x_ndc - m[0, 2]) * z / m[0, 0]\n"
                                  "    y = (m[3, 2] * y_ndc - m[1, 2]) * z / m[1, 1]\n"
+                                     + std::string(form.xSkew == 0.0 ? "" : "    x -= m[0, 1] * y / m[0, 0]\n")
                                : "    z = (m[3, 3] * z_ndc - m[2, 3]) / m[2, 2]  # along the eye's axis\n"
                                  "    x = (m[3, 3] * x_ndc - m[0, 3] - m[0, 2] * z) / m[0, 0]\n"
                                  "    y = (m[3, 3] * y_ndc - m[1, 3] - m[1, 2] * z) / m[1, 1]\n");

@@ -41,7 +41,12 @@ std::string projectionCalls(const Setup &setup)
         return "    m = " + matrix4(matrix->clipFromEye) + ";\n";
     struct Visitor {
         const Setup &setup;
-        std::string operator()(const Frustum &f) const { return call("frustum", list(projectionWindow(f), kStyle)); }
+        std::string operator()(const Frustum &f) const
+        {
+            return call("frustum", list(projectionWindow(f), kStyle))
+                   + (f.skew == 0.0 ? std::string() : "    m *= " + matrix4(shearOf(f)) + ";\n");
+        }
+        std::string operator()(const Pinhole &p) const { return (*this)(frustumFromPinhole(p)); }
         std::string operator()(const Ortho &o) const { return call("ortho", list(projectionWindow(o), kStyle)); }
         std::string operator()(const Perspective &p) const
         {

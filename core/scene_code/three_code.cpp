@@ -27,6 +27,12 @@ std::string window(const ProjectionWindow &w)
 
 const char *const kOwnMatrix = "// Its projection is set as a matrix: there is no updateProjectionMatrix to call.\n"
                                "export const camera = new THREE.Camera();\n";
+std::string multiplied(const glm::dmat4 &shear)
+{
+    return "camera.projectionMatrix.multiply(new THREE.Matrix4().set(\n    "
+           + list(shear, MatrixOrder::ByRows, kStyle, "    ") + "));\n";
+}
+
 const char *const kItsInverse = "camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();\n";
 
 std::string cameraLines(const Setup &setup)
@@ -40,8 +46,9 @@ std::string cameraLines(const Setup &setup)
             return kOwnMatrix
                    + ("camera.projectionMatrix.makePerspective(" + window(projectionWindow(f))
                       + "); // left, right, top, bottom, near, far\n")
-                   + kItsInverse;
+                   + (f.skew == 0.0 ? std::string() : multiplied(shearOf(f))) + kItsInverse;
         }
+        std::string operator()(const Pinhole &p) const { return (*this)(frustumFromPinhole(p)); }
         std::string operator()(const Ortho &o) const
         {
             return "export const camera = new THREE.OrthographicCamera(" + window(projectionWindow(o))
@@ -60,11 +67,8 @@ std::string cameraLines(const Setup &setup)
         {
             return kOwnMatrix
                    + ("camera.projectionMatrix.makeOrthographic(" + window(projectionWindow(o))
-                      + "); // left, right, top, bottom, near, far\ncamera.projectionMatrix.multiply(new "
-                        "THREE.Matrix4().set(\n"
-                        "    "
-                      + list(shearOf(o), MatrixOrder::ByRows, kStyle, "    ") + "));\n")
-                   + kItsInverse;
+                      + "); // left, right, top, bottom, near, far\n")
+                   + multiplied(shearOf(o)) + kItsInverse;
         }
     };
     return std::visit(Visitor{setup}, setup.projection());

@@ -80,6 +80,32 @@ requires(Is<Box, geometry::Frustum> || Is<Box, geometry::Ortho>) void describe(F
     json.required("top", box.top);
     json.required("near", box.nearDistance);
     json.required("far", box.farDistance);
+    if constexpr (Is<Box, geometry::Frustum>) {
+        if (json.has("skew", box.skew != 0.0))
+            json.required("skew", box.skew);
+    }
+}
+
+/// A camera matrix with its image's size.
+template <class Fields, Is<geometry::Pinhole> T>
+void describe(Fields &json, T &pinhole)
+{
+    enum class Centers { Half, Integer };
+    static constexpr std::array kCenters{"half", "integer"};
+    json.required("fx", pinhole.fx);
+    json.required("fy", pinhole.fy);
+    json.required("cx", pinhole.cx);
+    json.required("cy", pinhole.cy);
+    if (json.has("skew", pinhole.skew != 0.0))
+        json.required("skew", pinhole.skew);
+    json.required("width", pinhole.width);
+    json.required("height", pinhole.height);
+    auto centers = static_cast<Centers>(pinhole.areCentersWhole);
+    json.required("pixelCenters", centers, Words{kCenters});
+    if constexpr (Fields::kReads)
+        pinhole.areCentersWhole = centers == Centers::Integer;
+    json.required("near", pinhole.nearDistance);
+    json.required("far", pinhole.farDistance);
 }
 
 template <class Fields, Is<geometry::Oblique> T>
@@ -144,6 +170,11 @@ inline const char *keyOf(const geometry::Error &error, const geometry::Projectio
     case geometry::ErrorCode::BottomEqualsTop: return "bottom";
     case geometry::ErrorCode::FieldOfViewOutOfRange: return "fovy";
     case geometry::ErrorCode::AspectNotPositive: return "aspect";
+    case geometry::ErrorCode::FocalLengthIsZero: {
+        const auto *pinhole = std::get_if<geometry::Pinhole>(&projection);
+        return pinhole && pinhole->fx == 0.0 ? "fx" : "fy";
+    }
+    case geometry::ErrorCode::EmptyImage: return error.value > 0.0 ? "height" : "width";
     case geometry::ErrorCode::ShearAngleOutOfRange: {
         const auto *oblique = std::get_if<geometry::Oblique>(&projection);
         return oblique && oblique->thetaRadians == error.value ? "theta" : "phi";
@@ -155,8 +186,8 @@ inline const char *keyOf(const geometry::Error &error, const geometry::Projectio
 template <class Fields, Is<SceneFile> T>
 void describeProjection(Fields &json, T &scene)
 {
-    enum class Type { Frustum, Ortho, Perspective, Oblique, Matrix };
-    static constexpr std::array kTypes{"frustum", "ortho", "perspective", "oblique", "matrix"};
+    enum class Type { Frustum, Ortho, Perspective, Oblique, Pinhole, Matrix };
+    static constexpr std::array kTypes{"frustum", "ortho", "perspective", "oblique", "pinhole", "matrix"};
     Type type = Type::Matrix;
     if (const auto *parameters = std::get_if<geometry::Projection>(&scene.projection))
         type = static_cast<Type>(parameters->index());
@@ -172,6 +203,7 @@ void describeProjection(Fields &json, T &scene)
     case Type::Ortho: describe(json, as<geometry::Ortho>(projection)); break;
     case Type::Perspective: describe(json, as<geometry::Perspective>(projection), scene); break;
     case Type::Oblique: describe(json, as<geometry::Oblique>(projection)); break;
+    case Type::Pinhole: describe(json, as<geometry::Pinhole>(projection)); break;
     case Type::Matrix: break;
     }
     json.check([&] { return check(projection); },

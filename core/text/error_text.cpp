@@ -64,6 +64,9 @@ std::string errorText(const Error &error)
     case ErrorCode::FieldOfViewOutOfRange:
         return tr("the vertical field of view is %1 degrees; it must lie between 0 and 180, both excluded",
                   degreesText(error.value));
+    case ErrorCode::FocalLengthIsZero: return tr("a focal length is 0; it must not be 0");
+    case ErrorCode::EmptyImage:
+        return tr("the image has %1 x %2 pixels; both must be greater than 0", value, shortestText(error.other));
     case ErrorCode::AspectNotPositive: return tr("the aspect is %1; it must be greater than 0", value);
     case ErrorCode::ShearAngleOutOfRange:
         return tr("the angle is %1 degrees; it must lie between 0 and 180, both excluded", degreesText(error.value));

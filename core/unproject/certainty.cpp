@@ -83,7 +83,7 @@ Uncertainty withinPixel(const Setup &setup, const EyePoint &eye, const WorldPoin
     return certainties.summed(eye, world,
                               {certainties.alongRay(eye, certainty),
                                glm::dvec3(certainty.footprintWidth / 2.0, 0.0, 0.0),
-                               glm::dvec3(0.0, certainty.footprintHeight / 2.0, 0.0)});
+                               certainty.footprintHeight / 2.0 * glm::dvec3(-certainties.m_window.skew, 1.0, 0.0)});
 }
 
 } // namespace unprojector::unproject

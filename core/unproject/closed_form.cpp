@@ -51,14 +51,14 @@ Result<PreciseEye> finite(const PreciseEye &point)
     return point;
 }
 
-/// The eye point of a frustum or a perspective.
+/// The eye point of a frustum, a perspective or a pinhole.
 Result<PreciseEye> preciseFrustum(const Projection &projection, const Viewport &viewport, const DepthRange &range,
                                   const WindowPoint &window)
 {
     const Result<DepthShares> d = checkedDepth(projection, viewport, range, window);
     if (!d)
         return d.error();
-    const auto &[l, r, b, t] = preciseEdges(projection);
+    const auto &[l, r, b, t, skew] = preciseEdges(projection);
     const auto &[vx, vy, width, height] = viewport;
     const ProjectionWindow w = projectionWindow(projection);
     const double n = w.nearDistance, f = w.farDistance;
@@ -66,7 +66,7 @@ Result<PreciseEye> preciseFrustum(const Projection &projection, const Viewport &
     const DoubleDouble nOverZ = nearOverDistance(n, f, *d);
     const DoubleDouble x = betweenEdges(l, r, window.x, vx, width) / nOverZ;  // (9)
     const DoubleDouble y = betweenEdges(b, t, window.y, vy, height) / nOverZ; // (10)
-    return finite({x, y, -(n / nOverZ)});
+    return finite({skew.value == 0.0 ? x : x - skew * y, y, -(n / nOverZ)});
 }
 
 Result<PreciseEye> preciseOrtho(const Ortho &ortho, const Viewport &viewport, const DepthRange &range,
@@ -108,6 +108,7 @@ Result<PreciseEye> preciseEyePoint(const Projection &projection, const Viewport 
         Result<PreciseEye> operator()(const Frustum &p) const { return preciseFrustum(p, viewport, range, window); }
         Result<PreciseEye> operator()(const Ortho &p) const { return preciseOrtho(p, viewport, range, window); }
         Result<PreciseEye> operator()(const Oblique &p) const { return preciseOblique(p, viewport, range, window); }
+        Result<PreciseEye> operator()(const Pinhole &p) const { return preciseFrustum(p, viewport, range, window); }
         Result<PreciseEye> operator()(const Perspective &p) const { return preciseFrustum(p, viewport, range, window); }
     };
     return std::visit(Visitor{viewport, range, window}, projection);

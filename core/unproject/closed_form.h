@@ -9,11 +9,12 @@ namespace unprojector::unproject {
 /// The eye-space point under a window position, without inverting a matrix. Clicks, batch rows and
 /// tables use this computation.
 ///
-/// Frustum; a Perspective is converted to its frustum without rounding the edges:
+/// Frustum; a Perspective and a Pinhole are converted to their frustum without rounding the edges:
 ///
 ///   x = (x_v - vx) (r - l) z / (width n) + l z / n        (9) with (7) x_v = px
 ///   y = (y_v - vy) (t - b) z / (height n) + b z / n       (10) with (8) y_v = rect.bottom - py
 ///   z = n f / (f (1 - d) + n d),  z_eye = -z
+///   with a skew, then x -= skew y
 ///
 /// Orthographic box:
 ///

@@ -92,10 +92,23 @@ ExactUnprojection::Matrix ExactUnprojection::clipFromEye(const Projection &proje
         m[3][2] = -1;
         return m;
     }
+    if (const auto *p = std::get_if<Pinhole>(&projection)) {
+        const Extended n = p->nearDistance, f = p->farDistance, toCorner = p->areCentersWhole ? 0.5 : 0.0;
+        m[0][0] = 2 * Extended(p->fx) / p->width;
+        m[0][1] = -2 * Extended(p->skew) / p->width;
+        m[0][2] = 1 - 2 * (p->cx + toCorner) / p->width;
+        m[1][1] = 2 * Extended(p->fy) / p->height;
+        m[1][2] = 2 * (p->cy + toCorner) / p->height - 1;
+        m[2][2] = -(f + n) / (f - n);
+        m[2][3] = -2 * f * n / (f - n);
+        m[3][2] = -1;
+        return m;
+    }
     const ProjectionWindow w = projectionWindow(projection);
     const Extended l = w.left, r = w.right, b = w.bottom, t = w.top, n = w.nearDistance, f = w.farDistance;
     if (isPerspective(projection)) {
         m[0][0] = 2 * n / (r - l);
+        m[0][1] = m[0][0] * w.skew;
         m[0][2] = (r + l) / (r - l);
         m[1][1] = 2 * n / (t - b);
         m[1][2] = (t + b) / (t - b);

@@ -218,6 +218,7 @@ void addProjectionChanges(QStringList &changes, const Projection &then, const Pr
                      number(degreesFromRadians(o.phiRadians), digits));
         });
     }
+    addChange(changes, Texts::tr("Skew"), from.skew, to.skew, number);
     addChange(changes, Texts::tr("Near"), from.nearDistance, to.nearDistance, number);
     addChange(changes, Texts::tr("Far"), from.farDistance, to.farDistance, number);
 }

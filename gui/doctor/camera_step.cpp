@@ -1,5 +1,7 @@
 #include "gui/doctor/camera_step.h"
 
+#include "core/scene/given_matrices.h"
+
 #include "gui/doctor/step_heading.h"
 #include "gui/text/number_text.h"
 #include "gui/text/typed_numbers.h"
@@ -128,7 +130,7 @@ std::optional<Surface> CameraStep::otherSize() const
 
 void CameraStep::showCamera(const scene::Scene &scene, const Setup &setup)
 {
-    const bool hasProjection = scene.projection.matrix(), hasView = scene.camera.matrix();
+    const bool hasProjection = scene::givenLens(scene).has_value(), hasView = scene.camera.matrix();
     const QString which = hasProjection && hasView ? tr("The camera that you gave counts: its projection and its view.")
                           : hasProjection          ? tr("The projection that you gave counts, with this scene's view.")
                           : hasView                ? tr("The view that you gave counts, with this scene's projection.")

@@ -2,6 +2,7 @@
 
 #include "core/doctor/mesh_vertices.h"
 #include "core/ray/mesh_point.h"
+#include "core/scene/given_matrices.h"
 #include "gui/doctor/camera_step.h"
 #include "gui/doctor/candidates_table.h"
 #include "gui/doctor/code_changes_view.h"
@@ -146,10 +147,8 @@ void DoctorPanel::connectDocument()
 void DoctorPanel::takeGivenCamera()
 {
     const Scene &scene = m_document.scene();
-    const MatrixProjection *projection = scene.projection.matrix();
     const glm::dmat4 *view = scene.camera.matrix();
-    const GivenCamera given{projection ? std::optional(*projection) : std::nullopt,
-                            view ? std::optional(*view) : std::nullopt};
+    const GivenCamera given{givenLens(scene), view ? std::optional(*view) : std::nullopt};
     const bool isNew = (given.projection && given.projection != m_given.projection)
                        || (given.eyeFromWorld && given.eyeFromWorld != m_given.eyeFromWorld);
     m_given = given;

@@ -87,9 +87,9 @@ private:
     std::vector<doctor::WrongPoint> m_asked;
     std::optional<doctor::Diagnosis> m_diagnosis; ///< of m_asked
 
-    /// The scene's matrices that another program gave, as last seen.
+    /// The scene's projection and view that another program gave, as last seen.
     struct GivenCamera {
-        std::optional<geometry::MatrixProjection> projection;
+        std::optional<geometry::Lens> projection;
         std::optional<glm::dmat4> eyeFromWorld;
         friend bool operator==(const GivenCamera &, const GivenCamera &) = default;
     };

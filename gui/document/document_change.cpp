@@ -43,6 +43,8 @@ bool isNearlySame(const Projection &a, const Projection &b)
             return false;
     }
     const ProjectionWindow v = projectionWindow(a), w = projectionWindow(b);
+    if (v.skew != w.skew)
+        return false;
     const auto isNear = [](double x, double y, double size) { return std::abs(x - y) <= kRounding * size; };
     const double width = std::abs(v.left) + std::abs(v.right), height = std::abs(v.bottom) + std::abs(v.top);
     const double depth = isPerspective(a) ? v.nearDistance : std::abs(v.nearDistance) + std::abs(v.farDistance);

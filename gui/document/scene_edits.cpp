@@ -142,7 +142,7 @@ Check editLandmarkSet(SceneDocument &document, landmarks::LandmarkSet set, const
     return document.edit(label, [&](Scene &scene) { scene.landmarks = std::move(set); });
 }
 
-Check editMatrices(SceneDocument &document, const std::optional<MatrixProjection> &projection,
+Check editMatrices(SceneDocument &document, const std::optional<Lens> &projection,
                    const std::optional<glm::dmat4> &eyeFromWorld, const EditLabel &label,
                    const std::optional<Viewport> &viewport, const std::optional<Surface> &size)
 {

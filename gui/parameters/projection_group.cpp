@@ -50,6 +50,8 @@ ProjectionGroup::ProjectionGroup(SceneDocument &document, QWidget *parent)
               tr("Lower edge of the view volume, eye units; of a frustum on its near plane"));
     addNumber(Number::Top, tr("Top"), QStringLiteral("top"),
               tr("Upper edge of the view volume, eye units; of a frustum on its near plane"));
+    addNumber(Number::Skew, tr("Skew"), QStringLiteral("skew"),
+              tr("Shift of x per unit of y in eye space before glFrustum, as by the skew of a camera matrix"));
     addNumber(Number::Near, tr("Near"), QStringLiteral("nearDistance"),
               tr("Distance of the near plane in front of the eye, eye units; smaller than far, and above 0 in a "
                  "perspective"));
@@ -95,6 +97,10 @@ double *ProjectionGroup::numberIn(Projection &projection, Number number)
         case Number::Top: return &box.top;
         case Number::Near: return &box.nearDistance;
         case Number::Far: return &box.farDistance;
+        case Number::Skew:
+            if constexpr (requires { box.skew; })
+                return box.skew != 0.0 ? &box.skew : nullptr;
+            break;
         case Number::Fovy:
         case Number::Aspect:
         case Number::Theta:
@@ -102,6 +108,11 @@ double *ProjectionGroup::numberIn(Projection &projection, Number number)
         }
         return nullptr;
     };
+    if (auto *pinhole = std::get_if<Pinhole>(&projection)) {
+        if (number == Number::Near || number == Number::Far)
+            return number == Number::Near ? &pinhole->nearDistance : &pinhole->farDistance;
+        projection = frustumFromPinhole(*pinhole);
+    }
     if (auto *frustum = std::get_if<Frustum>(&projection))
         return inBox(*frustum);
     if (auto *box = std::get_if<Ortho>(&projection))
@@ -127,7 +138,10 @@ bool ProjectionGroup::isAngle(Number number)
 void ProjectionGroup::addNumber(Number number, const QString &name, const QString &objectName, const QString &help)
 {
     ParameterRow *row = addRow(content(), name);
-    const QString unit = number == Number::Aspect ? ratio() : isAngle(number) ? degrees() : eyeUnits();
+    const QString unit = number == Number::Skew     ? QString()
+                         : number == Number::Aspect ? ratio()
+                         : isAngle(number)          ? degrees()
+                                                    : eyeUnits();
     NumberField *field =
         addField(row, {}, unit,
                  {name, help,
@@ -226,14 +240,17 @@ void ProjectionGroup::showScene()
     const int index = m_kind->findData(static_cast<int>(kind));
     if (index != m_kind->currentIndex())
         m_kind->setCurrentIndex(index);
-    if (kind == m_shownKind)
+    const bool hasSkew = projectionWindow(scene.projection).skew != 0.0;
+    if (kind == m_shownKind && hasSkew == m_hasSkew)
         return;
     m_shownKind = kind;
+    m_hasSkew = hasSkew;
     heading().setHelp(helpAnchorOf(kind));
     restoreFields();
-    Projection projection = scene.projection;
-    for (const Row &row : m_rows)
+    for (const Row &row : m_rows) {
+        Projection projection = scene.projection;
         row.row->setVisible(numberIn(projection, row.number) != nullptr);
+    }
     m_followsViewport->setText(kind == ProjectionKind::Perspective ? tr("Aspect follows the viewport")
                                                                    : tr("Keep proportions"));
 }

@@ -19,8 +19,9 @@ protected:
     void setDefaults(scene::Scene &scene) const override;
 
 private:
-    enum class Number { Left, Right, Bottom, Top, Near, Far, Fovy, Aspect, Theta, Phi };
-    /// The member of a projection for a number, angles in radians; null if it has none.
+    enum class Number { Left, Right, Bottom, Top, Skew, Near, Far, Fovy, Aspect, Theta, Phi };
+    /// The member of a projection for a number, angles in radians; null if it has none. For an edge
+    /// or the skew, a pinhole becomes its frustum.
     static double *numberIn(geometry::Projection &projection, Number number);
     static bool isAngle(Number number);
 
@@ -42,6 +43,7 @@ private:
     QCheckBox *m_followsViewport;
     QCheckBox *m_fitsObjects;
     std::optional<geometry::ProjectionKind> m_shownKind;
+    bool m_hasSkew = false; ///< as shown
 };
 
 } // namespace unprojector::gui

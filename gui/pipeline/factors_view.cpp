@@ -24,7 +24,8 @@ QString letterOf(MatrixStep step)
     case MatrixStep::MoveEye:
     case MatrixStep::MoveBox: return QStringLiteral("T");
     case MatrixStep::TurnAxes: return QStringLiteral("R");
-    case MatrixStep::Shear: return QStringLiteral("H");
+    case MatrixStep::Shear:
+    case MatrixStep::Skew: return QStringLiteral("H");
     case MatrixStep::ScaleBox: return QStringLiteral("S");
     case MatrixStep::TurnZ: return QStringLiteral("Z");
     case MatrixStep::OntoNear: return QStringLiteral("N");
@@ -44,6 +45,7 @@ QString helpOf(MatrixStep step)
     case MatrixStep::ScaleBox:
     case MatrixStep::TurnZ: return QStringLiteral("ortho-steps");
     case MatrixStep::Shear: return QStringLiteral("oblique");
+    case MatrixStep::Skew:
     case MatrixStep::OntoNear:
     case MatrixStep::NearToSquare: return QStringLiteral("frustum-steps");
     case MatrixStep::FromConventions:
@@ -59,6 +61,7 @@ QString textOf(MatrixStep step)
     case MatrixStep::TurnAxes:
         return FactorsView::tr("turns the world: the eye's axes, right, up and backward (s, u, −f), become x, y and z");
     case MatrixStep::Shear: return FactorsView::tr("shears: x and y go along with z, by cot θ and cot φ");
+    case MatrixStep::Skew: return FactorsView::tr("shears: x goes along with y, by the skew");
     case MatrixStep::MoveBox: return FactorsView::tr("moves the box's middle to the origin");
     case MatrixStep::ScaleBox: return FactorsView::tr("scales the box's sides to 2");
     case MatrixStep::TurnZ: return FactorsView::tr("flips z: greater is then farther away");

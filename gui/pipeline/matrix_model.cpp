@@ -16,9 +16,11 @@ MatrixModel::MatrixModel(PipelineStage stage, QObject *parent) : NumberGridModel
     show();
 }
 
-void MatrixModel::setMatrix(const glm::dmat4 &matrix, PipelineDirection direction, ProjectionKind kind, bool isNamed)
+void MatrixModel::setMatrix(const glm::dmat4 &matrix, PipelineDirection direction, ProjectionKind kind, bool isNamed,
+                            bool isSkewed)
 {
     m_isNamed = isNamed;
+    m_isSkewed = isSkewed;
     m_direction = direction;
     m_kind = kind;
     if (matrix == m_matrix)
@@ -103,7 +105,7 @@ QString MatrixModel::toolTip(int row, int column) const
     const bool isColumns = m_view.layout == MatrixLayout::Column;
     const int mathRow = index % 4, mathColumn = index / 4;
     const std::string_view symbol =
-        m_isNamed ? matrixEntryName(m_stage, m_direction, m_kind, mathRow, mathColumn) : std::string_view();
+        m_isNamed ? matrixEntryName(m_stage, m_direction, m_kind, mathRow, mathColumn, m_isSkewed) : std::string_view();
     const QString name = QString::fromUtf8(symbol.data(), static_cast<qsizetype>(symbol.size()));
     const bool isConstant = name == u"0" || name == u"1" || name == u"−1";
     const QString number = fullText(row, column);

@@ -14,8 +14,9 @@ public:
     explicit MatrixModel(matrices::PipelineStage stage, QObject *parent = nullptr);
 
     /// @param isNamed  whether the formulas' symbols apply to its entries
+    /// @param isSkewed  the projection is a frustum with a skew
     void setMatrix(const glm::dmat4 &matrix, matrices::PipelineDirection direction, geometry::ProjectionKind kind,
-                   bool isNamed = true);
+                   bool isNamed = true, bool isSkewed = false);
     void setView(const MatrixView &view);
     /// Overrides the stage's variable name.
     void setVariableName(const QString &name) { m_variableName = name; }
@@ -48,7 +49,7 @@ private:
     matrices::PipelineStage m_stage;
     matrices::PipelineDirection m_direction = matrices::PipelineDirection::Forward;
     geometry::ProjectionKind m_kind = geometry::ProjectionKind::Perspective;
-    bool m_isNamed = true;
+    bool m_isNamed = true, m_isSkewed = false;
     glm::dmat4 m_matrix{1.0};
     MatrixView m_view;
     QString m_variableName;

@@ -141,7 +141,7 @@ QString errorText(const PasteError &error, MatrixRole role)
                                               : sentence(reason);
 }
 
-QString cameraText(const Setup &setup, const std::optional<MatrixProjection> &lens)
+QString cameraText(const Setup &setup, const std::optional<Lens> &lens)
 {
     const LookAt &camera = setup.camera();
     const WorldVector forward = camera.center - camera.eye;
@@ -158,7 +158,8 @@ QString cameraText(const Setup &setup, const std::optional<MatrixProjection> &le
     } else {
         said << MatrixText::tr("Orthographic: %1 wide, %2 high, %3.").arg(number(width), number(height), planes);
     }
-    const auto form = lens ? recognised(*lens) : Error{};
+    const auto *matrix = lens ? std::get_if<MatrixProjection>(&*lens) : nullptr;
+    const auto form = matrix ? recognised(*matrix) : Error{};
     if (form)
         said << (form->ndcDepth == NdcDepth::ZeroToOne
                      ? MatrixText::tr("Right-handed eye space, NDC depths from 0 to 1.")

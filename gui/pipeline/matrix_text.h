@@ -24,6 +24,6 @@ QString errorText(const matrices::PasteError &error, matrices::MatrixRole role);
 /// The meaning of projection and view: the eye, its direction, field of view, near and far.
 /// @param setup  by parameters
 /// @param lens   the matrix of its projection, if it was given as one
-QString cameraText(const geometry::Setup &setup, const std::optional<geometry::MatrixProjection> &lens);
+QString cameraText(const geometry::Setup &setup, const std::optional<geometry::Lens> &lens);
 
 } // namespace unprojector::gui

@@ -246,10 +246,11 @@ void PipelineModel::update()
     showApi();
     showGiven();
     const ProjectionKind kind = kindOf(setup().projection());
+    const bool isSkewed = projectionWindow(setup().projection()).skew != 0.0;
     const Pipeline shown = m_api == Api::OpenGl ? *pipeline : inApi(*pipeline, m_spaces);
     for (const PipelineStage stage : kPipelineStages) {
         const glm::dmat4 &entries = shown.matrix(stage, m_direction);
-        matrix(stage)->setMatrix(entries, m_direction, kind, entries == pipeline->matrix(stage, m_direction));
+        matrix(stage)->setMatrix(entries, m_direction, kind, entries == pipeline->matrix(stage, m_direction), isSkewed);
     }
     if (followsGiven()) {
         showGivenPoint(*pipeline);
@@ -354,13 +355,13 @@ const std::vector<MatrixFinding> &PipelineModel::givenFindings(MatrixRole role) 
 void PipelineModel::repair(MatrixRole role, const MatrixFinding &finding)
 {
     const EditLabel label{repairName(finding, NumberOrder::ByColumns)};
-    std::optional<MatrixProjection> projection;
+    std::optional<Lens> projection;
     std::optional<glm::dmat4> view;
     if (const MatrixProjection *given = m_document.scene().projection.matrix();
         given && role == MatrixRole::Projection) {
-        projection = {repaired(given->clipFromEye, finding), given->ndcDepth};
-        if (finding.repair == MatrixRepair::DepthZeroToOne)
-            projection->ndcDepth = NdcDepth::ZeroToOne;
+        const bool isZeroToOne = finding.repair == MatrixRepair::DepthZeroToOne;
+        projection = MatrixProjection{repaired(given->clipFromEye, finding),
+                                      isZeroToOne ? NdcDepth::ZeroToOne : given->ndcDepth};
     } else if (const glm::dmat4 *eyeFromWorld = m_document.scene().camera.matrix();
                eyeFromWorld && role == MatrixRole::View) {
         view = repaired(*eyeFromWorld, finding);

@@ -1,6 +1,7 @@
 #include "gui/shell/stretch_bar.h"
 
 #include "core/geometry/proportions.h"
+#include "core/scene/given_matrices.h"
 #include "gui/document/scene_document.h"
 #include "gui/shell/overlay_bars.h"
 #include "gui/text/proportion_text.h"
@@ -29,12 +30,12 @@ double viewportAspect(const Setup &setup)
     return setup.viewport.width / setup.viewport.height;
 }
 
-/// Returns whether the view has the size that came with a camera's matrix. Its pixels need not be
+/// Returns whether the view has the size that came with another program's camera. Its pixels need not be
 /// square.
 bool hasCamerasSize(const SceneDocument &document)
 {
     const Scene &scene = document.scene();
-    return scene.projection.matrix() && scene.windowSize && scene.viewport.kind == ViewportRule::Kind::WholeWindow
+    return givenLens(scene) && scene.windowSize && scene.viewport.kind == ViewportRule::Kind::WholeWindow
            && *scene.windowSize == document.setup().surface;
 }
 

@@ -92,6 +92,12 @@ FormulaTerms termsOf(const Pick &pick, const EyePoint &eye, const WorldPoint &wo
         {"forward", vector("<b>f</b>", Formulas::tr("The eye's axis forwards, world space"), frame.forward)},
         {"world", vector("world", Formulas::tr("The point, world units"), world, pick.uncertainty.world)},
     };
+    if (w.skew != 0.0) {
+        terms[QStringLiteral("x0")] =
+            scalar("x<sub>0</sub>", Formulas::tr("The point's x before the skew is undone, eye units"),
+                   eye.x + w.skew * eye.y);
+        terms[QStringLiteral("skew")] = scalar("skew", Formulas::tr("Shift of x per unit of y by the skew"), w.skew);
+    }
     if (oblique) {
         const auto shear = [&terms, z](const char *of, const char *symbol, const char *before, const char *cot,
                                        double angle, double sheared) {
@@ -124,10 +130,13 @@ PickFormulas surfaceFormulas(const Pick &pick)
                                      result.terms);
     };
     const bool isOblique = std::holds_alternative<Oblique>(pick.setup.projection());
+    const bool hasSkew = projectionWindow(pick.setup.projection()).skew != 0.0;
     if (isPerspective(pick.setup.projection())) {
         add("(13)", "z", "{[n]*[f] | [f]*(1 − [d]) + [n]*[d]}");
-        add("(9)", "x", "{([px] − [vx])*([r] − [l])*[z] | [width] · [n]} + {[l]*[z] | [n]}");
+        add("(9)", hasSkew ? "x0" : "x", "{([px] − [vx])*([r] − [l])*[z] | [width] · [n]} + {[l]*[z] | [n]}");
         add("(10)", "y", "{([H] − [py] − [vy])*([t] − [b])*[z] | [height] · [n]} + {[b]*[z] | [n]}");
+        if (hasSkew)
+            add("(9)", "x", "[x0] − [skew]*[y]");
     } else {
         add("(14)", "z", "[n]*(1 − [d]) + [f]*[d]");
         add("(11)", isOblique ? "x0" : "x", "{([px] − [vx])*([r] − [l]) | [width]} + [l]");

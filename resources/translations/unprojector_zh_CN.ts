@@ -413,6 +413,14 @@
         <translation>所求的点，世界单位</translation>
     </message>
     <message>
+        <source>The point&apos;s x before the skew is undone, eye units</source>
+        <translation>去除倾斜之前该点的 x，观察坐标单位</translation>
+    </message>
+    <message>
+        <source>Shift of x per unit of y by the skew</source>
+        <translation>倾斜使每单位 y 移动 x 的距离</translation>
+    </message>
+    <message>
         <source>The point in the box, before the shear, eye units</source>
         <translation>错切之前盒中的点，观察坐标单位</translation>
     </message>
@@ -2522,6 +2530,10 @@ Both are scaled to fit.</source>
     <message>
         <source>shears: x and y go along with z, by cot θ and cot φ</source>
         <translation>错切：x 和 y 随 z 移动，系数为 cot θ 和 cot φ</translation>
+    </message>
+    <message>
+        <source>shears: x goes along with y, by the skew</source>
+        <translation>错切：x 随 y 移动，系数为倾斜</translation>
     </message>
     <message>
         <source>moves the box&apos;s middle to the origin</source>
@@ -7262,6 +7274,14 @@ of a point that needs no division</source>
         <translation>视景体的上边界，观察坐标单位；对透视投影，取在近平面上</translation>
     </message>
     <message>
+        <source>Skew</source>
+        <translation>倾斜</translation>
+    </message>
+    <message>
+        <source>Shift of x per unit of y in eye space before glFrustum, as by the skew of a camera matrix</source>
+        <translation>在 glFrustum 之前，观察空间中每单位 y 使 x 移动的距离，如相机矩阵的倾斜</translation>
+    </message>
+    <message>
         <source>Near</source>
         <translation>近</translation>
     </message>
@@ -8996,6 +9016,10 @@ of a point that needs no division</source>
     <message>
         <source>Shear angles</source>
         <translation>错切角</translation>
+    </message>
+    <message>
+        <source>Skew</source>
+        <translation>倾斜</translation>
     </message>
 </context>
 <context>

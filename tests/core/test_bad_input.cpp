@@ -134,6 +134,12 @@ void TestBadInput::aBadProjectionIsRefusedEverywhere_data()
     row("frustum: near = 0", Frustum{-1, 1, -1, 1, 0, 100}, NearNotPositive, 0);
     row("frustum: near = -0", Frustum{-1, 1, -1, 1, -0.0, 100}, NearNotPositive, 0);
     row("frustum: near = -1", Frustum{-1, 1, -1, 1, -1, 100}, NearNotPositive, -1);
+    row("frustum: skew = inf", Frustum{-1, 1, -1, 1, 1, 100, kInfinity}, NotFinite, kInfinity);
+    row("pinhole: fx = 0", Pinhole{0, 9, 4, 3, 0, 8, 6, 1, 100}, FocalLengthIsZero, 0);
+    row("pinhole: fy = 0", Pinhole{9, 0, 4, 3, 0, 8, 6, 1, 100}, FocalLengthIsZero, 0);
+    row("pinhole: no width", Pinhole{9, 9, 4, 3, 0, 0, 6, 1, 100}, EmptyImage, 0, 6);
+    row("pinhole: cy = nan", Pinhole{9, 9, 4, kNan, 0, 8, 6, 1, 100}, NotFinite, kNan);
+    row("pinhole: near = 0", Pinhole{9, 9, 4, 3, 0, 8, 6, 0, 100}, NearNotPositive, 0);
     row("perspective: near = 0", Perspective{1, 1, 0, 100}, NearNotPositive, 0);
     row("perspective: near = -1", Perspective{1, 1, -1, 100}, NearNotPositive, -1);
     row("perspective: near = far", Perspective{1, 1, 7, 7}, NearNotBeforeFar, 7, 7);

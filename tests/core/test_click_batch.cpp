@@ -67,12 +67,22 @@ bool areTheClicks(const Columns &points, const std::vector<Result<Point<Space>>>
     return true;
 }
 
-/// Every second scene comes as matrices, every fourth with numbers in single precision.
+/// Every second scene comes as matrices, every fourth with numbers in single precision. Of frustums,
+/// one third each has a skew and is a pinhole.
 Setup setupOf(oracle::Random &random, oracle::RandomKind kind, int i)
 {
     Setup g = oracle::corePicture(oracle::randomScene(random, kind, {}));
     if (i % 3 == 1)
         std::swap(g.depthRange.atNear, g.depthRange.atFar);
+    if (auto *frustum = std::get_if<Frustum>(&g.projection())) {
+        const auto any = [&](double low, double high) { return random.sign() * random.uniform(low, high); };
+        if (i % 3 == 1)
+            frustum->skew = any(0.0, 0.5);
+        if (i % 3 == 2)
+            g.lens =
+                Pinhole{any(100, 900), any(100, 900), any(0, 900),           any(0, 700),          any(0, 20),
+                        640.0,         480.0,         frustum->nearDistance, frustum->farDistance, random.chance(0.5)};
+    }
     if (i % 2 == 0)
         return g;
     glm::dmat4 projection = clipFromEye(g).value(), view = eyeFromWorld(g).value();

@@ -116,6 +116,7 @@ void TestFraming::pointsFillThePicture_data()
         row("frustum", pictureWith(Frustum{-0.6, 0.6, -0.4, 0.4, 1.0, 100.0}));
         row("frustum, off-centre", pictureWith(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0}));
         row("frustum, mirrored", pictureWith(Frustum{0.6, -0.6, -0.4, 0.4, 1.0, 100.0}));
+        row("frustum, skewed", pictureWith(Frustum{-0.6, 0.6, -0.4, 0.4, 1.0, 100.0, 0.3}));
         row("perspective", pictureWith(Perspective{kPi / 4.0, 1.5, 0.1, 100.0}));
         row("ortho, off-centre", pictureWith(box));
         row("oblique", pictureWith(Oblique{box, kPi / 3.0, 2.0 * kPi / 3.0}));

@@ -106,6 +106,9 @@ private slots:
     void withoutAWordOpenGlIsMeantUnlessItCannotBe();
     void singlePrecisionNumbersAreReadAsMeant();
     void boxesAndShearsAreRecognised();
+    void aFactorOfAnySignIsTheSameProjection_data() { addStyles(); }
+    void aFactorOfAnySignIsTheSameProjection();
+    void skewsAreRecognised();
     void ourOwnMatricesGiveTheirArgumentsBack_data();
     void ourOwnMatricesGiveTheirArgumentsBack();
     void otherMatricesSayWhichEntryDoesNotFit_data();
@@ -196,6 +199,44 @@ void TestMatrixProjection::boxesAndShearsAreRecognised()
     QVERIFY(std::get<Ortho>(reversed.parameters) == box);
 }
 
+void TestMatrixProjection::aFactorOfAnySignIsTheSameProjection()
+{
+    QFETCH(int, style);
+    const auto s = Style(style);
+    for (const double side : {-1.0, 1.0}) {
+        const glm::dmat4 m = perspectiveMatrix(s, -1, 3, 0.75, -2, 0.1, 1000, side);
+        const RecognisedProjection plain = recognised({m, depthOf(s)}).value();
+        QVERIFY(!plain.negated && wInFront({m, depthOf(s)}) == 1.0);
+        for (const double factor : {-1.0, -0.25}) {
+            const MatrixProjection turned{m * factor, depthOf(s)};
+            const RecognisedProjection p = recognised(turned).value();
+            QVERIFY(p.negated && p.exact && p.parameters == plain.parameters);
+            QVERIFY(p.reversed == plain.reversed && p.looksAlongPlusZ == plain.looksAlongPlusZ);
+            QCOMPARE(wInFront(turned), -1.0);
+        }
+    }
+    const Ortho box{-4, 8, -3, 5, -2, 9};
+    QVERIFY(std::get<Ortho>(recognised({clipFromEye(box).value() * -2.0, {}}).value().parameters) == box);
+    const Setup given{
+        {80, 60, 1}, {0, 0, 80, 60}, {0, 1}, MatrixProjection{-clipFromEye(Frustum{}).value(), {}}, LookAt{}};
+    QVERIFY(byParameters(given).value().projection() == Projection(Frustum{}));
+}
+
+void TestMatrixProjection::skewsAreRecognised()
+{
+    const Frustum skewed{-1, 3, -2, 0.75, 0.1, 1000, 0.25};
+    const RecognisedProjection p = recognised({clipFromEye(skewed).value(), {}}).value();
+    QVERIFY(p.exact && std::get<Frustum>(p.parameters) == skewed);
+    // 2 fx / width, -2 skew / width: the frustum's skew is -skew / fx.
+    const Pinhole camera{500, 500, 320, 240, 2, 640, 480, 0.5, 20};
+    const Frustum found = std::get<Frustum>(recognised({clipFromEye(camera).value(), {}}).value().parameters);
+    QCOMPARE(found.skew, -0.004);
+    QVERIFY(frustumFromPinhole(camera) == (Frustum{-0.32, 0.32, -0.24, 0.24, 0.5, 20, -0.004}));
+    glm::dmat4 box = clipFromEye(Ortho{}).value();
+    box[1][0] = 0.5;
+    QVERIFY(recognised({box, {}}).error().code == ErrorCode::MatrixNotAProjection);
+}
+
 void TestMatrixProjection::ourOwnMatricesGiveTheirArgumentsBack_data()
 {
     QTest::addColumn<int>("kind");
@@ -277,16 +318,20 @@ void TestMatrixProjection::perspectivesHitTheExactPoint()
     const auto s = Style(style);
     oracle::Random random(static_cast<std::uint64_t>(100 + style));
     double worst = 0.0;
+    int recognisedOnes = 0;
     for (int i = 0; i < 1500; ++i) {
         const oracle::Scene scene = oracle::randomScene(random, oracle::RandomKind::Frustum, {});
         const oracle::Projection &p = scene.projection;
         glm::dmat4 m =
             perspectiveMatrix(s, p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance, random.sign());
-        m *= random.chance(0.5) ? 1.0 : random.uniform(0.1, 10.0);
+        if (random.chance(0.5))
+            m[1][0] = random.uniform(-0.5, 0.5) * m[0][0];
+        m *= random.sign() * (random.chance(0.5) ? 1.0 : random.uniform(0.1, 10.0));
         if (random.chance(0.5))
             m = inSinglePrecision(m);
         if (!recognised({m, depthOf(s)}))
             continue; // rounded, far may lie beyond infinity
+        ++recognisedOnes;
         const glm::dmat4 identity(1.0);
         const oracle::Oracle exact(columns(identity), columns(m), scene.target, depthOf(s) == NdcDepth::ZeroToOne);
         for (int k = 0; k < 4; ++k) {
@@ -305,6 +350,7 @@ void TestMatrixProjection::perspectivesHitTheExactPoint()
     }
     qInfo("worst: %.3g", worst);
     QVERIFY2(worst <= kClosedForm, qPrintable(QString::number(worst)));
+    QVERIFY2(recognisedOnes > 1400, qPrintable(QString::number(recognisedOnes)));
 }
 
 void TestMatrixProjection::boxesHitTheExactPoint()

@@ -225,7 +225,7 @@ void TestPastedCalls::projectionsAreRead()
     paste.setText(MatrixRole::Projection, text.toStdString());
     QVERIFY(!paste.error(MatrixRole::Projection));
     QVERIFY(paste.matrix(MatrixRole::Projection) == std::optional(matrix));
-    QCOMPARE(paste.camera().projection->ndcDepth, std::optional(depth));
+    QCOMPARE(std::get<MatrixProjection>(*paste.camera().projection).ndcDepth, std::optional(depth));
 }
 
 void TestPastedCalls::viewsAreRead_data()
@@ -466,7 +466,7 @@ void TestPastedCalls::oneTextFillsBothMatricesAndTheViewport()
                                     "gluLookAt(3, 2, 5, 0, 0.5, 0, 0, 1, 0);");
     const MatrixPaste::Camera camera = paste.camera();
     QVERIFY(camera.projection && camera.eyeFromWorld);
-    QVERIFY(difference(camera.projection->clipFromEye, perspective()) <= 1e-12);
+    QVERIFY(difference(std::get<MatrixProjection>(*camera.projection).clipFromEye, perspective()) <= 1e-12);
     QVERIFY(difference(*camera.eyeFromWorld, view()) <= 1e-12);
     QVERIFY(paste.viewport() == std::optional(Viewport{0, 0, 800, 600}));
     QVERIFY(paste.findings(MatrixRole::Projection).empty() && paste.findings(MatrixRole::View).empty());
@@ -497,10 +497,10 @@ void TestPastedCalls::aLeftHandedPairIsTurned()
     QCOMPARE(int(found[0].fault), int(MatrixFault::LeftHanded));
     paste.repair(MatrixRole::Projection, found[0]);
     const MatrixPaste::Camera after = paste.camera();
-    QVERIFY(difference(after.projection->clipFromEye * *after.eyeFromWorld,
-                       before.projection->clipFromEye * *before.eyeFromWorld)
-            <= 1e-12);
-    const auto form = recognised(*after.projection);
+    const auto &lens = std::get<MatrixProjection>(*after.projection);
+    const auto &lensBefore = std::get<MatrixProjection>(*before.projection);
+    QVERIFY(difference(lens.clipFromEye * *after.eyeFromWorld, lensBefore.clipFromEye * *before.eyeFromWorld) <= 1e-12);
+    const auto form = recognised(lens);
     QVERIFY(form && !form->looksAlongPlusZ);
 }
 

@@ -37,6 +37,7 @@ void addProjections()
     QTest::newRow("frustum") << Projection(Frustum{-1, 1, -1, 1, 1, 10});
     QTest::newRow("off-centre frustum") << Projection(Frustum{-1, 3, -2, 1, 1, 10});
     QTest::newRow("mirrored frustum") << Projection(Frustum{3, -1, 1, -2, 1, 10});
+    QTest::newRow("skewed frustum") << Projection(Frustum{-1, 3, -2, 1, 1, 10, 0.25});
     QTest::newRow("ortho") << Projection(Ortho{-4, 4, -3, 3, 1, 10});
     QTest::newRow("off-centre ortho") << Projection(Ortho{-1, 5, 2, 4, 1, 10});
     QTest::newRow("mirrored ortho") << Projection(Ortho{5, -1, 4, 2, 1, 10});
@@ -73,6 +74,13 @@ void TestProjection::cornersOfTheViewVolumeAreTheCornersOfNdc_data()
     };
     row("frustum", Frustum{-1, 3, -2, 1, 2, 10}, {-1, -2, -2}, {15, 5, -10});
     row("mirrored frustum", Frustum{3, -1, 1, -2, 2, 10}, {3, 1, -2}, {-5, -10, -10});
+    // x + y / 4 reaches the edges.
+    row("skewed frustum", Frustum{-1, 3, -2, 1, 2, 10, 0.25}, {-0.5, -2, -2}, {13.75, 5, -10});
+    // (X, Y, Z) of the corner (0, 360) is (-4.5, 2, 2), of the corner (640, 0) (49, -20, 10).
+    row("pinhole", Pinhole{100, 120, 200, 240, 25, 640, 360, 2, 10}, {-4.5, -2, -2}, {49, 20, -10});
+    // The same camera, with the first pixel's centre at 0.
+    row("pinhole, centres whole", Pinhole{100, 120, 199.5, 239.5, 25, 640, 360, 2, 10, true}, {-4.5, -2, -2},
+        {49, 20, -10});
     row("ortho", Ortho{-1, 3, -2, 1, 2, 10}, {-1, -2, -2}, {3, 1, -10});
     row("ortho around the eye", Ortho{-1, 3, -2, 1, -5, 5}, {-1, -2, 5}, {3, 1, -5});
     row("perspective of 90 degrees", Perspective{kRightAngle, 2, 2, 10}, {-4, -2, -2}, {20, 10, -10});
@@ -98,7 +106,7 @@ void TestProjection::aPerspectiveIsItsFrustum()
     QVERIFY(isNear(frustum.bottom, -3) && isNear(frustum.top, 3));
     QCOMPARE(frustum.nearDistance, 3.0);
     QCOMPARE(frustum.farDistance, 30.0);
-    QVERIFY(isPerspective(Perspective{}) && isPerspective(Frustum{}));
+    QVERIFY(isPerspective(Perspective{}) && isPerspective(Frustum{}) && isPerspective(Pinhole{}));
     QVERIFY(!isPerspective(Ortho{}) && !isPerspective(Oblique{}));
     const ProjectionWindow window = projectionWindow(Perspective{kRightAngle, 2, 3, 30});
     QVERIFY(isNear(window.right, 6) && isNear(window.top, 3));

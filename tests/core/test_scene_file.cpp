@@ -27,6 +27,7 @@ private slots:
     void everyKeyIsRead();
     void whatIsLeftOutHasItsDefault();
     void anglesAreDegrees();
+    void skewsAndPinholesAreKept();
     void aPerspectiveWithoutAspectTakesTheViewports();
     void whatIsReadIsWrittenAndReadAgain_data();
     void whatIsReadIsWrittenAndReadAgain();
@@ -126,6 +127,25 @@ void TestSceneFile::anglesAreDegrees()
         R"({"type": "oblique", "left": -1, "right": 1, "bottom": -2, "top": 2, "near": -3, "far": 3, "theta": 45, "phi": 90})"));
     QVERIFY(std::get<Projection>(oblique.projection)
             == Projection(Oblique{{-1, 1, -2, 2, -3, 3}, std::numbers::pi / 4, std::numbers::pi / 2}));
+}
+
+void TestSceneFile::skewsAndPinholesAreKept()
+{
+    const Frustum frustum{-1, 1, -0.75, 0.75, 1, 9, 0.25};
+    SceneFile scene = parsed(withProjection(
+        R"({"type": "frustum", "left": -1, "right": 1, "bottom": -0.75, "top": 0.75, "near": 1, "far": 9, "skew": 0.25})"));
+    QVERIFY(std::get<Projection>(scene.projection) == Projection(frustum));
+    QVERIFY(parsed(written(scene)).projection == scene.projection);
+    scene = parsed(withProjection(
+        R"({"type": "pinhole", "fx": 611.2, "fy": 609.9, "cx": 318.7, "cy": 243.1, "width": 640, "height": 480,
+            "pixelCenters": "integer", "near": 0.1, "far": 1000})"));
+    QVERIFY(std::get<Projection>(scene.projection)
+            == Projection(Pinhole{611.2, 609.9, 318.7, 243.1, 0, 640, 480, 0.1, 1000, true}));
+    QVERIFY(!written(scene).contains("skew"));
+    QVERIFY(parsed(written(scene)).projection == scene.projection);
+    scene.projection = Projection(Pinhole{611.2, 609.9, 318.7, 243.1, 1.5, 640, 480, 0.1, 1000, false});
+    QVERIFY(written(scene).contains("half"));
+    QVERIFY(parsed(written(scene)).projection == scene.projection);
 }
 
 void TestSceneFile::aPerspectiveWithoutAspectTakesTheViewports()

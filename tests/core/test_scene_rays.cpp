@@ -84,6 +84,25 @@ glm::dmat4 reversedInfinite(double nearPlane)
     return m;
 }
 
+/// The picture turned by 90 degrees, as for a display that is held upright. It has no known form.
+glm::dmat4 rolled(const glm::dmat4 &m)
+{
+    glm::dmat4 result = m;
+    for (int column = 0; column < 4; ++column) {
+        result[column][0] = -m[column][1];
+        result[column][1] = m[column][0];
+    }
+    return result;
+}
+
+/// The matrix with the greater depths in front, for NDC depths from -1 to 1.
+glm::dmat4 reversed(glm::dmat4 m)
+{
+    for (int column = 0; column < 4; ++column)
+        m[column][2] = -m[column][2];
+    return m;
+}
+
 const DevicePoint kMiddle(320.0, 240.0);
 
 } // namespace
@@ -109,6 +128,9 @@ private slots:
     void farWorldsKeepTheirMillimetres();
     void uncertaintyHoldsWhatIsRounded_data();
     void uncertaintyHoldsWhatIsRounded();
+    void distancesCountFromTheEyeOfAnyMatrix();
+    void uncertaintyHoldsForMatricesOfNoKnownForm();
+    void uncertaintyHoldsInDeepBoxes();
 };
 
 void TestSceneRays::hitsAreSeenWhereTheClickWas_data()
@@ -130,9 +152,23 @@ void TestSceneRays::hitsAreSeenWhereTheClickWas_data()
     QTest::newRow("matrix of a box") << pictureWith(matrixOf(ortho));
     QTest::newRow("matrix, reversed, far at infinity")
         << pictureWith(MatrixProjection{reversedInfinite(0.5), NdcDepth::ZeroToOne});
-    glm::dmat4 sheared = *clipFromEye(Projection(perspective));
-    sheared[1][0] += 0.1; // no known projection
-    QTest::newRow("matrix of no known form") << pictureWith(MatrixProjection{sheared, std::nullopt});
+    QTest::newRow("skewed") << pictureWith(Frustum{-0.2, 0.1, -0.1, 0.15, 0.5, 50.0, 0.3});
+    QTest::newRow("pinhole") << pictureWith(Pinhole{600, 500, 200, 250, 30, 640, 480, 0.5, 50.0, true});
+    glm::dmat4 skewed = *clipFromEye(Projection(perspective));
+    skewed[1][0] += 0.1;
+    const std::pair<const char *, glm::dmat4> matrices[] = {
+        {"perspective", *clipFromEye(Projection(perspective))},
+        {"skewed", skewed},
+        {"rolled", rolled(*clipFromEye(Projection(perspective)))},
+        {"box, rolled", rolled(*clipFromEye(Projection(ortho)))},
+    };
+    for (const auto &[name, matrix] : matrices) {
+        QTest::addRow("matrix, %s", name) << pictureWith(MatrixProjection{matrix, std::nullopt});
+        QTest::addRow("matrix, %s, negated", name) << pictureWith(MatrixProjection{-matrix, std::nullopt});
+        QTest::addRow("matrix, %s, reversed", name) << pictureWith(MatrixProjection{reversed(matrix), std::nullopt});
+        QTest::addRow("matrix, %s, reversed, negated", name)
+            << pictureWith(MatrixProjection{-reversed(matrix), std::nullopt});
+    }
     QTest::newRow("view by matrix") << pictureWith(perspective, {}, eyeFromWorld(*eyeFrame(kCamera)));
     Setup part = pictureWith(perspective);
     part.viewport = {100.0, 50.0, 320.0, 240.0};
@@ -157,6 +193,7 @@ void TestSceneRays::hitsAreSeenWhereTheClickWas()
         // The near side: the surface looks at the eye.
         const Ray<WorldSpace> ray = *rays.rays().at(click);
         QVERIFY(dot((*hit)->triangle->normal, ray.along) < 0.0);
+        QVERIFY(dot(ray.along, kCamera.center - kCamera.eye) > 0.0);
     }
     QVERIFY2(hits > 50, qPrintable(QString::number(hits)));
 }
@@ -451,6 +488,159 @@ void TestSceneRays::uncertaintyHoldsWhatIsRounded()
     QVERIFY2(hits > (thickness < 1e-3 ? 50 : 2000), qPrintable(QString::number(hits)));
     QCOMPARE(outside, 0);
     QVERIFY2(ratios[ratios.size() / 2] < 1000.0, qPrintable(QString::number(ratios[ratios.size() / 2])));
+}
+
+void TestSceneRays::distancesCountFromTheEyeOfAnyMatrix()
+{
+    const Projection frustum = Frustum{-1.0, 1.0, -0.75, 0.75, 1.0, 11.0};
+    for (const glm::dmat4 &matrix : {rolled(*clipFromEye(frustum)), -reversed(rolled(*clipFromEye(frustum)))}) {
+        Setup setup = straightPicture();
+        setup.lens = MatrixProjection{matrix, std::nullopt};
+        const SceneRays rays = Clicked{{objectOf(wallAt(0.0f))}}.rays(setup);
+        const auto hit = *rays.at(DevicePoint(400.5, 200.5));
+        QVERIFY(hit && std::abs(hit->distance - distance(hit->world, WorldPoint(0.0, 0.0, 5.0))) < 1e-13);
+    }
+    Setup box = straightPicture();
+    box.lens = MatrixProjection{rolled(*clipFromEye(Ortho{-2.0, 2.0, -1.5, 1.5, 1.0, 11.0})), std::nullopt};
+    const auto hit = *Clicked{{objectOf(wallAt(0.0f))}}.rays(box).at(DevicePoint(400.5, 200.5));
+    QVERIFY(hit && std::abs(hit->distance - 4.0) < 1e-13); // from the near plane
+}
+
+namespace {
+
+using Number = oracle::Extended;
+
+/// The exact point of a line of sight on a plane.
+oracle::Vector3 onPlane(const oracle::Oracle &exact, const glm::dvec2 &window, const std::array<glm::dvec3, 3> &corners)
+{
+    const auto minus = [](const oracle::Vector3 &a, const oracle::Vector3 &b) { return oracle::difference(a, b); };
+    const auto dot = [](const oracle::Vector3 &a, const oracle::Vector3 &b) {
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    };
+    const auto placeOf = [](const glm::dvec3 &p) { return oracle::Vector3{p.x, p.y, p.z}; };
+    const oracle::Vector3 from = exact.worldUnder({window.x, window.y, 0.0}),
+                          along = minus(exact.worldUnder({window.x, window.y, 0.5}), from);
+    const oracle::Vector3 a = placeOf(corners[0]), u = minus(placeOf(corners[1]), a), v = minus(placeOf(corners[2]), a);
+    const oracle::Vector3 normal{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    const Number t = dot(minus(a, from), normal) / dot(along, normal);
+    return {from[0] + t * along[0], from[1] + t * along[1], from[2] + t * along[2]};
+}
+
+/// The largest share of a hit's error in its uncertainty, of the three coordinates; and the median
+/// of the uncertainty in units of the error.
+class Shares {
+public:
+    void add(const SceneHit &hit, const oracle::Vector3 &truth)
+    {
+        double largest = 0.0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double off = std::abs(static_cast<double>(truth[std::size_t(axis)] - hit.world[axis]));
+            m_outside += off <= hit.uncertainty[axis] ? 0 : 1;
+            largest = std::max(largest, off);
+        }
+        m_ratios.push_back(length(hit.uncertainty) / std::max(largest, 1e-300));
+    }
+    int outside() const { return m_outside; }
+    std::size_t hits() const { return m_ratios.size(); }
+    double median()
+    {
+        std::sort(m_ratios.begin(), m_ratios.end());
+        return m_ratios.at(m_ratios.size() / 2);
+    }
+
+private:
+    int m_outside = 0;
+    std::vector<double> m_ratios;
+};
+
+} // namespace
+
+/// The ray of such a matrix comes from its inverse, whose error grows with far : near and with the
+/// distance from the world's origin.
+void TestSceneRays::uncertaintyHoldsForMatricesOfNoKnownForm()
+{
+    Aim aim(7);
+    const auto anyOf = [&](double from, double to) { return from * std::pow(to / from, aim.share()); };
+    Shares shares;
+    for (int i = 0; i < 1600; ++i) {
+        const double n = anyOf(0.01, 10.0), f = n * anyOf(2.0, i % 4 == 0 ? 1e12 : 1e5);
+        glm::dmat4 matrix = *clipFromEye(Frustum{-n * anyOf(0.2, 1.0), n * anyOf(0.2, 1.0), -0.4 * n, 0.5 * n, n, f});
+        matrix = i % 2 == 0 ? rolled(matrix) : matrix;
+        if (i % 2 != 0)
+            matrix[0][2] = 0.1 * aim.share(); // a tilted near plane
+        if (i % 3 == 0)
+            matrix = -reversed(matrix);
+        const WorldPoint eye(anyOf(0.1, 1e5) * aim.direction());
+        const WorldVector ahead(aim.direction());
+        const glm::dmat4 view = eyeFromWorld(*eyeFrame({eye, eye + ahead, {0.1, 0.2, 1.0}}));
+        const double distance = n * anyOf(1.5, std::min(100.0, f / n));
+        std::vector<glm::vec3> corners;
+        std::array<glm::dvec3, 3> exact;
+        for (std::size_t k = 0; k < 3; ++k) {
+            corners.emplace_back((eye + ahead * distance).coordinates() + 0.3 * distance * aim.direction());
+            exact[k] = glm::dvec3(corners[k]);
+        }
+        Setup setup = pictureWith(MatrixProjection{matrix, NdcDepth::MinusOneToOne}, {}, view);
+        QVERIFY(!recognised(std::get<MatrixProjection>(setup.lens)));
+        std::array<double, 16> lens{}, pose{};
+        for (std::size_t k = 0; k < 16; ++k) {
+            lens[k] = matrix[int(k / 4)][int(k % 4)];
+            pose[k] = view[int(k / 4)][int(k % 4)];
+        }
+        const oracle::Oracle oracle(pose, lens, {0.0, 0.0, 640.0, 480.0, 0.0, 1.0}, false);
+        const SceneRays rays = Clicked{{objectOf(modelOf(corners))}}.rays(setup);
+        for (int k = 0; k < 20; ++k) {
+            const DevicePoint click(640.0 * aim.share(), std::floor(480.0 * aim.share()) + 0.5);
+            if (const auto hit = rays.at(click); hit && *hit)
+                shares.add(**hit, onPlane(oracle, {click.x, 480.0 - click.y}, exact));
+        }
+    }
+    QVERIFY2(shares.hits() > 800, qPrintable(QString::number(shares.hits())));
+    qInfo("%d hits, the uncertainty is %.3g times the error in the median", int(shares.hits()), shares.median());
+    QCOMPARE(shares.outside(), 0);
+    QVERIFY2(shares.median() < 1000.0, qPrintable(QString::number(shares.median())));
+}
+
+/// Triangles in a box that is far deeper than wide are seen nearly edge on.
+void TestSceneRays::uncertaintyHoldsInDeepBoxes()
+{
+    Aim aim(8);
+    const auto within = [&](double size) { return size * (2.0 * aim.share() - 1.0); };
+    Shares shares;
+    for (int i = 0; i < 200; ++i) {
+        const double depth = std::pow(10.0, 9.0 + i % 4);
+        const Ortho box{-1.3, 1.4, -1.0, 1.1, -depth, depth};
+        const LookAt camera{WorldPoint(within(1.0), within(1.0), within(1.0)),
+                            WorldPoint(within(5.0), within(5.0), within(5.0)),
+                            {0.0, 1.0, 0.0}};
+        const auto three = [](const auto &p) { return std::array{p.x, p.y, p.z}; };
+        const oracle::Oracle oracle(
+            {three(camera.eye), three(camera.center), three(camera.up)},
+            {oracle::RandomKind::Ortho, box.left, box.right, box.bottom, box.top, box.nearDistance, box.farDistance},
+            {0.0, 0.0, 640.0, 480.0, 0.0, 1.0});
+        std::array<glm::dvec3, 3> exact;
+        Box bounds;
+        constexpr std::array<glm::dvec2, 3> kWindow{{{32.0, 24.0}, {608.0, 48.0}, {320.0, 456.0}}};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const oracle::Vector3 corner = oracle.worldUnder({kWindow[k].x, kWindow[k].y, 0.5 + within(0.25)});
+            exact[k] = {double(corner[0]), double(corner[1]), double(corner[2])};
+            bounds.add(exact[k]);
+        }
+        Mesh mesh;
+        setPositions(mesh, originFor(bounds), exact);
+        Setup setup = pictureWith(box);
+        setup.pose = camera;
+        const SceneRays rays = Clicked{{objectOf(modelOf(std::move(mesh)))}}.rays(setup);
+        for (int k = 0; k < 10; ++k) {
+            const DevicePoint click(std::floor(240.0 + 160.0 * aim.share()) + 0.5,
+                                    std::floor(200.0 + 80.0 * aim.share()) + 0.5);
+            if (const auto hit = rays.at(click); hit && *hit)
+                shares.add(**hit, onPlane(oracle, {click.x, 480.0 - click.y}, exact));
+        }
+    }
+    QVERIFY2(shares.hits() > 500, qPrintable(QString::number(shares.hits())));
+    qInfo("%d hits, the uncertainty is %.3g times the error in the median", int(shares.hits()), shares.median());
+    QCOMPARE(shares.outside(), 0);
 }
 
 QTEST_GUILESS_MAIN(TestSceneRays)

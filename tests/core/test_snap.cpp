@@ -96,6 +96,7 @@ private slots:
     void theFrontPointNearestToTheClickIsTaken();
     void pointsBehindASurfaceAreHidden();
     void besideADotTheSurfaceIsMet();
+    void turnedSignsSnapToTheSame();
     void pointsAnswerAsTestingAll_data();
     void pointsAnswerAsTestingAll();
 };
@@ -412,6 +413,29 @@ void TestSnap::besideADotTheSurfaceIsMet()
     for (const double pixels : {0.0, 1.4, 1.6, 7.0}) {
         const auto hit = *raysOf({wall, pointsAt({{-0.5f, -0.5f, 0}})}).at(seen(-0.5, -0.5, pixels));
         QCOMPARE(hit->object, std::size_t(pixels < 1.5 ? 1 : 0));
+    }
+}
+
+/// A matrix times -1 is the same projection, with w < 0 in front of the eye.
+void TestSnap::turnedSignsSnapToTheSame()
+{
+    Setup turned = straightPicture();
+    turned.lens = MatrixProjection{-clipFromEye(turned.projection()).value(), std::nullopt};
+    for (const bool isKnown : {true, false}) {
+        if (!isKnown) { // rolled a little
+            auto &matrix = std::get<MatrixProjection>(turned.lens).clipFromEye;
+            matrix[1][0] = 1e-13;
+            matrix[0][1] = 1e-13;
+        }
+        const SceneRays plain = raysOf({triangle()}), other = raysOf({triangle()}, {}, turned);
+        for (const Snap snap : {Snap::Vertex, Snap::Edge, Snap::Face}) {
+            const DevicePoint at = seen(-1.0, -1.0, 3.0, -2.0);
+            const auto hit = *plain.at(at, snap), same = *other.at(at, snap);
+            QVERIFY(hit && same);
+            QVERIFY(distance(hit->world, same->world) < 1e-11);
+        }
+        const auto dot = *raysOf({pointsAt({{0.5f, 0.25f, 0}})}, {}, turned).at(seen(0.5, 0.25, 2.0));
+        QVERIFY(dot && dot->world == WorldPoint(0.5, 0.25, 0.0));
     }
 }
 

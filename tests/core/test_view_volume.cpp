@@ -97,6 +97,7 @@ void TestViewVolume::addProjections()
     QTest::addColumn<Projection>("projection");
     const Ortho box{-4.0, 8.0, -3.0, 5.0, 2.0, 40.0};
     QTest::newRow("frustum, off-centre") << Projection(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0});
+    QTest::newRow("frustum, skewed") << Projection(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0, 0.3});
     QTest::newRow("frustum, mirrored") << Projection(Frustum{0.6, -0.6, 0.4, -0.4, 1.0, 100.0});
     QTest::newRow("frustum, window beside the axis") << Projection(Frustum{0.5, 1.0, 0.5, 1.0, 1.0, 20.0});
     QTest::newRow("perspective") << Projection(Perspective{kPi / 4.0, 1.5, 5.0, 25.0});
@@ -116,6 +117,10 @@ void TestViewVolume::cornersAreWhereTheArgumentsPutThem_data()
     const Projection frustum = Frustum{-0.25, 1.0, -0.75, 0.5, 2.0, 20.0};
     QTest::newRow("frustum, near left bottom") << frustum << 0 << -0.25 << -0.75 << -2.0;
     QTest::newRow("frustum, near right bottom") << frustum << 1 << 1.0 << -0.75 << -2.0;
+    // x + y / 4 reaches the edges.
+    const Projection skewed = Frustum{-1.0, 3.0, -2.0, 1.0, 2.0, 10.0, 0.25};
+    QTest::newRow("skewed frustum, near left bottom") << skewed << 0 << -0.5 << -2.0 << -2.0;
+    QTest::newRow("skewed frustum, far right top") << skewed << 7 << 13.75 << 5.0 << -10.0;
     QTest::newRow("frustum, far left top") << frustum << 6 << -2.5 << 5.0 << -20.0;
     QTest::newRow("frustum, far right top") << frustum << 7 << 10.0 << 5.0 << -20.0;
     const Projection perspective = Perspective{kPi / 2.0, 1.5, 1.0, 10.0};

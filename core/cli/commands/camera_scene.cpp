@@ -94,7 +94,7 @@ std::optional<ExitCode> runCameraScene(const SceneOptions &options, const GivenT
     scene.windowHeight = converted->size.height;
     scene.isWindowFixed = true; // another size would move the principal point
     scene.viewport = Viewport{0.0, 0.0, double(converted->size.width), double(converted->size.height)};
-    scene.projection = converted->projection;
+    std::visit([&scene](const auto &lens) { scene.projection = lens; }, converted->projection);
     scene.view = converted->eyeFromWorld;
     scene.conventions = options.conventions;
     return writeScene(options, inputs, scene);

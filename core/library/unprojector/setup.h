@@ -25,10 +25,11 @@ struct Perspective {
 };
 
 /// The arguments of glFrustum, eye units: the window [left, right] x [bottom, top] on the near
-/// plane. 0 < near < far.
+/// plane. 0 < near < far. A skew replaces x_eye by x_eye + skew y_eye before glFrustum.
 struct Frustum {
     double left = -1.0, right = 1.0, bottom = -1.0, top = 1.0;
     double nearDistance = 1.0, farDistance = 100.0;
+    double skew = 0.0;
 };
 
 /// The arguments of glOrtho, eye units. near and far are distances in front of the eye.

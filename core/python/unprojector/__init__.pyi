@@ -36,7 +36,7 @@ class Setup:
     @staticmethod
     def frustum(
         *, left: float, right: float, bottom: float, top: float, near: float, far: float, eye: ArrayLike,
-        center: ArrayLike, up: ArrayLike = ..., size: _Size, viewport: Optional[_Viewport] = None,
+        center: ArrayLike, up: ArrayLike = ..., size: _Size, skew: float = ..., viewport: Optional[_Viewport] = None,
         depth_range: _DepthRange = ...,
     ) -> Setup: ...
     @staticmethod

@@ -65,6 +65,7 @@ struct PixelLens {
     DoubleDouble axisX, axisY;      ///< window position of the view axis
     DoubleDouble acrossX, upY;      ///< eye units per pixel, at the distance 1 for a perspective
     DoubleDouble aheadX, aheadY;    ///< sideways shift per unit along the axis
+    DoubleDouble skew;              ///< shift to the left per unit up
     double side = -1.0;             ///< z_eye = side z
     double depthAtNear, depthAtFar; ///< in the order of the terms below
     DoubleDouble nearTerm, farTerm;
@@ -73,7 +74,7 @@ struct PixelLens {
 PixelLens pixelLens(const Projection &projection, const Setup &g)
 {
     const ProjectionWindow w = projectionWindow(projection);
-    const auto &[left, right, bottom, top] = preciseEdges(projection);
+    const auto &[left, right, bottom, top, skew] = preciseEdges(projection);
     const DoubleDouble n = w.nearDistance, f = w.farDistance;
     const DoubleDouble thickness = DoubleDouble(g.depthRange.atFar) - g.depthRange.atNear;
     PixelLens lens;
@@ -83,6 +84,7 @@ PixelLens pixelLens(const Projection &projection, const Setup &g)
     lens.axisY = g.viewport.y - bottom * g.viewport.height / (top - bottom);
     lens.acrossX = (right - left) / (g.viewport.width * scale);
     lens.upY = (top - bottom) / (g.viewport.height * scale);
+    lens.skew = skew;
     if (const auto *oblique = std::get_if<Oblique>(&projection)) {
         lens.aheadX = preciseCotangent(oblique->thetaRadians);
         lens.aheadY = preciseCotangent(oblique->phiRadians);
@@ -108,6 +110,7 @@ PixelLens pixelLens(const MatrixProjection &projection, const Setup &g)
     lens.axisY = g.viewport.y + (DoubleDouble(c.w) - c.yOffset) * g.viewport.height / (2.0 * DoubleDouble(c.w));
     lens.acrossX = 2.0 * DoubleDouble(c.w) / (DoubleDouble(g.viewport.width) * c.xScale);
     lens.upY = 2.0 * DoubleDouble(c.w) / (DoubleDouble(g.viewport.height) * c.yScale);
+    lens.skew = c.xSkew / DoubleDouble(c.xScale);
     lens.depthAtNear = g.depthRange.atNear;
     lens.depthAtFar = g.depthRange.atFar;
     if (!c.perspective) {
@@ -128,7 +131,8 @@ PixelLens pixelLens(const MatrixProjection &projection, const Setup &g)
 
 batch::PreciseConstants constantsOf(const PixelLens &lens, const PreciseAxes &axes, const Setup &g)
 {
-    const DoubleDouble3 across = scaled(axes.x, lens.acrossX), up = scaled(axes.y, lens.upY);
+    const DoubleDouble3 across = scaled(axes.x, lens.acrossX);
+    const DoubleDouble3 up = scaled(sum(axes.y, scaled(axes.x, -lens.skew)), lens.upY);
     const DoubleDouble3 ahead =
         sum(scaled(axes.z, lens.side), sum(scaled(axes.x, lens.aheadX), scaled(axes.y, lens.aheadY)));
     batch::PreciseConstants c{};

@@ -115,7 +115,7 @@ Result<LineConstants> constantsOf(const Projection &projection, const Setup &g, 
     setAxis(c, g, axisFromLow(horizontal), axisFromLow(vertical));
     const double n = result.perspective ? w.nearDistance : 1.0;
     assign(c.across, scaled(axes.x, unitsPerPixel(horizontal, n)));
-    assign(c.down, scaled(-axes.y, unitsPerPixel(vertical, n)));
+    assign(c.down, scaled(w.skew * axes.x - axes.y, unitsPerPixel(vertical, n)));
     glm::dvec3 ahead = -axes.z;
     if (const auto *oblique = std::get_if<Oblique>(&projection)) {
         for (int k = 0; k < 3; ++k) {
@@ -164,7 +164,8 @@ Result<LineConstants> constantsOf(const MatrixProjection &projection, const Setu
     const auto fromLow = [&](double offset, double size) { return (DoubleDouble(p.w) - offset) * (size / 2.0) / p.w; };
     setAxis(c, g, fromLow(p.xOffset, g.viewport.width), fromLow(p.yOffset, g.viewport.height));
     assign(c.across, scaled(axes.x, 2.0 * p.w / (DoubleDouble(g.viewport.width) * p.xScale)));
-    assign(c.down, scaled(-axes.y, 2.0 * p.w / (DoubleDouble(g.viewport.height) * p.yScale)));
+    assign(c.down,
+           scaled(p.xSkew / p.xScale * axes.x - axes.y, 2.0 * p.w / (DoubleDouble(g.viewport.height) * p.yScale)));
     glm::dvec3 ahead = axes.z;
     if (!p.perspective)
         ahead -= p.xShear / p.xScale * axes.x + p.yShear / p.yScale * axes.y;

@@ -28,17 +28,19 @@ Result<glm::dvec4> distanceRow(const Setup &setup, bool isPerspective)
         return projection.error();
     if (!view)
         return view.error();
+    double wSign = 1.0;
     double side = -1.0; // of the axis along which eye space looks, for a box; a perspective's w tells it
     if (const auto *matrix = std::get_if<MatrixProjection>(&setup.lens)) {
         const Result<RecognisedProjection> form = recognised(*matrix);
         if (!form)
             return form.error();
         side = form->coefficients.side;
+        wSign = wInFront(*matrix);
     }
     glm::dvec4 ofEye(0.0, 0.0, side, 0.0);
     if (isPerspective) {
         const glm::dvec4 w((*projection)[0][3], (*projection)[1][3], (*projection)[2][3], (*projection)[3][3]);
-        ofEye = w / glm::length(glm::dvec3(w));
+        ofEye = wSign * w / glm::length(glm::dvec3(w));
     }
     return ofEye * *view / (*view)[3][3];
 }
