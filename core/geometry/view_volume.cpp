@@ -20,8 +20,8 @@ std::array<EyePoint, 8> viewVolumeCorners(const Projection &projection)
         const double magnified = perspective ? distance / w.nearDistance : 1.0;
         EyePoint corner((i & 1 ? w.right : w.left) * magnified, (i & 2 ? w.top : w.bottom) * magnified, -distance);
         if (oblique) {
-            corner.x += cotangent(oblique->thetaRadians) * distance;
-            corner.y += cotangent(oblique->phiRadians) * distance;
+            corner.x += cotangent(oblique->theta) * distance;
+            corner.y += cotangent(oblique->phi) * distance;
         }
         corners[i] = corner;
     }

@@ -36,17 +36,18 @@ geometry::Projection internalProjection(const Projection &projection, const geom
 {
     return std::visit(
         Overloaded{[&](const Perspective &p) -> geometry::Projection {
-                       return geometry::Perspective{geometry::radiansFromDegrees(p.verticalFovDegrees),
-                                                    p.aspect.value_or(viewport.width / viewport.height), p.nearDistance,
-                                                    p.farDistance};
+                       return geometry::Perspective{geometry::Angle::fromDegrees(p.verticalFovDegrees),
+                                                    p.aspect ? geometry::DoubleDouble(*p.aspect)
+                                                             : geometry::aspectOf(viewport),
+                                                    p.nearDistance, p.farDistance};
                    },
                    [](const Frustum &f) -> geometry::Projection {
                        return geometry::Frustum{f.left, f.right, f.bottom, f.top, f.nearDistance, f.farDistance};
                    },
                    [](const Ortho &o) -> geometry::Projection { return internalBox(o); },
                    [](const Oblique &o) -> geometry::Projection {
-                       return geometry::Oblique{internalBox(o.box), geometry::radiansFromDegrees(o.thetaDegrees),
-                                                geometry::radiansFromDegrees(o.phiDegrees)};
+                       return geometry::Oblique{internalBox(o.box), geometry::Angle::fromDegrees(o.thetaDegrees),
+                                                geometry::Angle::fromDegrees(o.phiDegrees)};
                    }},
         projection);
 }
@@ -57,7 +58,9 @@ Projection publicProjection(const geometry::Projection &projection)
         return Ortho{o.left, o.right, o.bottom, o.top, o.nearDistance, o.farDistance};
     };
     return std::visit(Overloaded{[](const geometry::Perspective &p) -> Projection {
-                                     return Perspective{geometry::degreesFromRadians(p.verticalFovRadians), p.aspect,
+                                     return Perspective{p.verticalFov.degrees(),
+                                                        p.aspect.rest == 0.0 ? std::optional(p.aspect.value)
+                                                                             : std::nullopt,
                                                         p.nearDistance, p.farDistance};
                                  },
                                  [](const geometry::Frustum &f) -> Projection {
@@ -65,8 +68,7 @@ Projection publicProjection(const geometry::Projection &projection)
                                  },
                                  [&](const geometry::Ortho &o) -> Projection { return boxOf(o); },
                                  [&](const geometry::Oblique &o) -> Projection {
-                                     return Oblique{boxOf(o.box), geometry::degreesFromRadians(o.thetaRadians),
-                                                    geometry::degreesFromRadians(o.phiRadians)};
+                                     return Oblique{boxOf(o.box), o.theta.degrees(), o.phi.degrees()};
                                  }},
                       projection);
 }

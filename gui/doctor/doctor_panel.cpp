@@ -359,7 +359,7 @@ void DoctorPanel::mark()
                 depth = ray::MeshDepth(rays)(point.pixel);
             if (depth && unprojector) {
                 const auto right =
-                    unprojector->worldAt(Method::Formula, windowFromDevice(own->surface, point.pixel, *depth));
+                    unprojector->worldAt(Method::Formula, preciseWindowFromDevice(own->surface, point.pixel, *depth));
                 if (right)
                     mark.right = *right;
             }

@@ -20,8 +20,11 @@ protected:
 
 private:
     enum class Number { Left, Right, Bottom, Top, Near, Far, Fovy, Aspect, Theta, Phi };
-    /// The member of a projection for a number, angles in radians; null if it has none.
-    static double *numberIn(geometry::Projection &projection, Number number);
+    /// A number of a projection, angles in degrees; empty if it has none.
+    static std::optional<double> numberIn(const geometry::Projection &projection, Number number);
+    static void setNumber(geometry::Projection &projection, Number number, double value);
+    template <class AnyProjection, class Use>
+    static void withNumber(AnyProjection &projection, Number number, const Use &use);
     static bool isAngle(Number number);
 
     struct Row {

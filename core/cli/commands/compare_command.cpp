@@ -115,8 +115,8 @@ public:
         float x = between(w.left, w.right, window.x, g.viewport.x, g.viewport.width);
         float y = between(w.bottom, w.top, window.y, g.viewport.y, g.viewport.height);
         if (const auto *oblique = std::get_if<Oblique>(&g.projection())) {
-            x += float(cotangent(oblique->thetaRadians)) * z;
-            y += float(cotangent(oblique->phiRadians)) * z;
+            x += float(cotangent(oblique->theta)) * z;
+            y += float(cotangent(oblique->phi)) * z;
         }
         WorldPoint world;
         for (int k = 0; k < 3; ++k) {
