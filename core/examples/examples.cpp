@@ -287,7 +287,7 @@ Scene perspective()
         return object(std::move(name), facesColored(cubeMesh(1.4)),
                       {movedBy(x, 0, z), Rotate{30.0, glm::dvec3(0, 1, 0)}});
     };
-    return scene(fromFive(), Perspective{std::numbers::pi / 4.0, 1.0, 1, 100}, keepingAspect(1.0),
+    return scene(fromFive(), Perspective{Angle::fromDegrees(45.0), 1.0, 1, 100}, keepingAspect(1.0),
                  {cube("Cube at 5", -1.0, 0), cube("Cube at 11", 1.5, -6), cube("Cube at 19", 5.5, -14)});
 }
 

@@ -90,22 +90,24 @@ glm::dmat4 eyeFromWorld(const EyeFrame &frame)
     };
 }
 
+PrecisePoint<WorldSpace> preciseWorldFromEye(const PreciseEyeFrame &frame, const PrecisePoint<EyeSpace> &point)
+{
+    const auto component = [&](std::size_t k) {
+        return frame.eye[static_cast<int>(k)] + point.x * frame.side[k] + point.y * frame.upward[k]
+               - point.z * frame.forward[k];
+    };
+    return {component(0), component(1), component(2)};
+}
+
 WorldPoint worldFromEye(const PreciseEyeFrame &frame, const PrecisePoint<EyeSpace> &point)
 {
-    WorldPoint world;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const int component = static_cast<int>(k);
-        world[component] =
-            (frame.eye[component] + point.x * frame.side[k] + point.y * frame.upward[k] - point.z * frame.forward[k])
-                .value;
-    }
-    return world;
+    return preciseWorldFromEye(frame, point).rounded();
 }
 
 WorldPoint worldFromEye(const EyeFrame &frame, const EyePoint &point)
 {
     return worldFromEye(PreciseEyeFrame{frame.eye, precise(frame.side), precise(frame.upward), precise(frame.forward)},
-                        PrecisePoint<EyeSpace>{point.x, point.y, point.z});
+                        PrecisePoint<EyeSpace>(point));
 }
 
 EyePoint eyeFromWorld(const EyeFrame &frame, const WorldPoint &point)

@@ -52,6 +52,7 @@ glm::dmat4 eyeFromWorld(const EyeFrame &frame);
 ///   p = eye + x s + y u + z f,  z = -z_eye
 ///
 /// Near the world's origin the eye and the offset from it cancel, so only the whole sum is rounded.
+PrecisePoint<WorldSpace> preciseWorldFromEye(const PreciseEyeFrame &frame, const PrecisePoint<EyeSpace> &point);
 WorldPoint worldFromEye(const PreciseEyeFrame &frame, const PrecisePoint<EyeSpace> &point);
 WorldPoint worldFromEye(const EyeFrame &frame, const EyePoint &point);
 

@@ -129,7 +129,7 @@ Setup zoomed(const Setup &setup, const WorldPoint &anchor, double factor)
             *ortho = scaledAbout(*ortho, inEye.x, inEye.y, 1.0 / factor);
         else if (auto *oblique = std::get_if<Oblique>(&result.projection())) {
             // A sheared view shifts as the eye steps forward.
-            const glm::dvec2 slope(cotangent(oblique->thetaRadians), cotangent(oblique->phiRadians));
+            const glm::dvec2 slope(cotangent(oblique->theta), cotangent(oblique->phi));
             const glm::dvec2 onWindow = glm::dvec2(inEye.x, inEye.y) + slope * inEye.z;
             const glm::dvec2 shift = slope * step;
             Ortho box = scaledAbout(oblique->box, onWindow.x, onWindow.y, 1.0 / factor);
@@ -152,7 +152,7 @@ LookAt recentered(const Setup &setup, const WorldPoint &point)
     glm::dvec2 middle((w.left + w.right) / 2.0 * scale, (w.bottom + w.top) / 2.0 * scale);
     middle.x -= w.skew * middle.y;
     if (const auto *oblique = std::get_if<Oblique>(&setup.projection()))
-        middle -= glm::dvec2(cotangent(oblique->thetaRadians), cotangent(oblique->phiRadians)) * inEye.z;
+        middle -= glm::dvec2(cotangent(oblique->theta), cotangent(oblique->phi)) * inEye.z;
     const WorldVector offset = (inEye.x - middle.x) * frame.side + (inEye.y - middle.y) * frame.upward;
     LookAt camera = moved(setup.camera(), offset);
     const double distance = -inEye.z > 0.0 ? -inEye.z : centerDistance(camera);

@@ -57,6 +57,8 @@ struct DoubleDouble {
     constexpr DoubleDouble(double number) : value(number) {} // every double is one
     constexpr DoubleDouble(double nearest, double leftOut) : value(nearest), rest(leftOut) {}
 
+    friend bool operator==(const DoubleDouble &, const DoubleDouble &) = default;
+
     friend DoubleDouble operator-(const DoubleDouble &a) { return {-a.value, -a.rest}; }
     friend DoubleDouble operator+(const DoubleDouble &a, const DoubleDouble &b)
     {
@@ -126,6 +128,10 @@ inline DoubleDouble length(const DoubleDouble3 &v)
 template <class Space>
 struct PrecisePoint {
     DoubleDouble x, y, z;
+
+    PrecisePoint() = default;
+    PrecisePoint(const DoubleDouble &ofX, const DoubleDouble &ofY, const DoubleDouble &ofZ) : x(ofX), y(ofY), z(ofZ) {}
+    PrecisePoint(const Point<Space> &point) : x(point.x), y(point.y), z(point.z) {} // every point is one
 
     Point<Space> rounded() const { return Point<Space>(x.value, y.value, z.value); }
 };

@@ -38,7 +38,7 @@ Framing::Framing(const Setup &setup) : m_setup(setup), m_frame(frameOf(setup.cam
     m_low = middle - half;
     m_high = middle + half;
     if (const auto *oblique = std::get_if<Oblique>(&projection))
-        m_shear = {cotangent(oblique->thetaRadians), cotangent(oblique->phiRadians)};
+        m_shear = {cotangent(oblique->theta), cotangent(oblique->phi)};
 
     // Measured from the world's origin, not from the eye: the camera's present position does not
     // matter.

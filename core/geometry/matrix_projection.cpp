@@ -252,16 +252,17 @@ RecognisedProjection readBox(const ProjectionCoefficients &c, NdcDepth depth, co
     constexpr double kQuarterTurn = 1.5707963267948966;
     const Oblique oblique{box, cotTheta == 0.0 ? kQuarterTurn : std::atan2(1.0, cotTheta),
                           cotPhi == 0.0 ? kQuarterTurn : std::atan2(1.0, cotPhi)};
-    result.exact &= same(cotangent(oblique.thetaRadians) * c.xScale, c.xShear)
-                    && same(cotangent(oblique.phiRadians) * c.yScale, c.yShear);
+    result.exact &=
+        same(cotangent(oblique.theta) * c.xScale, c.xShear) && same(cotangent(oblique.phi) * c.yScale, c.yShear);
     result.parameters = oblique;
     return result;
 }
 
 /// (w x_n + offset) / scale with x_n = (2 (x_v - vx) - size) / size.
-DoubleDouble centredAndScaled(double position, double origin, double size, double w, double offset, double scale)
+DoubleDouble centredAndScaled(const DoubleDouble &position, double origin, double size, double w, double offset,
+                              double scale)
 {
-    const DoubleDouble centred = 2.0 * (DoubleDouble(position) - origin) - size;
+    const DoubleDouble centred = 2.0 * (position - origin) - size;
     return (w * centred / size + offset) / scale;
 }
 
@@ -324,7 +325,7 @@ NdcDepth ndcDepthOf(const MatrixProjection &projection)
 }
 
 Result<PrecisePoint<EyeSpace>> preciseEyePoint(const MatrixProjection &projection, const Viewport &viewport,
-                                               const DepthRange &range, const WindowPoint &window)
+                                               const DepthRange &range, const PrecisePoint<WindowSpace> &window)
 {
     const Result<ProjectionCoefficients> coefficients = coefficientsOf(projection.clipFromEye);
     if (!coefficients)
@@ -335,9 +336,9 @@ Result<PrecisePoint<EyeSpace>> preciseEyePoint(const MatrixProjection &projectio
         return depth.error();
     if (const Check valid = check(viewport); !valid)
         return valid.error();
-    if (const auto value = firstNotFinite({window.x, window.y}))
+    if (const auto value = firstNotFinite({window.x.value, window.y.value}))
         return Error{ErrorCode::NotFinite, *value};
-    const Result<DepthShares> d = depthShares(range, window.z);
+    const Result<DepthShares> d = depthShares(range, window.z.value);
     if (!d)
         return d.error();
 

@@ -74,7 +74,7 @@ Result<RecognisedProjection> recognised(const MatrixProjection &projection);
 /// @return the errors of recognised, check(viewport), depthShares; NotFinite (position);
 ///         PointAtInfinity
 Result<PrecisePoint<EyeSpace>> preciseEyePoint(const MatrixProjection &projection, const Viewport &viewport,
-                                               const DepthRange &range, const WindowPoint &window);
+                                               const DepthRange &range, const PrecisePoint<WindowSpace> &window);
 
 /// The depth convention that both methods use: the given one, else the one that `recognised` finds,
 /// else OpenGL's.

@@ -68,7 +68,7 @@ ClipPlaneDrag::ClipPlaneDrag(const Projection &projection, ClipPlane plane, cons
     if (isPerspective(projection))
         direction = (grabbed - EyePoint()) / distance;
     else if (const auto *oblique = std::get_if<Oblique>(&projection))
-        direction = {cotangent(oblique->thetaRadians), cotangent(oblique->phiRadians), -1.0};
+        direction = {cotangent(oblique->theta), cotangent(oblique->phi), -1.0};
     m_direction = widgetFromEye * glm::dvec4(direction.coordinates(), 0.0);
     m_origin = widgetFromEye * glm::dvec4((grabbed - direction * distance).coordinates(), 1.0);
     const glm::dvec4 held = m_origin + m_direction * distance;

@@ -4,14 +4,13 @@
 #include "core/geometry/finite.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace unprojector::geometry {
 namespace {
 
 /// Both angles of an oblique projection converted from another kind.
-constexpr double kFirstShearRadians = kPi / 4.0;
+constexpr double kFirstShearDegrees = 45.0;
 
 Check checkWindow(const ProjectionWindow &w)
 {
@@ -47,12 +46,12 @@ struct Checker {
     Check operator()(const Ortho &p) const { return checkBox(projectionWindow(p), false); }
     Check operator()(const Perspective &p) const
     {
-        if (const auto value = firstNotFinite({p.verticalFovRadians, p.aspect}))
+        if (const auto value = firstNotFinite({p.verticalFov.radians.value, p.aspect.value}))
             return Error{ErrorCode::NotFinite, *value};
-        if (!(p.verticalFovRadians > 0.0 && p.verticalFovRadians < kPi))
-            return Error{ErrorCode::FieldOfViewOutOfRange, p.verticalFovRadians};
-        if (!(p.aspect > 0.0))
-            return Error{ErrorCode::AspectNotPositive, p.aspect};
+        if (const double fov = p.verticalFov.radians.value; !(fov > 0.0 && fov < kPi))
+            return Error{ErrorCode::FieldOfViewOutOfRange, fov};
+        if (!(p.aspect.value > 0.0))
+            return Error{ErrorCode::AspectNotPositive, p.aspect.value};
         return checkClipDistances(p.nearDistance, p.farDistance, true);
     }
     Check operator()(const Pinhole &p) const
@@ -67,7 +66,7 @@ struct Checker {
     }
     Check operator()(const Oblique &p) const
     {
-        for (const double angle : {p.thetaRadians, p.phiRadians}) {
+        for (const double angle : {p.theta.radians.value, p.phi.radians.value}) {
             if (!std::isfinite(angle))
                 return Error{ErrorCode::NotFinite, angle};
             if (!(angle > 0.0 && angle < kPi))
@@ -126,25 +125,14 @@ glm::dmat4 pinholeMatrix(const Pinhole &p)
 
 } // namespace
 
-DoubleDouble preciseRadians(double radians)
+DoubleDouble preciseCotangent(const Angle &angle)
 {
-    constexpr int kDigits = 12;
-    char text[32];
-    const auto written =
-        std::to_chars(text, text + sizeof text, radians / kRadiansPerDegree, std::chars_format::general, kDigits);
-    double degrees = 0.0;
-    std::from_chars(text, written.ptr, degrees);
-    return radiansFromDegrees(degrees) == radians ? degrees * kPrecisePi / 180.0 : DoubleDouble(radians);
+    return angle.radians.value == kPi / 2.0 ? DoubleDouble(0.0) : 1.0 / preciseTangent(angle.radians);
 }
 
-DoubleDouble preciseCotangent(double radians)
+double cotangent(const Angle &angle)
 {
-    return radians == kPi / 2.0 ? DoubleDouble(0.0) : 1.0 / preciseTangent(preciseRadians(radians));
-}
-
-double cotangent(double radians)
-{
-    return preciseCotangent(radians).value;
+    return preciseCotangent(angle).value;
 }
 
 Check check(const Projection &projection)
@@ -167,7 +155,7 @@ Frustum frustumFromPinhole(const Pinhole &p)
 PreciseEdges preciseEdges(const Projection &projection)
 {
     if (const auto *p = std::get_if<Perspective>(&projection)) {
-        const DoubleDouble top = p->nearDistance * preciseTangent(preciseRadians(p->verticalFovRadians) / 2.0),
+        const DoubleDouble top = p->nearDistance * preciseTangent(p->verticalFov.radians / 2.0),
                            right = top * p->aspect;
         return {-right, right, -top, top, 0.0};
     }
@@ -216,22 +204,22 @@ Result<glm::dmat4> clipFromEye(const Projection &projection)
         glm::dmat4 operator()(const Oblique &p) const
         {
             glm::dmat4 shear(1.0);
-            shear[2][0] = cotangent(p.thetaRadians);
-            shear[2][1] = cotangent(p.phiRadians);
+            shear[2][0] = cotangent(p.theta);
+            shear[2][1] = cotangent(p.phi);
             return orthoMatrix(p.box) * shear;
         }
     };
     return std::visit(Visitor{}, projection);
 }
 
-Projection withAspect(const Projection &projection, double aspect)
+Projection withAspect(const Projection &projection, const DoubleDouble &aspect)
 {
     struct Visitor {
-        double aspect;
+        const DoubleDouble &aspect;
         /// Scaling left and right keeps the view axis at the same share of the width.
         Projection operator()(Frustum p) const
         {
-            const double scale = std::abs(p.top - p.bottom) * aspect / std::abs(p.right - p.left);
+            const double scale = std::abs(p.top - p.bottom) * aspect.value / std::abs(p.right - p.left);
             p.left *= scale;
             p.right *= scale;
             return p;
@@ -261,7 +249,7 @@ Projection withAspect(const Projection &projection, double aspect)
             p.right = center + half;
             return p;
         }
-        Ortho widened(const Ortho &p) const { return widenedTo(p, std::abs(p.top - p.bottom) * aspect); }
+        Ortho widened(const Ortho &p) const { return widenedTo(p, std::abs(p.top - p.bottom) * aspect.value); }
     };
     return std::visit(Visitor{aspect}, projection);
 }
@@ -290,18 +278,19 @@ Projection converted(const Projection &projection, ProjectionKind kind, double d
     Ortho box{w.left * magnified, w.right * magnified, w.bottom * magnified,
               w.top * magnified,  w.nearDistance,      w.farDistance};
     if (const auto *oblique = std::get_if<Oblique>(&projection)) {
-        const double dx = cotangent(oblique->thetaRadians) * distance;
-        const double dy = cotangent(oblique->phiRadians) * distance;
+        const double dx = cotangent(oblique->theta) * distance;
+        const double dy = cotangent(oblique->phi) * distance;
         box = {box.left + dx, box.right + dx, box.bottom + dy, box.top + dy, box.nearDistance, box.farDistance};
     }
     if (kind == ProjectionKind::Ortho)
         return box;
     if (kind == ProjectionKind::Oblique) {
         // A shear large enough to see; 45 degrees shifts a point by its depth.
-        const double shift = cotangent(kFirstShearRadians) * distance;
+        const Angle angle = Angle::fromDegrees(kFirstShearDegrees);
+        const double shift = cotangent(angle) * distance;
         box = {box.left - shift, box.right - shift, box.bottom - shift,
                box.top - shift,  box.nearDistance,  box.farDistance};
-        return Oblique{box, kFirstShearRadians, kFirstShearRadians};
+        return Oblique{box, angle, angle};
     }
 
     Frustum frustum{w.left, w.right, w.bottom, w.top, w.nearDistance, w.farDistance, w.skew};

@@ -29,10 +29,10 @@ struct Ortho {
     friend bool operator==(const Ortho &, const Ortho &) = default;
 };
 
-/// The arguments of gluPerspective, with the angle in radians. aspect = width / height.
+/// The arguments of gluPerspective. aspect = width / height; a viewport's need not be a double.
 struct Perspective {
-    double verticalFovRadians = radiansFromDegrees(45.0);
-    double aspect = 1.0;
+    Angle verticalFov = Angle::fromDegrees(45.0);
+    DoubleDouble aspect = 1.0;
     double nearDistance = 1.0, farDistance = 100.0;
     friend bool operator==(const Perspective &, const Perspective &) = default;
 };
@@ -41,8 +41,8 @@ struct Perspective {
 /// An angle of pi/2 leaves its axis unsheared.
 struct Oblique {
     Ortho box;
-    double thetaRadians = radiansFromDegrees(90.0);
-    double phiRadians = radiansFromDegrees(90.0);
+    Angle theta = Angle::fromDegrees(90.0);
+    Angle phi = Angle::fromDegrees(90.0);
     friend bool operator==(const Oblique &, const Oblique &) = default;
 };
 
@@ -112,21 +112,15 @@ ProjectionKind kindOf(const Projection &projection);
 /// @pre the projection is valid
 Projection converted(const Projection &projection, ProjectionKind kind, double distance);
 
-/// The exact angle behind rounded radians. Users give angles in degrees. If degrees of at most 12
-/// digits give these radians, the angle is those degrees, unrounded; otherwise it is the double. A
-/// rounded angle matters: the tangent of a field of view of 179 degrees magnifies its error a
-/// hundredfold.
-DoubleDouble preciseRadians(double radians);
-
 /// The cotangent, exactly 0 at pi/2: an unsheared axis of an oblique projection stays unsheared.
-DoubleDouble preciseCotangent(double radians);
-double cotangent(double radians);
+DoubleDouble preciseCotangent(const Angle &angle);
+double cotangent(const Angle &angle);
 
 /// The projection for a viewport of another aspect (width / height); circles stay circles. bottom
 /// and top stay. A frustum's left and right are multiplied by one factor, so their ratio stays. A
 /// box becomes wider or narrower about its centre.
 /// @pre the projection is valid and aspect > 0
-Projection withAspect(const Projection &projection, double aspect);
+Projection withAspect(const Projection &projection, const DoubleDouble &aspect);
 
 /// The same view with other clip distances: a frustum's window is scaled with its near plane.
 /// @pre 0 < nearDistance < farDistance if the projection is a perspective

@@ -95,6 +95,12 @@ Check check(const Setup &setup)
     return std::monostate{};
 }
 
+bool hasAspectOf(const Projection &projection, const Viewport &viewport)
+{
+    const auto *perspective = std::get_if<Perspective>(&projection);
+    return perspective && perspective->aspect == aspectOf(viewport);
+}
+
 NdcDepth ndcDepthOf(const Setup &setup)
 {
     const auto *matrix = std::get_if<MatrixProjection>(&setup.lens);

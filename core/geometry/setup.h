@@ -42,6 +42,9 @@ struct Setup {
 ///         the pose: check(projection) or NotFinite, eyeFrame(camera) or NotFinite
 Check check(const Setup &setup);
 
+/// Returns whether a projection is a perspective with exactly the viewport's aspect, unrounded.
+bool hasAspectOf(const Projection &projection, const Viewport &viewport);
+
 /// The NDC depths that the depth range maps to.
 NdcDepth ndcDepthOf(const Setup &setup);
 

@@ -103,12 +103,17 @@ glm::dmat4 matrixOf(const TransformStep &step)
     return preciseMatrixOf(step).rounded();
 }
 
-glm::dmat4 worldFromObject(const std::vector<TransformStep> &steps)
+PreciseMatrix preciseWorldFromObject(const std::vector<TransformStep> &steps)
 {
-    PreciseMatrix product(glm::dmat4(1.0));
+    PreciseMatrix product;
     for (const TransformStep &step : steps)
         product = product * preciseMatrixOf(step);
-    return product.rounded();
+    return product;
+}
+
+glm::dmat4 worldFromObject(const std::vector<TransformStep> &steps)
+{
+    return preciseWorldFromObject(steps).rounded();
 }
 
 } // namespace unprojector::geometry

@@ -42,9 +42,10 @@ Check check(const TransformStep &step);
 glm::dmat4 matrixOf(const TransformStep &step);
 
 /// The product of the steps in the order of the calls: the last one is applied to the object first,
-/// as in OpenGL. It is computed with 32 digits and rounded at the end: large translations that
-/// cancel leave no wrong digits.
+/// as in OpenGL. It is computed with 32 digits: large translations that cancel leave no wrong
+/// digits.
 /// @pre every step is valid
+PreciseMatrix preciseWorldFromObject(const std::vector<TransformStep> &steps);
 glm::dmat4 worldFromObject(const std::vector<TransformStep> &steps);
 
 } // namespace unprojector::geometry

@@ -76,24 +76,32 @@ Result<PreciseAxes> preciseAxes(const glm::dmat4 &m)
     return axes;
 }
 
-Result<WorldPoint> worldFromEye(const glm::dmat4 &m, const PrecisePoint<EyeSpace> &point)
+Result<PrecisePoint<WorldSpace>> preciseWorldFromEye(const glm::dmat4 &m, const PrecisePoint<EyeSpace> &point)
 {
     const Result<PreciseAxes> axes = preciseAxes(m);
     if (!axes)
         return axes.error();
-    WorldPoint world;
-    for (std::size_t k = 0; k < 3; ++k) {
+    const auto component = [&](std::size_t k) {
         const DoubleDouble turned = point.x * axes->x[k] + point.y * axes->y[k] + point.z * axes->z[k];
-        world[static_cast<int>(k)] = (axes->origin[k] + turned).value;
-    }
-    if (!isFinite(world))
+        return axes->origin[k] + turned;
+    };
+    const PrecisePoint<WorldSpace> world(component(0), component(1), component(2));
+    if (!isFinite(world.rounded()))
         return Error{ErrorCode::PointAtInfinity};
     return world;
 }
 
+Result<WorldPoint> worldFromEye(const glm::dmat4 &m, const PrecisePoint<EyeSpace> &point)
+{
+    const Result<PrecisePoint<WorldSpace>> world = preciseWorldFromEye(m, point);
+    if (!world)
+        return world.error();
+    return world->rounded();
+}
+
 Result<WorldPoint> worldFromEye(const glm::dmat4 &eyeFromWorld, const EyePoint &point)
 {
-    return worldFromEye(eyeFromWorld, PrecisePoint<EyeSpace>{point.x, point.y, point.z});
+    return worldFromEye(eyeFromWorld, PrecisePoint<EyeSpace>(point));
 }
 
 Result<LookAt> lookAtFrom(const glm::dmat4 &eyeFromWorld, double distance)

@@ -32,8 +32,11 @@ struct PreciseAxes {
 /// @return the errors of axesOff
 Result<PreciseAxes> preciseAxes(const glm::dmat4 &eyeFromWorld);
 
-/// The world point of an eye point by these axes, rounded once.
+/// The world point of an eye point by these axes.
 /// @return the errors of axesOff; PointAtInfinity
+Result<PrecisePoint<WorldSpace>> preciseWorldFromEye(const glm::dmat4 &eyeFromWorld,
+                                                     const PrecisePoint<EyeSpace> &point);
+/// The same rounded once.
 Result<WorldPoint> worldFromEye(const glm::dmat4 &eyeFromWorld, const PrecisePoint<EyeSpace> &point);
 Result<WorldPoint> worldFromEye(const glm::dmat4 &eyeFromWorld, const EyePoint &point);
 

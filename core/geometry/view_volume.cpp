@@ -22,8 +22,8 @@ std::array<EyePoint, 8> viewVolumeCorners(const Projection &projection)
         if (w.skew != 0.0)
             corner.x -= w.skew * corner.y;
         if (oblique) {
-            corner.x += cotangent(oblique->thetaRadians) * distance;
-            corner.y += cotangent(oblique->phiRadians) * distance;
+            corner.x += cotangent(oblique->theta) * distance;
+            corner.y += cotangent(oblique->phi) * distance;
         }
         corners[i] = corner;
     }

@@ -40,6 +40,11 @@ Viewport wholeSurface(const Surface &surface)
     return {0.0, 0.0, static_cast<double>(surface.widthPixels), static_cast<double>(surface.heightPixels)};
 }
 
+DoubleDouble aspectOf(const Viewport &viewport)
+{
+    return DoubleDouble(viewport.width) / viewport.height;
+}
+
 Check check(const Viewport &viewport)
 {
     if (const auto value = firstNotFinite({viewport.x, viewport.y, viewport.width, viewport.height}))
@@ -115,6 +120,13 @@ int framebufferRow(const Surface &surface, const DevicePixel &pixel)
 WindowPoint windowFromDevice(const Surface &surface, const DevicePoint &position, double depth)
 {
     return WindowPoint(position.x, flippedY(surface, position.y), depth);
+}
+
+PrecisePoint<WindowSpace> preciseWindowFromDevice(const Surface &surface, const DevicePoint &position, double depth)
+{
+    const double y = flippedY(surface, position.y);
+    const double lost = std::isfinite(y) ? lostBySum(surface.heightPixels, -position.y) : 0.0;
+    return {position.x, DoubleDouble(y, lost), depth};
 }
 
 DevicePoint deviceFromWindow(const Surface &surface, const WindowPoint &point)

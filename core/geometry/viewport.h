@@ -34,6 +34,9 @@ int logicalFromDevice(const Surface &surface, int pixels);
 
 Viewport wholeSurface(const Surface &surface);
 
+/// Width / height, the aspect of a projection that follows the viewport: not rounded to a double.
+DoubleDouble aspectOf(const Viewport &viewport);
+
 /// The arguments of glDepthRange(atNear, atFar): the window depths of the near and far planes. They
 /// may be reversed, not equal.
 struct DepthRange {
@@ -95,6 +98,8 @@ Number flippedY(const Surface &surface, const Number &y)
 /// paper and `zhangci` use an integer py in (8), which gives the pixel's upper edge. Here py is
 /// continuous and includes the half pixel of a centre.
 WindowPoint windowFromDevice(const Surface &surface, const DevicePoint &position, double depth);
+/// The same unrounded: H - py need not be a double where py is no pixel's centre.
+PrecisePoint<WindowSpace> preciseWindowFromDevice(const Surface &surface, const DevicePoint &position, double depth);
 DevicePoint deviceFromWindow(const Surface &surface, const WindowPoint &point);
 
 // ---- NDC <-> window -----------------------------------------------------------------------------

@@ -33,8 +33,8 @@ Rows rowsOf(const Projection &projection)
                {0.0, 0.0, -2.0 / thickness, -zSkew},
                {0.0, 0.0, 0.0, 1.0}}};
     if (const auto *oblique = std::get_if<Oblique>(&projection)) {
-        rows[0][2] = rows[0][0] * preciseCotangent(oblique->thetaRadians);
-        rows[1][2] = rows[1][1] * preciseCotangent(oblique->phiRadians);
+        rows[0][2] = rows[0][0] * preciseCotangent(oblique->theta);
+        rows[1][2] = rows[1][1] * preciseCotangent(oblique->phi);
     }
     return rows;
 }
@@ -49,14 +49,6 @@ DoubleDouble3 divided(const DoubleDouble4 &v)
 DoubleDouble3 precise(const glm::dvec3 &v)
 {
     return {v.x, v.y, v.z};
-}
-
-DoubleDouble3 product(const glm::dmat4 &m, const DoubleDouble3 &p)
-{
-    DoubleDouble3 result;
-    for (int row = 0; row < 3; ++row)
-        result[static_cast<std::size_t>(row)] = m[0][row] * p[0] + m[1][row] * p[1] + m[2][row] * p[2] + m[3][row];
-    return result;
 }
 
 Result<WayForward> WayForward::of(const Setup &setup)

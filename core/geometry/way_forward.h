@@ -15,9 +15,6 @@ using DoubleDouble4 = std::array<DoubleDouble, 4>;
 
 DoubleDouble3 precise(const glm::dvec3 &v);
 
-/// The product m (p, 1), without the last row.
-DoubleDouble3 product(const glm::dmat4 &m, const DoubleDouble3 &p);
-
 /// A point in each space on its way to the window, before rounding.
 struct PreciseStages {
     DoubleDouble3 eye;

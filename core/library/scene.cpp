@@ -47,10 +47,8 @@ scene_file::SceneFile fileOf(const Setup &setup)
 {
     auto parsed = scene_file::parseScene(setup.sceneText(), "scene");
     scene_file::SceneFile file = std::move(parsed).value();
-    const geometry::Viewport &viewport = SetupAccess::of(setup).viewport;
     const auto *projection = std::get_if<geometry::Projection>(&file.projection);
-    const auto *perspective = projection ? std::get_if<geometry::Perspective>(projection) : nullptr;
-    file.aspectFromViewport = perspective != nullptr && perspective->aspect == viewport.width / viewport.height;
+    file.aspectFromViewport = projection && hasAspectOf(*projection, SetupAccess::of(setup).viewport);
     return file;
 }
 

@@ -35,8 +35,9 @@ geometry::Ortho internalBox(const Ortho &o)
 geometry::Projection internalProjection(const Projection &projection, const geometry::Viewport &viewport)
 {
     return std::visit(Overloaded{[&](const Perspective &p) -> geometry::Projection {
-                                     return geometry::Perspective{geometry::radiansFromDegrees(p.verticalFovDegrees),
-                                                                  p.aspect.value_or(viewport.width / viewport.height),
+                                     return geometry::Perspective{geometry::Angle::fromDegrees(p.verticalFovDegrees),
+                                                                  p.aspect ? geometry::DoubleDouble(*p.aspect)
+                                                                           : geometry::aspectOf(viewport),
                                                                   p.nearDistance, p.farDistance};
                                  },
                                  [](const Frustum &f) -> geometry::Projection {
@@ -46,8 +47,8 @@ geometry::Projection internalProjection(const Projection &projection, const geom
                                  [](const Ortho &o) -> geometry::Projection { return internalBox(o); },
                                  [](const Oblique &o) -> geometry::Projection {
                                      return geometry::Oblique{internalBox(o.box),
-                                                              geometry::radiansFromDegrees(o.thetaDegrees),
-                                                              geometry::radiansFromDegrees(o.phiDegrees)};
+                                                              geometry::Angle::fromDegrees(o.thetaDegrees),
+                                                              geometry::Angle::fromDegrees(o.phiDegrees)};
                                  }},
                       projection);
 }
@@ -62,15 +63,15 @@ Projection publicProjection(const geometry::Projection &projection)
     };
     return std::visit(
         Overloaded{[](const geometry::Perspective &p) -> Projection {
-                       return Perspective{geometry::degreesFromRadians(p.verticalFovRadians), p.aspect, p.nearDistance,
-                                          p.farDistance};
+                       return Perspective{p.verticalFov.degrees(),
+                                          p.aspect.rest == 0.0 ? std::optional(p.aspect.value) : std::nullopt,
+                                          p.nearDistance, p.farDistance};
                    },
                    [&](const geometry::Frustum &f) -> Projection { return frustumOf(f); },
                    [&](const geometry::Pinhole &p) -> Projection { return frustumOf(geometry::frustumFromPinhole(p)); },
                    [&](const geometry::Ortho &o) -> Projection { return boxOf(o); },
                    [&](const geometry::Oblique &o) -> Projection {
-                       return Oblique{boxOf(o.box), geometry::degreesFromRadians(o.thetaRadians),
-                                      geometry::degreesFromRadians(o.phiRadians)};
+                       return Oblique{boxOf(o.box), o.theta.degrees(), o.phi.degrees()};
                    }},
         projection);
 }

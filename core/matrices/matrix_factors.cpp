@@ -52,8 +52,8 @@ struct FactorsOf {
     std::vector<MatrixFactor> operator()(const Oblique &p) const
     {
         glm::dmat4 shear(1.0);
-        shear[2][0] = cotangent(p.thetaRadians);
-        shear[2][1] = cotangent(p.phiRadians);
+        shear[2][0] = cotangent(p.theta);
+        shear[2][1] = cotangent(p.phi);
         std::vector<MatrixFactor> result = boxFactors(p.box);
         result.insert(result.begin(), {MatrixStep::Shear, shear});
         return result;

@@ -246,7 +246,7 @@ private:
                         double nearDistance, double farDistance, std::string &said)
     {
         Perspective lens;
-        lens.verticalFovRadians = signature.areDegrees ? radiansFromDegrees(angle) : angle;
+        lens.verticalFov = signature.areDegrees ? Angle::fromDegrees(angle) : Angle(angle);
         lens.aspect = aspect;
         lens.nearDistance = nearDistance;
         lens.farDistance = farDistance;
@@ -254,15 +254,14 @@ private:
             fail(call, CallFault::Radians, numberText(angle));
             return {};
         }
-        if (!(lens.verticalFovRadians > 0.0 && lens.verticalFovRadians < kPi))
-            fail(call, Error{ErrorCode::FieldOfViewOutOfRange, lens.verticalFovRadians});
+        if (const double fov = lens.verticalFov.radians.value; !(fov > 0.0 && fov < kPi))
+            fail(call, Error{ErrorCode::FieldOfViewOutOfRange, fov});
         else if (!(std::abs(aspect) > 0.0) || !std::isfinite(aspect))
             fail(call, Error{ErrorCode::AspectNotPositive, aspect});
         if (m_error)
             return {};
-        said = tr("%1: fovy %2°, aspect %3, near %4, far %5", call.written,
-                  numberText(degreesFromRadians(lens.verticalFovRadians)), numberText(aspect), numberText(nearDistance),
-                  numberText(farDistance));
+        said = tr("%1: fovy %2°, aspect %3, near %4, far %5", call.written, numberText(lens.verticalFov.degrees()),
+                  numberText(aspect), numberText(nearDistance), numberText(farDistance));
         if (signature.areDegrees && angle < kPi)
             said += tr(". The angle is in degrees: %1 would be %2° if it were in radians", numberText(angle),
                        numberText(degreesFromRadians(angle)));

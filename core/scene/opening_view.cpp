@@ -24,7 +24,7 @@ double roundedUp(double value)
 
 Projection openingProjection()
 {
-    return Perspective{radiansFromDegrees(45.0), 1.0, 0.1, 100.0};
+    return Perspective{Angle::fromDegrees(45.0), 1.0, 0.1, 100.0};
 }
 
 LookAt openingCamera(const std::vector<SceneObject> &objects, const Surface &surface)
@@ -35,7 +35,7 @@ LookAt openingCamera(const std::vector<SceneObject> &objects, const Surface &sur
                {},
                openingProjection(),
                LookAt{WorldPoint(0.35, 0.25, 1.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
-    home.projection() = withAspect(home.projection(), home.viewport.width / home.viewport.height);
+    home.projection() = withAspect(home.projection(), aspectOf(home.viewport));
     Framing framing(home);
     for (const SceneObject &object : objects) {
         if (!object.isHidden)

@@ -118,7 +118,9 @@ Result<Setup> setupOf(const Scene &scene, const Surface &surface, const Box &rea
         return valid.error();
     Setup setup{surface, viewportIn(scene.viewport, surface), scene.depthRange, *scene.projection, *scene.camera};
     if (scene.projectionFollowsViewport)
-        setup.projection() = withAspect(setup.projection(), setup.viewport.width / setup.viewport.height);
+        setup.projection() = withAspect(setup.projection(), aspectOf(setup.viewport));
+    else if (auto *p = std::get_if<Perspective>(&setup.projection()); p && !hasAspectOf(*p, setup.viewport))
+        p->aspect = p->aspect.value; // the number that the panel shows and that a file has
     if (scene.clipDistancesFitObjects)
         setup.projection() = withFittedClipDistances(setup, boundsOf(scene), reach);
     const Result<Drawable> drawn = drawable(setup);

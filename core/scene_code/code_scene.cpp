@@ -31,7 +31,7 @@ bool hasViewportsAspect(const Setup &setup)
 {
     const auto *lens = std::get_if<Projection>(&setup.lens);
     const auto *perspective = lens ? std::get_if<Perspective>(lens) : nullptr;
-    return perspective && perspective->aspect == setup.viewport.width / setup.viewport.height;
+    return perspective && perspective->aspect.value == aspectOf(setup.viewport).value;
 }
 
 bool isDepthZeroToOne(const Setup &setup)
@@ -76,8 +76,8 @@ glm::dvec3 axisForCode(const glm::dvec3 &axis)
 glm::dmat4 shearOf(const Oblique &oblique)
 {
     glm::dmat4 shear(1.0);
-    shear[2][0] = cotangent(oblique.thetaRadians);
-    shear[2][1] = cotangent(oblique.phiRadians);
+    shear[2][0] = cotangent(oblique.theta);
+    shear[2][1] = cotangent(oblique.phi);
     return shear;
 }
 

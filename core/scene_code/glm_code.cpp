@@ -42,11 +42,11 @@ std::string projection(const Setup &setup)
         }
         std::string operator()(const Perspective &p) const
         {
-            std::string aspect = number(p.aspect);
+            std::string aspect = number(p.aspect.value);
             if (hasViewportsAspect(setup))
                 aspect = "viewport[2] / viewport[3]";
-            return "glm::perspectiveRH_NO(glm::radians(" + number(degreesFromRadians(p.verticalFovRadians)) + "), "
-                   + aspect + ", " + list({p.nearDistance, p.farDistance}, kStyle) + ')';
+            return "glm::perspectiveRH_NO(glm::radians(" + number(p.verticalFov.degrees()) + "), " + aspect + ", "
+                   + list({p.nearDistance, p.farDistance}, kStyle) + ')';
         }
         std::string operator()(const Oblique &o) const { return (*this)(o.box) + "\n        * " + mat4(shearOf(o)); }
     };

@@ -43,10 +43,10 @@ std::string projectionCalls(const Setup &setup)
         std::string operator()(const Ortho &o) const { return call("glOrtho", list(projectionWindow(o), kStyle)); }
         std::string operator()(const Perspective &p) const
         {
-            std::string aspect = number(p.aspect);
+            std::string aspect = number(p.aspect.value);
             if (hasViewportsAspect(setup) && isWholeWindow(setup))
                 aspect = "GLdouble(windowWidth) / windowHeight";
-            return call("gluPerspective", number(degreesFromRadians(p.verticalFovRadians)) + ", " + aspect + ", "
+            return call("gluPerspective", number(p.verticalFov.degrees()) + ", " + aspect + ", "
                                               + list({p.nearDistance, p.farDistance}, kStyle));
         }
         std::string operator()(const Oblique &o) const

@@ -46,7 +46,7 @@ std::string edges(const ProjectionWindow &window, const std::string &from)
 
 std::string shear(const Oblique &o)
 {
-    return "cot_theta, cot_phi = " + list({cotangent(o.thetaRadians), cotangent(o.phiRadians)}, kStyle)
+    return "cot_theta, cot_phi = " + list({cotangent(o.theta), cotangent(o.phi)}, kStyle)
            + "  # of the shear's angles\n";
 }
 
@@ -67,8 +67,8 @@ std::string projection(const Setup &setup)
         std::string operator()(const Ortho &o) const { return edges(projectionWindow(o), "glOrtho") + kOrtho; }
         std::string operator()(const Perspective &p) const
         {
-            return "fovy, aspect, near, far = " + number(degreesFromRadians(p.verticalFovRadians)) + ", "
-                   + (hasViewportsAspect(setup) ? "width / height" : number(p.aspect)) + ", "
+            return "fovy, aspect, near, far = " + number(p.verticalFov.degrees()) + ", "
+                   + (hasViewportsAspect(setup) ? "width / height" : number(p.aspect.value)) + ", "
                    + list({p.nearDistance, p.farDistance}, kStyle)
                    + "  # gluPerspective\n"
                      "top = near * np.tan(np.radians(fovy) / 2)\n"

@@ -50,10 +50,10 @@ std::string projectionCalls(const Setup &setup)
         std::string operator()(const Ortho &o) const { return call("ortho", list(projectionWindow(o), kStyle)); }
         std::string operator()(const Perspective &p) const
         {
-            std::string aspect = number(p.aspect);
+            std::string aspect = number(p.aspect.value);
             if (hasViewportsAspect(setup))
                 aspect = "float(viewportWidth / viewportHeight)";
-            return call("perspective", number(degreesFromRadians(p.verticalFovRadians)) + ", " + aspect + ", "
+            return call("perspective", number(p.verticalFov.degrees()) + ", " + aspect + ", "
                                            + list({p.nearDistance, p.farDistance}, kStyle));
         }
         std::string operator()(const Oblique &o) const

@@ -56,12 +56,11 @@ std::string cameraLines(const Setup &setup)
         }
         std::string operator()(const Perspective &p) const
         {
-            std::string aspect = number(p.aspect);
+            std::string aspect = number(p.aspect.value);
             if (hasViewportsAspect(setup))
                 aspect = "viewport.z / viewport.w";
-            return "export const camera = new THREE.PerspectiveCamera("
-                   + number(degreesFromRadians(p.verticalFovRadians)) + ", " + aspect + ", "
-                   + list({p.nearDistance, p.farDistance}, kStyle) + ");\n";
+            return "export const camera = new THREE.PerspectiveCamera(" + number(p.verticalFov.degrees()) + ", "
+                   + aspect + ", " + list({p.nearDistance, p.farDistance}, kStyle) + ");\n";
         }
         std::string operator()(const Oblique &o) const
         {

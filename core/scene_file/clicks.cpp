@@ -89,10 +89,9 @@ std::optional<ClickedObject> objectOf(const Pick &pick, const Scene &scene)
     if (!pick.object || *pick.object >= scene.objects.size())
         return std::nullopt;
     const SceneObject &object = scene.objects[*pick.object];
-    const glm::dmat4 placement = worldFromObject(object.transform);
+    const PreciseMatrix placement = preciseWorldFromObject(object.transform);
     return ClickedObject{*pick.object, object.name, pointOf(Answers<ObjectSpace>::of([&](Method method) {
-                             const Result<WorldPoint> &point = pick.point.world[method];
-                             return point ? objectFromWorld(placement, *point) : Result<ObjectPoint>(point.error());
+                             return objectPointOf(pick, method, placement);
                          }))};
 }
 
@@ -108,6 +107,8 @@ SceneFile sceneOf(const Pick &pick, const Scene &scene)
     file.viewport = pick.setup.viewport;
     file.aspectFromViewport = false;
     file.ui = {};
+    if (hasAspectOf(pick.setup.projection(), pick.setup.viewport))
+        file.ui.projectionFollowsViewport = false; // though the file may leave the aspect out
     // Landmarks and the followed point do not affect the computation.
     file.landmarks = {};
     file.point.reset();

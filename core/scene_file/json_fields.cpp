@@ -29,11 +29,11 @@ SceneFileError notOneOf(std::span<const char *const> keys)
 
 } // namespace
 
-void FieldReader::angle(const char *degreesKey, const char *radiansKey, double &radians)
+void FieldReader::angle(const char *degreesKey, const char *radiansKey, Angle &angle)
 {
     double degrees = 0.0;
     required(degreesKey, degrees);
-    radians = radiansFromDegrees(degrees);
+    angle = Angle::fromDegrees(degrees);
     m_known.add(radiansKey);
     const JsonNode exactly = m_object.member(radiansKey);
     if (!exactly.exists())
@@ -42,8 +42,8 @@ void FieldReader::angle(const char *degreesKey, const char *radiansKey, double &
     // Other programs may have rewritten the degrees with fewer digits; a different angle is a
     // deliberate change.
     constexpr double kSame = 1e-9;
-    if (std::abs(exact - radians) <= kSame * std::abs(radians)) {
-        radians = exact;
+    if (const double radians = angle.radians.value; std::abs(exact - radians) <= kSame * std::abs(radians)) {
+        angle = exact;
         return;
     }
     SceneFileError error;
@@ -105,13 +105,13 @@ Json FieldReader::takeUnknown()
     return std::move(m_unknown);
 }
 
-void FieldWriter::angle(const char *degreesKey, const char *radiansKey, double radians)
+void FieldWriter::angle(const char *degreesKey, const char *radiansKey, const Angle &angle)
 {
-    const double degrees = degreesFromRadians(radians);
+    const double degrees = angle.degrees();
     required(degreesKey, degrees);
     m_known.add(radiansKey);
-    if (radiansFromDegrees(degrees) != radians)
-        add(radiansKey, jsonNumber(radians));
+    if (Angle::fromDegrees(degrees) != angle)
+        add(radiansKey, jsonNumber(angle.radians.value));
 }
 
 void FieldWriter::add(const char *key, Json &&value)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/angle.h"
 #include "core/scene_file/json_node.h"
 #include "core/scene_file/json_values.h"
 #include "core/text/json_value.h"
@@ -140,9 +141,15 @@ public:
             static_cast<void>(read(member.element(i), values.emplace_back(), how));
     }
 
-    /// Reads an angle, in degrees in JSON. If no number of degrees gives the same radians again,
-    /// the radians have a key of their own beside it.
-    void angle(const char *degreesKey, const char *radiansKey, double &radians);
+    /// Reads an angle, in degrees in JSON. An angle that was given in radians has these under a key
+    /// of their own beside it.
+    void angle(const char *degreesKey, const char *radiansKey, geometry::Angle &angle);
+    void number(const char *key, geometry::DoubleDouble &number)
+    {
+        double value = 0.0;
+        required(key, value);
+        number = value;
+    }
 
     /// Returns whether a member is present, if that decides how to read the others. The key counts
     /// as known in either case.
@@ -280,7 +287,8 @@ public:
             elements.push_back(write(value, how, nullptr));
         add(key, std::move(elements));
     }
-    void angle(const char *degreesKey, const char *radiansKey, double radians);
+    void angle(const char *degreesKey, const char *radiansKey, const geometry::Angle &angle);
+    void number(const char *key, const geometry::DoubleDouble &number) { required(key, number.value); }
     bool has(const char *key, bool isWritten)
     {
         m_known.add(key);

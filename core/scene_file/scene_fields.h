@@ -112,8 +112,8 @@ template <class Fields, Is<geometry::Oblique> T>
 void describe(Fields &json, T &oblique)
 {
     describe(json, oblique.box);
-    json.angle("theta", "thetaRadians", oblique.thetaRadians);
-    json.angle("phi", "phiRadians", oblique.phiRadians);
+    json.angle("theta", "thetaRadians", oblique.theta);
+    json.angle("phi", "phiRadians", oblique.phi);
 }
 
 /// Describes a matrix in the convention of the file's API; the scene stores OpenGL's.
@@ -145,18 +145,19 @@ void describeView(Fields &json, T &eyeFromWorld, geometry::Api api)
     }
 }
 
-/// A perspective may take its aspect from the viewport.
+/// A perspective may take its aspect from the viewport. It does so too where no double gives the
+/// aspect: the viewport's does.
 template <class Fields, Is<geometry::Perspective> T, Is<SceneFile> Scene>
 void describe(Fields &json, T &perspective, Scene &scene)
 {
-    json.angle("fovy", "fovyRadians", perspective.verticalFovRadians);
-    const bool hasAspect = json.has("aspect", !scene.aspectFromViewport);
+    json.angle("fovy", "fovyRadians", perspective.verticalFov);
+    const bool hasAspect = json.has("aspect", !scene.aspectFromViewport && perspective.aspect.rest == 0.0);
     if (hasAspect)
-        json.required("aspect", perspective.aspect);
+        json.number("aspect", perspective.aspect);
     if constexpr (Fields::kReads) {
         scene.aspectFromViewport = !hasAspect;
         if (const geometry::Viewport viewport = setupOf(scene).viewport; !hasAspect)
-            perspective.aspect = viewport.width / viewport.height;
+            perspective.aspect = aspectOf(viewport);
     }
     json.required("near", perspective.nearDistance);
     json.required("far", perspective.farDistance);
@@ -177,7 +178,7 @@ inline const char *keyOf(const geometry::Error &error, const geometry::Projectio
     case geometry::ErrorCode::EmptyImage: return error.value > 0.0 ? "height" : "width";
     case geometry::ErrorCode::ShearAngleOutOfRange: {
         const auto *oblique = std::get_if<geometry::Oblique>(&projection);
-        return oblique && oblique->thetaRadians == error.value ? "theta" : "phi";
+        return oblique && oblique->theta.radians.value == error.value ? "theta" : "phi";
     }
     default: return "near"; // near not above 0, not before far
     }

@@ -16,7 +16,7 @@ namespace {
 glm::dvec3 parallelRay(const Projection &projection)
 {
     if (const auto *oblique = std::get_if<Oblique>(&projection))
-        return {cotangent(oblique->thetaRadians), cotangent(oblique->phiRadians), -1.0};
+        return {cotangent(oblique->theta), cotangent(oblique->phi), -1.0};
     return {0.0, 0.0, -1.0};
 }
 

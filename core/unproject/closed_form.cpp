@@ -10,19 +10,20 @@ using namespace geometry;
 namespace {
 
 using PreciseEye = PrecisePoint<EyeSpace>;
+using PreciseWindow = PrecisePoint<WindowSpace>;
 
 /// Checks the common preconditions: a valid projection and viewport, and a finite position. Returns
 /// the depth in [0, 1].
 Result<DepthShares> checkedDepth(const Projection &projection, const Viewport &viewport, const DepthRange &range,
-                                 const WindowPoint &window)
+                                 const PreciseWindow &window)
 {
     if (const Check valid = check(projection); !valid)
         return valid.error();
     if (const Check valid = check(viewport); !valid)
         return valid.error();
-    if (const auto value = firstNotFinite({window.x, window.y}))
+    if (const auto value = firstNotFinite({window.x.value, window.y.value}))
         return Error{ErrorCode::NotFinite, *value};
-    return depthShares(range, window.z);
+    return depthShares(range, window.z.value);
 }
 
 /// n / z = 1 - d + d n / f: the ratio of the near plane's window to the view volume's section at z.
@@ -38,9 +39,10 @@ DoubleDouble boxDistance(double n, double f, const DepthShares &d)
 
 /// (position - start) (high - low) / size + low: formulas (11), (12) and, except for the factor z /
 /// n, (9), (10).
-DoubleDouble betweenEdges(const DoubleDouble &low, const DoubleDouble &high, double position, double start, double size)
+DoubleDouble betweenEdges(const DoubleDouble &low, const DoubleDouble &high, const DoubleDouble &position, double start,
+                          double size)
 {
-    return (DoubleDouble(position) - start) / size * (high - low) + low;
+    return (position - start) / size * (high - low) + low;
 }
 
 /// Checks for overflow, which parameters at the ends of the range of doubles can cause.
@@ -53,7 +55,7 @@ Result<PreciseEye> finite(const PreciseEye &point)
 
 /// The eye point of a frustum, a perspective or a pinhole.
 Result<PreciseEye> preciseFrustum(const Projection &projection, const Viewport &viewport, const DepthRange &range,
-                                  const WindowPoint &window)
+                                  const PreciseWindow &window)
 {
     const Result<DepthShares> d = checkedDepth(projection, viewport, range, window);
     if (!d)
@@ -70,7 +72,7 @@ Result<PreciseEye> preciseFrustum(const Projection &projection, const Viewport &
 }
 
 Result<PreciseEye> preciseOrtho(const Ortho &ortho, const Viewport &viewport, const DepthRange &range,
-                                const WindowPoint &window)
+                                const PreciseWindow &window)
 {
     const Result<DepthShares> d = checkedDepth(ortho, viewport, range, window);
     if (!d)
@@ -84,7 +86,7 @@ Result<PreciseEye> preciseOrtho(const Ortho &ortho, const Viewport &viewport, co
 }
 
 Result<PreciseEye> preciseOblique(const Oblique &oblique, const Viewport &viewport, const DepthRange &range,
-                                  const WindowPoint &window)
+                                  const PreciseWindow &window)
 {
     if (const Check valid = check(Projection(oblique)); !valid)
         return valid.error();
@@ -92,19 +94,18 @@ Result<PreciseEye> preciseOblique(const Oblique &oblique, const Viewport &viewpo
     if (!inBox)
         return inBox;
     const DoubleDouble z = -inBox->z;
-    return finite({inBox->x + preciseCotangent(oblique.thetaRadians) * z,
-                   inBox->y + preciseCotangent(oblique.phiRadians) * z, -z});
+    return finite({inBox->x + preciseCotangent(oblique.theta) * z, inBox->y + preciseCotangent(oblique.phi) * z, -z});
 }
 
 } // namespace
 
 Result<PreciseEye> preciseEyePoint(const Projection &projection, const Viewport &viewport, const DepthRange &range,
-                                   const WindowPoint &window)
+                                   const PreciseWindow &window)
 {
     struct Visitor {
         const Viewport &viewport;
         const DepthRange &range;
-        const WindowPoint &window;
+        const PreciseWindow &window;
         Result<PreciseEye> operator()(const Frustum &p) const { return preciseFrustum(p, viewport, range, window); }
         Result<PreciseEye> operator()(const Ortho &p) const { return preciseOrtho(p, viewport, range, window); }
         Result<PreciseEye> operator()(const Oblique &p) const { return preciseOblique(p, viewport, range, window); }

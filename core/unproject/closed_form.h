@@ -38,9 +38,8 @@ namespace unprojector::unproject {
 /// Source: Weng et al. 2008, section 3. The paper leaves the sign of z open: it holds for the
 /// distance in front of the eye. It calls the result view-volume coordinates: they are eye
 /// coordinates. For a box it gives x and y only.
-geometry::Result<geometry::PrecisePoint<geometry::EyeSpace>> preciseEyePoint(const geometry::Projection &projection,
-                                                                             const geometry::Viewport &viewport,
-                                                                             const geometry::DepthRange &range,
-                                                                             const geometry::WindowPoint &window);
+geometry::Result<geometry::PrecisePoint<geometry::EyeSpace>>
+preciseEyePoint(const geometry::Projection &projection, const geometry::Viewport &viewport,
+                const geometry::DepthRange &range, const geometry::PrecisePoint<geometry::WindowSpace> &window);
 
 } // namespace unprojector::unproject

@@ -9,10 +9,9 @@ namespace {
 
 using Triple = std::array<Extended, 3>;
 
-Extended angle(double radians)
+Extended extended(const DoubleDouble &number)
 {
-    const DoubleDouble precise = preciseRadians(radians);
-    return Extended(precise.value) + precise.rest;
+    return Extended(number.value) + number.rest;
 }
 
 Triple extended(const Components<3> &v)
@@ -84,8 +83,8 @@ ExactUnprojection::Matrix ExactUnprojection::clipFromEye(const Projection &proje
     Matrix m = extended(glm::dmat4(0.0));
     if (const auto *p = std::get_if<Perspective>(&projection)) {
         const Extended n = p->nearDistance, f = p->farDistance;
-        const Extended cotangent = 1 / tan(angle(p->verticalFovRadians) / 2);
-        m[0][0] = cotangent / p->aspect;
+        const Extended cotangent = 1 / tan(cli::extended(p->verticalFov.radians) / 2);
+        m[0][0] = cotangent / cli::extended(p->aspect);
         m[1][1] = cotangent;
         m[2][2] = -(f + n) / (f - n);
         m[2][3] = -2 * f * n / (f - n);
@@ -126,8 +125,8 @@ ExactUnprojection::Matrix ExactUnprojection::clipFromEye(const Projection &proje
     m[3][3] = 1;
     if (const auto *oblique = std::get_if<Oblique>(&projection)) {
         Matrix shear = extended(glm::dmat4(1.0));
-        shear[0][2] = 1 / tan(angle(oblique->thetaRadians));
-        shear[1][2] = 1 / tan(angle(oblique->phiRadians));
+        shear[0][2] = 1 / tan(cli::extended(oblique->theta.radians));
+        shear[1][2] = 1 / tan(cli::extended(oblique->phi.radians));
         m = product(m, shear);
     }
     return m;

@@ -1,10 +1,8 @@
 #pragma once
 
+#include "core/geometry/precise_matrix.h"
 #include "core/geometry/result.h"
 #include "core/geometry/spaces.h"
-
-#include <glm/mat3x3.hpp>
-#include <glm/mat4x4.hpp>
 
 namespace unprojector::unproject {
 
@@ -13,24 +11,25 @@ class ObjectFromWorld {
 public:
     /// @param worldFromObject  affine
     /// @return NotFinite; SingularMatrix
-    static geometry::Result<ObjectFromWorld> of(const glm::dmat4 &worldFromObject);
+    static geometry::Result<ObjectFromWorld> of(const geometry::PreciseMatrix &worldFromObject);
 
-    /// The solution x of worldFromObject x = world, refined with about 30 digits and rounded once.
+    /// The solution x of worldFromObject x = world, computed with about 30 digits and rounded once.
     /// @return NotFinite; PointAtInfinity if it leaves the range of doubles
-    geometry::Result<geometry::ObjectPoint> at(const geometry::WorldPoint &world) const;
+    geometry::Result<geometry::ObjectPoint> at(const geometry::PrecisePoint<geometry::WorldSpace> &world) const;
     /// The same for a vector, without the translation.
     geometry::Result<geometry::Vector<geometry::ObjectSpace>> at(const geometry::WorldVector &world) const;
 
-private:
-    explicit ObjectFromWorld(const glm::dmat4 &worldFromObject);
-    geometry::Result<glm::dvec3> solved(const glm::dvec3 &world, const glm::dvec3 &translation) const;
+    const geometry::PreciseMatrix &worldFromObject() const { return m_worldFromObject; }
+    const geometry::PreciseMatrix &matrix() const { return m_objectFromWorld; }
 
-    glm::dmat4 m_worldFromObject;
-    glm::dmat3 m_inverse;
+private:
+    explicit ObjectFromWorld(const geometry::PreciseMatrix &worldFromObject);
+
+    geometry::PreciseMatrix m_worldFromObject, m_objectFromWorld;
 };
 
 /// ObjectFromWorld::of and at, for a single point.
-geometry::Result<geometry::ObjectPoint> objectFromWorld(const glm::dmat4 &worldFromObject,
-                                                        const geometry::WorldPoint &world);
+geometry::Result<geometry::ObjectPoint> objectFromWorld(const geometry::PreciseMatrix &worldFromObject,
+                                                        const geometry::PrecisePoint<geometry::WorldSpace> &world);
 
 } // namespace unprojector::unproject

@@ -22,6 +22,15 @@ Pick refined(Pick pick, const DrawnSurface &surface)
     return pick;
 }
 
+Result<ObjectPoint> objectPointOf(const Pick &pick, Method method, const PreciseMatrix &worldFromObject)
+{
+    const Result<ObjectFromWorld> object = ObjectFromWorld::of(worldFromObject);
+    if (!object)
+        return object.error();
+    const Result<Unprojector> unprojector = Unprojector::of(pick.setup);
+    return unprojector ? unprojector->objectAt(method, pick.window, *object) : unprojector.error();
+}
+
 Result<Pick> pickAt(const Unprojector &unprojector, const PixelClick &click, const SurfaceAt &surfaceAt)
 {
     const Setup &setup = unprojector.setup();

@@ -45,6 +45,12 @@ using SurfaceAt = std::function<DrawnSurface(const geometry::WorldPoint &)>;
 /// @return on a hit the errors of the formulas: DepthOutsideRange, PointAtInfinity
 geometry::Result<Pick> pickAt(const Unprojector &unprojector, const PixelClick &click, const SurfaceAt &surfaceAt = {});
 
+/// A pick's point by one method in the space of an object. The formula's world point is not rounded
+/// before.
+/// @return the errors of the method, of ObjectFromWorld::of and at
+geometry::Result<geometry::ObjectPoint> objectPointOf(const Pick &pick, Method method,
+                                                      const geometry::PreciseMatrix &worldFromObject);
+
 /// The pick with a ray's data on its surface: the triangle. Changes only the uncertainty of a hit.
 Pick refined(Pick pick, const DrawnSurface &surface);
 

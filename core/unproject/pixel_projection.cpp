@@ -47,9 +47,9 @@ Result<PixelProjection> PixelProjection::of(const Setup &setup, const BatchSpace
     result.m_surface = setup.surface;
     result.m_depthRange = setup.depthRange;
     result.m_clipMagnitudes = magnitudes(clipFromEye(setup).value());
-    result.m_eyeMagnitudes = space.kind == BatchSpace::Kind::Eye
-                                 ? glm::dmat4(1.0)
-                                 : viewMagnitudes(eyeFromWorld(setup).value()) * magnitudes(space.worldFromObject);
+    result.m_eyeMagnitudes = space.kind == BatchSpace::Kind::Eye ? glm::dmat4(1.0)
+                                                                 : viewMagnitudes(eyeFromWorld(setup).value())
+                                                                       * magnitudes(space.worldFromObject.rounded());
     return result;
 }
 
@@ -57,7 +57,7 @@ PixelProjection::Point PixelProjection::at(const glm::dvec3 &point) const
 {
     const PreciseStages way = m_space.kind == BatchSpace::Kind::Eye
                                   ? m_way.fromEye(precise(point))
-                                  : m_way.fromWorld(geometry::product(m_space.worldFromObject, precise(point)));
+                                  : m_way.fromWorld(m_space.worldFromObject.at(point));
     const glm::dvec4 eye(way.eye[0].value, way.eye[1].value, way.eye[2].value, 1.0);
     const glm::dvec4 clip(way.clip[0].value, way.clip[1].value, way.clip[2].value, way.clip[3].value);
     const double depth =

@@ -8,6 +8,15 @@
 
 namespace unprojector::unproject {
 using namespace geometry;
+namespace {
+
+template <class Space>
+Result<Point<Space>> rounded(const Result<PrecisePoint<Space>> &point)
+{
+    return point ? Result<Point<Space>>(point->rounded()) : point.error();
+}
+
+} // namespace
 
 template <class Space>
 Unprojector::Inverses<Space> Unprojector::Inverses<Space>::of(const Result<glm::dmat4> &clipFromSpace,
@@ -21,10 +30,10 @@ Unprojector::Inverses<Space> Unprojector::Inverses<Space>::of(const Result<glm::
 }
 
 template <class Space>
-Result<Point<Space>> Unprojector::Inverses<Space>::at(Method method, const WindowPoint &window) const
+Result<Point<Space>> Unprojector::Inverses<Space>::at(Method method, const PreciseWindow &window) const
 {
     const auto by = [&](const auto &inverse) -> Result<Point<Space>> {
-        return inverse ? inverse->at(window) : inverse.error();
+        return inverse ? inverse->at(window.rounded()) : inverse.error();
     };
     return method == Method::MatrixInFloat ? by(inFloat) : by(inDouble);
 }
@@ -46,53 +55,56 @@ Result<Unprojector> Unprojector::of(const Setup &setup)
     return Unprojector(setup);
 }
 
-Result<PrecisePoint<EyeSpace>> Unprojector::preciseEyeAt(const WindowPoint &window) const
+Result<PrecisePoint<EyeSpace>> Unprojector::preciseEyeAt(const PreciseWindow &window) const
 {
     return std::visit(
         [&](const auto &lens) { return preciseEyePoint(lens, m_setup.viewport, m_setup.depthRange, window); },
         m_setup.lens);
 }
 
-Result<WorldPoint> Unprojector::worldByFormula(const Result<PrecisePoint<EyeSpace>> &eye) const
+Result<PrecisePoint<WorldSpace>> Unprojector::worldByFormula(const Result<PrecisePoint<EyeSpace>> &eye) const
 {
+    using World = Result<PrecisePoint<WorldSpace>>;
     if (!eye)
         return eye.error();
-    const Result<WorldPoint> world = m_frame ? Result<WorldPoint>(worldFromEye(*m_frame, *eye))
-                                             : worldFromEye(std::get<glm::dmat4>(m_setup.pose), *eye);
-    if (world && !isFinite(*world))
+    const World world = m_frame ? World(preciseWorldFromEye(*m_frame, *eye))
+                                : preciseWorldFromEye(std::get<glm::dmat4>(m_setup.pose), *eye);
+    if (world && !isFinite(world->rounded()))
         return Error{ErrorCode::PointAtInfinity};
     return world;
 }
 
-Result<EyePoint> Unprojector::eyeAt(Method method, const WindowPoint &window) const
+Result<EyePoint> Unprojector::eyeAt(Method method, const PreciseWindow &window) const
 {
     if (method != Method::Formula)
         return m_eye.at(method, window);
-    const Result<PrecisePoint<EyeSpace>> eye = preciseEyeAt(window);
-    if (!eye)
-        return eye.error();
-    return eye->rounded();
+    return rounded(preciseEyeAt(window));
 }
 
-Result<WorldPoint> Unprojector::worldAt(Method method, const WindowPoint &window) const
+Result<WorldPoint> Unprojector::worldAt(Method method, const PreciseWindow &window) const
 {
     if (method != Method::Formula)
         return m_world.at(method, window);
-    return worldByFormula(preciseEyeAt(window));
+    return rounded(worldByFormula(preciseEyeAt(window)));
 }
 
-Unprojected Unprojector::at(const WindowPoint &window) const
+Result<ObjectPoint> Unprojector::objectAt(Method method, const PreciseWindow &window,
+                                          const ObjectFromWorld &object) const
+{
+    const auto placed = [&object](const auto &world) {
+        return world ? object.at(*world) : Result<ObjectPoint>(world.error());
+    };
+    return method == Method::Formula ? placed(worldByFormula(preciseEyeAt(window))) : placed(worldAt(method, window));
+}
+
+Unprojected Unprojector::at(const PreciseWindow &window) const
 {
     const Result<PrecisePoint<EyeSpace>> precise = preciseEyeAt(window); // shared by both spaces
     return {Answers<EyeSpace>::of([&](Method method) -> Result<EyePoint> {
-                if (method != Method::Formula)
-                    return eyeAt(method, window);
-                if (!precise)
-                    return precise.error();
-                return precise->rounded();
+                return method == Method::Formula ? rounded(precise) : eyeAt(method, window);
             }),
             Answers<WorldSpace>::of([&](Method method) {
-                return method == Method::Formula ? worldByFormula(precise) : worldAt(method, window);
+                return method == Method::Formula ? rounded(worldByFormula(precise)) : worldAt(method, window);
             })};
 }
 

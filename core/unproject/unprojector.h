@@ -3,6 +3,7 @@
 #include "core/geometry/setup.h"
 #include "core/unproject/answers.h"
 #include "core/unproject/matrix_inverse.h"
+#include "core/unproject/object_from_world.h"
 
 #include <glm/mat4x4.hpp>
 
@@ -27,18 +28,23 @@ public:
 
     const geometry::Setup &setup() const { return m_setup; }
 
+    /// A window position, rounded or not. A matrix takes it rounded.
+    using PreciseWindow = geometry::PrecisePoint<geometry::WindowSpace>;
+
     /// The point at a window position by every method.
-    Unprojected at(const geometry::WindowPoint &window) const;
+    Unprojected at(const PreciseWindow &window) const;
     /// The same by one method in one space, for tables.
-    geometry::Result<geometry::EyePoint> eyeAt(Method method, const geometry::WindowPoint &window) const;
-    geometry::Result<geometry::WorldPoint> worldAt(Method method, const geometry::WindowPoint &window) const;
+    geometry::Result<geometry::EyePoint> eyeAt(Method method, const PreciseWindow &window) const;
+    geometry::Result<geometry::WorldPoint> worldAt(Method method, const PreciseWindow &window) const;
+    /// The same in an object's space. The formula's world point is not rounded before.
+    geometry::Result<geometry::ObjectPoint> objectAt(Method method, const PreciseWindow &window,
+                                                     const ObjectFromWorld &object) const;
 
 private:
     explicit Unprojector(const geometry::Setup &setup);
 
-    geometry::Result<geometry::PrecisePoint<geometry::EyeSpace>>
-    preciseEyeAt(const geometry::WindowPoint &window) const;
-    geometry::Result<geometry::WorldPoint>
+    geometry::Result<geometry::PrecisePoint<geometry::EyeSpace>> preciseEyeAt(const PreciseWindow &window) const;
+    geometry::Result<geometry::PrecisePoint<geometry::WorldSpace>>
     worldByFormula(const geometry::Result<geometry::PrecisePoint<geometry::EyeSpace>> &eye) const;
     template <class Space>
     struct Inverses {
@@ -46,7 +52,7 @@ private:
         geometry::Result<MatrixInverse<Space, float>> inFloat;
 
         static Inverses of(const geometry::Result<glm::dmat4> &clipFromSpace, const geometry::Setup &setup);
-        geometry::Result<geometry::Point<Space>> at(Method method, const geometry::WindowPoint &window) const;
+        geometry::Result<geometry::Point<Space>> at(Method method, const PreciseWindow &window) const;
     };
 
     geometry::Setup m_setup;

@@ -91,11 +91,9 @@ void ComparisonModel::addRows(const QString &name, const Answers<OfPoint> &point
 
 void ComparisonModel::addObjectRows(const Pick &pick, const std::optional<MeshPoint> &onMesh)
 {
-    const auto point = Answers<ObjectSpace>::of([&](Method method) -> Result<ObjectPoint> {
-        const Result<WorldPoint> &world = pick.point.world[method];
-        return world ? objectFromWorld(m_kept.placement, *world) : Result<ObjectPoint>(world.error());
-    });
-    const glm::dmat3 map = glm::inverse(glm::dmat3(m_kept.placement));
+    const auto point =
+        Answers<ObjectSpace>::of([&](Method method) { return objectPointOf(pick, method, m_kept.placement); });
+    const glm::dmat3 map = glm::inverse(glm::dmat3(m_kept.placement.rounded()));
     std::optional<MeshPoint> inObject;
     if (onMesh) {
         if (const Result<ObjectPoint> at = objectFromWorld(m_kept.placement, worldPoint(onMesh->at)))

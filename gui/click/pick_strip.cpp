@@ -113,7 +113,7 @@ void PickStrip::setPick(const KeptPick &kept, const std::optional<WorldPoint> &p
     m_texts[Pixel] = [pixel = pick.devicePixel](int) {
         return bracketed({QString::number(pixel.i), QString::number(pixel.j)});
     };
-    const Result<Pipeline> matrices = pipeline(pick.setup, kept.placement);
+    const Result<Pipeline> matrices = pipeline(pick.setup, kept.placement.rounded());
     if (!matrices) {
         showTexts();
         return;

@@ -101,8 +101,8 @@ std::optional<PointIn> pointNow(const SceneDocument &document)
     if (!point)
         return std::nullopt;
     Measured<WorldPoint> world{*point, pickedUncertainty(kept)};
-    if (const glm::dmat4 placement = placementOf(*kept.pick, document.objects()); placement != kept.placement) {
-        const glm::dmat4 moved = placement * glm::inverse(kept.placement);
+    if (const PreciseMatrix placement = placementOf(*kept.pick, document.objects()); placement != kept.placement) {
+        const glm::dmat4 moved = placement.rounded() * glm::inverse(kept.placement.rounded());
         world = {WorldPoint(glm::dvec3(moved * glm::dvec4(point->coordinates(), 1.0))),
                  mapped(glm::dmat3(moved), world.uncertainty)};
     }
@@ -214,8 +214,7 @@ void addProjectionChanges(QStringList &changes, const Projection &then, const Pr
     if (obliqueThen && obliqueNow) {
         addChange(changes, Texts::tr("Shear angles"), *obliqueThen, *obliqueNow, [](const Oblique &o, int digits) {
             return QStringLiteral("θ %1°, φ %2°")
-                .arg(number(degreesFromRadians(o.thetaRadians), digits),
-                     number(degreesFromRadians(o.phiRadians), digits));
+                .arg(number(o.theta.degrees(), digits), number(o.phi.degrees(), digits));
         });
     }
     addChange(changes, Texts::tr("Skew"), from.skew, to.skew, number);

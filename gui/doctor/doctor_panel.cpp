@@ -357,7 +357,7 @@ void DoctorPanel::mark()
             WrongPointMark mark{WorldPoint(glm::dvec3(worldFromSpace * glm::dvec4(point.got, 1.0))), std::nullopt};
             if (point.depth && unprojector) {
                 const auto right =
-                    unprojector->worldAt(Method::Formula, windowFromDevice(own->surface, point.pixel, *point.depth));
+                    unprojector->worldAt(Method::Formula, preciseWindowFromDevice(own->surface, point.pixel, *point.depth));
                 if (right)
                     mark.right = *right;
             } else if (rays) {

@@ -39,7 +39,7 @@ bool isNearlySame(const Projection &a, const Projection &b)
         return false;
     if (const auto *sheared = std::get_if<Oblique>(&a)) {
         const auto &other = std::get<Oblique>(b);
-        if (sheared->thetaRadians != other.thetaRadians || sheared->phiRadians != other.phiRadians)
+        if (sheared->theta != other.theta || sheared->phi != other.phi)
             return false;
     }
     const ProjectionWindow v = projectionWindow(a), w = projectionWindow(b);

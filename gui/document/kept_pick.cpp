@@ -68,10 +68,10 @@ MetPlace metPlace(const ray::SceneHit &hit, const std::vector<SceneObject> &clic
 
 } // namespace
 
-glm::dmat4 placementOf(const Pick &pick, const std::vector<SceneObject> &objects)
+PreciseMatrix placementOf(const Pick &pick, const std::vector<SceneObject> &objects)
 {
     const SceneObject *object = objectOf(pick, objects);
-    return object ? worldFromObject(object->transform) : glm::dmat4(1.0);
+    return object ? preciseWorldFromObject(object->transform) : PreciseMatrix();
 }
 
 SinceClick sinceClick(const KeptPick &kept, const Scene &scene, const Setup &setup)

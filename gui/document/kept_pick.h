@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/precise_matrix.h"
 #include "gui/document/picked_ray.h"
 
 #include <cstdint>
@@ -21,10 +22,10 @@ struct RayScene {
 /// A pick with everything that belongs to it.
 struct KeptPick {
     std::optional<unproject::Pick> pick = {};
-    glm::dmat4 placement{1.0};             ///< worldFromObject of its object at the click
-    PickedRay ray = {};                    ///< meaningful with a pick
-    std::optional<RayScene> rayScene = {}; ///< at the click, until the ray is answered
-    std::uint64_t click = 0;               ///< identifies a click within the document
+    geometry::PreciseMatrix placement = {}; ///< worldFromObject of its object at the click
+    PickedRay ray = {};                     ///< meaningful with a pick
+    std::optional<RayScene> rayScene = {};  ///< at the click, until the ray is answered
+    std::uint64_t click = 0;                ///< identifies a click within the document
 };
 
 /// Changes of the scene and its view since the click.
@@ -38,7 +39,7 @@ struct SinceClick {
 };
 
 /// worldFromObject of the pick's object, the identity if it has none.
-glm::dmat4 placementOf(const unproject::Pick &pick, const std::vector<scene::SceneObject> &objects);
+geometry::PreciseMatrix placementOf(const unproject::Pick &pick, const std::vector<scene::SceneObject> &objects);
 
 /// Compares a pick with the current scene. @param scene, setup  the current ones
 SinceClick sinceClick(const KeptPick &kept, const scene::Scene &scene, const geometry::Setup &setup);

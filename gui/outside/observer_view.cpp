@@ -50,7 +50,7 @@ ObserverView::ObserverView(SceneDocument &document, QWidget *parent)
     setAccessibleName(tr("Observer view"));
     setAccessibleDescription(
         tr("The camera and its view volume from outside. Arrow keys turn the view, plus and minus zoom, F fits it."));
-    m_observer.projection() = Perspective{radiansFromDegrees(35.0), 1.0, 0.1, 100.0};
+    m_observer.projection() = Perspective{Angle::fromDegrees(35.0), 1.0, 0.1, 100.0};
 
     // A hidden view is notified as well, but draws nothing.
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
@@ -122,8 +122,7 @@ void ObserverView::updateSurface()
         return;
     m_observer.surface = surface;
     m_observer.viewport = wholeSurface(surface);
-    m_observer.projection() =
-        withAspect(m_observer.projection(), m_observer.viewport.width / m_observer.viewport.height);
+    m_observer.projection() = withAspect(m_observer.projection(), aspectOf(m_observer.viewport));
     if (!m_isTouched)
         m_isPlaced = false;
 }

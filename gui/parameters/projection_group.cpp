@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 namespace unprojector::gui {
@@ -87,47 +88,85 @@ ProjectionGroup::ProjectionGroup(SceneDocument &document, QWidget *parent)
     });
 }
 
-double *ProjectionGroup::numberIn(Projection &projection, Number number)
+/// Calls a function with the member of a projection for a number, if it has one: a double, an
+/// angle or an aspect. A pinhole has only near and far.
+template <class AnyProjection, class Use>
+void ProjectionGroup::withNumber(AnyProjection &projection, Number number, const Use &use)
 {
-    const auto inBox = [number](auto &box) -> double * {
+    const auto inBox = [&](auto &box) {
         switch (number) {
-        case Number::Left: return &box.left;
-        case Number::Right: return &box.right;
-        case Number::Bottom: return &box.bottom;
-        case Number::Top: return &box.top;
-        case Number::Near: return &box.nearDistance;
-        case Number::Far: return &box.farDistance;
+        case Number::Left: return use(box.left);
+        case Number::Right: return use(box.right);
+        case Number::Bottom: return use(box.bottom);
+        case Number::Top: return use(box.top);
+        case Number::Near: return use(box.nearDistance);
+        case Number::Far: return use(box.farDistance);
         case Number::Skew:
-            if constexpr (requires { box.skew; })
-                return box.skew != 0.0 ? &box.skew : nullptr;
-            break;
+            if constexpr (requires { box.skew; }) {
+                if (box.skew != 0.0)
+                    use(box.skew);
+            }
+            return;
         case Number::Fovy:
         case Number::Aspect:
         case Number::Theta:
         case Number::Phi: break;
         }
-        return nullptr;
     };
     if (auto *pinhole = std::get_if<Pinhole>(&projection)) {
-        if (number == Number::Near || number == Number::Far)
-            return number == Number::Near ? &pinhole->nearDistance : &pinhole->farDistance;
-        projection = frustumFromPinhole(*pinhole);
+        if (number == Number::Near)
+            use(pinhole->nearDistance);
+        else if (number == Number::Far)
+            use(pinhole->farDistance);
+        return;
     }
     if (auto *frustum = std::get_if<Frustum>(&projection))
         return inBox(*frustum);
     if (auto *box = std::get_if<Ortho>(&projection))
         return inBox(*box);
     if (auto *oblique = std::get_if<Oblique>(&projection)) {
-        if (isAngle(number) && number != Number::Fovy)
-            return number == Number::Theta ? &oblique->thetaRadians : &oblique->phiRadians;
-        return inBox(oblique->box);
+        switch (number) {
+        case Number::Theta: return use(oblique->theta);
+        case Number::Phi: return use(oblique->phi);
+        default: return inBox(oblique->box);
+        }
     }
     auto &perspective = std::get<Perspective>(projection);
-    return number == Number::Fovy     ? &perspective.verticalFovRadians
-           : number == Number::Aspect ? &perspective.aspect
-           : number == Number::Near   ? &perspective.nearDistance
-           : number == Number::Far    ? &perspective.farDistance
-                                      : nullptr;
+    switch (number) {
+    case Number::Fovy: return use(perspective.verticalFov);
+    case Number::Aspect: return use(perspective.aspect);
+    case Number::Near: return use(perspective.nearDistance);
+    case Number::Far: return use(perspective.farDistance);
+    default: return;
+    }
+}
+
+std::optional<double> ProjectionGroup::numberIn(const Projection &projection, Number number)
+{
+    if (const auto *pinhole = std::get_if<Pinhole>(&projection))
+        return numberIn(frustumFromPinhole(*pinhole), number);
+    struct Shown {
+        double operator()(double value) const { return value; }
+        double operator()(const DoubleDouble &value) const { return value.value; }
+        double operator()(const Angle &angle) const { return angle.degrees(); }
+    };
+    std::optional<double> shown;
+    withNumber(projection, number, [&shown](const auto &member) { shown = Shown()(member); });
+    return shown;
+}
+
+void ProjectionGroup::setNumber(Projection &projection, Number number, double value)
+{
+    const auto set = [value](auto &member) {
+        if constexpr (std::is_same_v<std::remove_reference_t<decltype(member)>, Angle>)
+            member = Angle::fromDegrees(value);
+        else
+            member = value;
+    };
+    const auto *pinhole = std::get_if<Pinhole>(&projection);
+    if (pinhole && number != Number::Near && number != Number::Far)
+        projection = frustumFromPinhole(*pinhole);
+    withNumber(projection, number, set);
 }
 
 bool ProjectionGroup::isAngle(Number number)
@@ -144,20 +183,10 @@ void ProjectionGroup::addNumber(Number number, const QString &name, const QStrin
                                                     : eyeUnits();
     NumberField *field =
         addField(row, {}, unit,
-                 {name, help,
-                  [number](const Scene &scene) -> std::optional<double> {
-                      Projection projection = scene.projection;
-                      const double *value = numberIn(projection, number);
-                      if (!value)
-                          return std::nullopt;
-                      return isAngle(number) ? degreesFromRadians(*value) : *value;
-                  },
+                 {name, help, [number](const Scene &scene) { return numberIn(scene.projection, number); },
                   [number](Scene &scene, double value) {
                       Projection projection = scene.projection;
-                      double *place = numberIn(projection, number);
-                      if (!place)
-                          return;
-                      *place = isAngle(number) ? radiansFromDegrees(value) : value;
+                      setNumber(projection, number, value);
                       scene.projection = projection;
                       // A number that follows something else would be reset at once.
                       if (number == Number::Left || number == Number::Right || number == Number::Aspect)
@@ -247,10 +276,8 @@ void ProjectionGroup::showScene()
     m_hasSkew = hasSkew;
     heading().setHelp(helpAnchorOf(kind));
     restoreFields();
-    for (const Row &row : m_rows) {
-        Projection projection = scene.projection;
-        row.row->setVisible(numberIn(projection, row.number) != nullptr);
-    }
+    for (const Row &row : m_rows)
+        row.row->setVisible(numberIn(scene.projection, row.number).has_value());
     m_followsViewport->setText(kind == ProjectionKind::Perspective ? tr("Aspect follows the viewport")
                                                                    : tr("Keep proportions"));
 }

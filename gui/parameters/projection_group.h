@@ -20,9 +20,12 @@ protected:
 
 private:
     enum class Number { Left, Right, Bottom, Top, Skew, Near, Far, Fovy, Aspect, Theta, Phi };
-    /// The member of a projection for a number, angles in radians; null if it has none. For an edge
-    /// or the skew, a pinhole becomes its frustum.
-    static double *numberIn(geometry::Projection &projection, Number number);
+    /// A number of a projection, angles in degrees; empty if it has none.
+    static std::optional<double> numberIn(const geometry::Projection &projection, Number number);
+    /// For an edge or the skew, a pinhole becomes its frustum.
+    static void setNumber(geometry::Projection &projection, Number number, double value);
+    template <class AnyProjection, class Use>
+    static void withNumber(AnyProjection &projection, Number number, const Use &use);
     static bool isAngle(Number number);
 
     struct Row {

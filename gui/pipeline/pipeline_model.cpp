@@ -109,7 +109,7 @@ glm::dmat4 PipelineModel::placement() const
     if (!object)
         return glm::dmat4(1.0);
     const KeptPick &kept = m_document.picks().keptPick();
-    return showsClick() && kept.pick->object == object ? kept.placement
+    return showsClick() && kept.pick->object == object ? kept.placement.rounded()
                                                        : worldFromObject(m_document.objects()[*object].transform);
 }
 

@@ -100,8 +100,8 @@ FormulaTerms termsOf(const Pick &pick, const EyePoint &eye, const WorldPoint &wo
     }
     if (oblique) {
         const auto shear = [&terms, z](const char *of, const char *symbol, const char *before, const char *cot,
-                                       double angle, double sheared) {
-            const QString degrees = number(degreesFromRadians(angle));
+                                       const Angle &angle, double sheared) {
+            const QString degrees = number(angle.degrees());
             terms[QLatin1String(of) + QStringLiteral("0")] =
                 scalar(before, Formulas::tr("The point in the box, before the shear, eye units"),
                        sheared - cotangent(angle) * z);
@@ -110,8 +110,8 @@ FormulaTerms termsOf(const Pick &pick, const EyePoint &eye, const WorldPoint &wo
                                          {QStringLiteral("cot %1°").arg(degrees)},
                                          {cotangent(angle)}};
         };
-        shear("x", "cot θ", "x<sub>0</sub>", "cotTheta", oblique->thetaRadians, eye.x);
-        shear("y", "cot φ", "y<sub>0</sub>", "cotPhi", oblique->phiRadians, eye.y);
+        shear("x", "cot θ", "x<sub>0</sub>", "cotTheta", oblique->theta, eye.x);
+        shear("y", "cot φ", "y<sub>0</sub>", "cotPhi", oblique->phi, eye.y);
     }
     return terms;
 }

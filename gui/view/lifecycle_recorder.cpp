@@ -54,14 +54,12 @@ QString projectionCall(const Projection &projection)
         QString operator()(const Ortho &o) const { return orthoCall(o); }
         QString operator()(const Perspective &p) const
         {
-            return call("gluPerspective",
-                        {degreesFromRadians(p.verticalFovRadians), p.aspect, p.nearDistance, p.farDistance});
+            return call("gluPerspective", {p.verticalFov.degrees(), p.aspect.value, p.nearDistance, p.farDistance});
         }
         QString operator()(const Oblique &o) const
         {
             return QStringLiteral("%1, glMultMatrixd(θ = %2°, φ = %3°)")
-                .arg(orthoCall(o.box), writtenText(degreesFromRadians(o.thetaRadians), kDigits),
-                     writtenText(degreesFromRadians(o.phiRadians), kDigits));
+                .arg(orthoCall(o.box), writtenText(o.theta.degrees(), kDigits), writtenText(o.phi.degrees(), kDigits));
         }
     };
     return std::visit(Visitor(), projection);

@@ -59,8 +59,8 @@ glm::dvec3 byUsualFormula(const Setup &g, const WindowPoint &window)
     double x = ((window.x - g.viewport.x) * (w.right - w.left) / g.viewport.width + w.left) * spread;
     double y = ((window.y - g.viewport.y) * (w.top - w.bottom) / g.viewport.height + w.bottom) * spread;
     if (const auto *oblique = std::get_if<Oblique>(&projection)) {
-        x += cotangent(oblique->thetaRadians) * z;
-        y += cotangent(oblique->phiRadians) * z;
+        x += cotangent(oblique->theta) * z;
+        y += cotangent(oblique->phi) * z;
     }
     const EyeFrame frame = eyeFrame(std::get<LookAt>(g.pose)).value();
     return (frame.eye + x * frame.side + y * frame.upward + z * frame.forward).coordinates();

@@ -149,10 +149,11 @@ void TestClicks::everyClickComputedFromItsJsonIsTheSame()
         QVERIFY(isSame(click.eye.surface, again.eye) && isSame(click.world.surface, again.world));
 
         QVERIFY(click.object && click.object->index == 1);
-        const glm::dmat4 placement = worldFromObject(click.scene.objects.at(click.object->index).transform);
+        const auto placement =
+            ObjectFromWorld::of(preciseWorldFromObject(click.scene.objects.at(click.object->index).transform)).value();
+        const Unprojector unprojector = Unprojector::of(setup).value();
         QVERIFY(isSame(click.object->point, Answers<ObjectSpace>::of([&](Method method) {
-                           return again.world[method] ? objectFromWorld(placement, *again.world[method])
-                                                      : Result<ObjectPoint>(again.world[method].error());
+                           return unprojector.objectAt(method, click.window, placement);
                        })));
     }
     QVERIFY2(picks > kScenes * 9 / 10, QByteArray::number(picks));

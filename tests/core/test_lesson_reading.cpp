@@ -314,7 +314,7 @@ void TestLessonReading::aChangeLeavesTheRest()
     camera.eye = WorldPoint(0.1, 1.0 / 3.0, 5.0);
     scene.camera = camera;
     auto perspective = std::get<Perspective>(*scene.projection);
-    perspective.verticalFovRadians = 0.8; // of which degrees have other digits
+    perspective.verticalFov = 0.8; // of which degrees have other digits
     scene.projection = perspective;
     const Setup setup = *setupOf(scene, {800, 600, 1.0}, {});
 

@@ -185,7 +185,8 @@ void TestMatrixProjection::boxesAndShearsAreRecognised()
     const RecognisedProjection sheared = recognised({clipFromEye(oblique).value(), {}}).value();
     const Oblique found = std::get<Oblique>(sheared.parameters);
     QVERIFY(found.box == box);
-    QVERIFY(std::abs(found.thetaRadians - 0.78) <= 4 * kEpsilon && std::abs(found.phiRadians - 2.5) <= 8 * kEpsilon);
+    QVERIFY(std::abs(found.theta.radians.value - 0.78) <= 4 * kEpsilon
+            && std::abs(found.phi.radians.value - 2.5) <= 8 * kEpsilon);
 
     // Direct3D's box, and the same reversed.
     glm::dmat4 zeroToOne = clipFromEye(box).value();

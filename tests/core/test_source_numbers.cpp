@@ -183,8 +183,7 @@ void projectionDerivation()
         row(std::string(id) + " nearz", "5.0", window.nearDistance);
         row(std::string(id) + " farz", "80000", window.farDistance);
         const Projection symmetric = converted(program.setup.projection(), ProjectionKind::Perspective, 5);
-        row(std::string(id) + " angle", "90.0",
-            degreesFromRadians(std::get<Perspective>(symmetric).verticalFovRadians));
+        row(std::string(id) + " angle", "90.0", std::get<Perspective>(symmetric).verticalFov.degrees());
     }
     // Expected by hand for 800 x 600: 1 / tan(ViewAngleV / 2) = 4/3, times AspectRatio = 3/4;
     // -80005/79995; -800000/79995.
@@ -297,7 +296,7 @@ void help()
     // projection-derivation: 90 degrees across at 800 x 600, right / near = 1, top / near = 3 / 4.
     const Projection wide = Frustum{-5, 5, -3.75, 3.75, 5, 80000};
     row("help, the vertical angle to 90 degrees across", "73.74",
-        degreesFromRadians(std::get<Perspective>(converted(wide, ProjectionKind::Perspective, 5)).verticalFovRadians));
+        std::get<Perspective>(converted(wide, ProjectionKind::Perspective, 5)).verticalFov.degrees());
     // x + y = 1 under glScale(2, 1, 1): (1/2, 1, 0) of length 1, and not (2, 1, 0).
     const LookAt camera{WorldPoint(8, 8, 0), WorldPoint(1, 0.5, 0), {0, 0, 1}};
     const auto hit = hitOn({{0, 1, -5}, {1, 0, -5}, {1, 0, 5}, {0, 1, 5}}, {Scale{{2, 1, 1}}},

@@ -1,12 +1,15 @@
 // Both unprojections against an independent oracle of 50 digits, over thousands of random cameras.
 // Agreement of the two would not do: they start from the same window point.
 
+#include "core/geometry/transform.h"
+#include "core/unproject/batch/click_batch.h"
 #include "core/unproject/closed_form.h"
 #include "core/unproject/matrix_inverse.h"
 #include "tests/support/core_scene.h"
 #include "tests/support/unprojecting.h"
 
 #include <QTest>
+#include <boost/math/constants/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
@@ -148,6 +151,8 @@ private slots:
     void literalPixels();
     void unitsInTheLastPlace_data();
     void unitsInTheLastPlace();
+    void theNearestDoubleToWhatTheUserWrote_data() { addKinds(); }
+    void theNearestDoubleToWhatTheUserWrote();
 };
 
 /// Checks the oracle itself against figures that a reader can verify.
@@ -461,6 +466,108 @@ void TestUnprojectOracle::unitsInTheLastPlace()
               percentile(*errors, 0.99), percentile(*errors, 0.9999), errors->back());
     }
     QVERIFY(closedForm.back() <= kUlps);
+}
+
+namespace {
+
+/// glTranslate, glRotate, glScale, and its inverse from the reference pages with 50 digits.
+struct Placed {
+    Translate translate;
+    Rotate rotate;
+    Scale scale;
+
+    static Placed randomly(oracle::Random &random, double reach)
+    {
+        const auto three = [&](double low, double high) {
+            return glm::dvec3(random.uniform(low, high), random.uniform(low, high), random.uniform(low, high));
+        };
+        const glm::dvec3 factors(random.logUniform(1e-6, 1e6), random.logUniform(1e-6, 1e6),
+                                 random.logUniform(1e-6, 1e6));
+        return {{three(-reach, reach)}, {random.uniform(-180.0, 180.0), three(-1.0, 1.0)}, {factors}};
+    }
+
+    PreciseMatrix worldFromObject() const { return preciseWorldFromObject({translate, rotate, scale}); }
+
+    oracle::Vector3 objectFromWorld(const oracle::Vector3 &world) const
+    {
+        const oracle::Vector3 d = oracle::difference(world, oracle::extended(translate.offset));
+        oracle::Vector3 axis = oracle::extended(rotate.axis);
+        const Extended size = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+        for (Extended &component : axis)
+            component /= size;
+        // Rodrigues' formula, turned back.
+        const Extended angle = -Extended(rotate.degrees) * boost::math::constants::pi<Extended>() / 180;
+        const Extended along = axis[0] * d[0] + axis[1] * d[1] + axis[2] * d[2];
+        const oracle::Vector3 factors = oracle::extended(scale.factors);
+        oracle::Vector3 object;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+            const Extended crossed = axis[i] * d[j] - axis[j] * d[i];
+            object[k] = (d[k] * cos(angle) + crossed * sin(angle) + axis[k] * along * (1 - cos(angle))) / factors[k];
+        }
+        return object;
+    }
+};
+
+/// The error in units in the last place of the largest component.
+double ulpsOff(const std::array<double, 3> &point, const oracle::Vector3 &truth)
+{
+    const double largest = static_cast<double>(oracle::maxNorm(truth));
+    const Extended ulp = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+    return relativeError(WorldPoint(point[0], point[1], point[2]), truth, ulp);
+}
+
+} // namespace
+
+/// Rows of a table in eye, world and object space. Positions lie anywhere, angles are degrees with
+/// all the digits of a double, the aspect is the viewport's, and the object is turned and scaled.
+void TestUnprojectOracle::theNearestDoubleToWhatTheUserWrote()
+{
+    QFETCH(RandomKind, kind);
+    QFETCH(quint64, seed);
+    constexpr double kHalf = 0.5 + 1e-9;
+    oracle::Random random(seed);
+    const std::array<const char *, 3> names{"eye", "world", "object"};
+    std::array<double, 3> worst{};
+    for (int count = 0; count < kScenesPerKind; ++count) {
+        const double nearDistance = random.logUniform(0.01, 10.0);
+        SceneLimits limits = oracle::everydayScenes(nearDistance, nearDistance * random.logUniform(2.0, 1e6));
+        limits.plainTarget = count % 2 == 0;
+        oracle::Scene s = oracle::randomScene(random, kind, limits);
+        oracle::Projection &p = s.projection;
+        p.areDegrees = true;
+        p.verticalFovRadians = count % 3 == 0 ? random.integer(1, 1790) / 10.0 : random.uniform(0.1, 179.9);
+        p.thetaRadians = random.uniform(1.0, 179.0);
+        p.phiRadians = random.uniform(1.0, 179.0);
+        p.aspect = s.target.width;
+        p.aspectHeight = s.target.height;
+        const oracle::Oracle exact(s.view, p, s.target);
+        const Setup setup = oracle::corePicture(s);
+        const Placed placed = Placed::randomly(random, 10.0 * nearDistance);
+        const std::array<BatchSpace, 3> spaces{BatchSpace{BatchSpace::Kind::Eye, {}},
+                                               BatchSpace{BatchSpace::Kind::World, {}},
+                                               BatchSpace{BatchSpace::Kind::Object, placed.worldFromObject()}};
+        for (int n = 0; n < kClicksPerScene; ++n) {
+            const double depth = oracle::randomClick(random, s.target)[2];
+            double px = random.uniform(0.0, s.target.width), py = random.uniform(0.0, s.target.height);
+            if (n % 2 == 0) { // as a table prints them
+                px = std::round(1000.0 * px) / 1000.0;
+                py = std::round(1000.0 * py) / 1000.0;
+            }
+            const oracle::Vector3 window{Extended(px), Extended(setup.surface.heightPixels) - py, Extended(depth)};
+            const oracle::Vector3 world = exact.worldAt(window);
+            const std::array<oracle::Vector3, 3> truth{exact.eyeAt(window), world, placed.objectFromWorld(world)};
+            for (std::size_t k = 0; k < spaces.size(); ++k) {
+                std::array<double, 3> point{};
+                ClickBatch::of(Method::Formula, setup, spaces[k])
+                    .value()({&px, &py, &depth}, {&point[0], &point[1], &point[2]}, 1);
+                worst[k] = std::max(worst[k], ulpsOff(point, truth[k]));
+            }
+        }
+    }
+    for (std::size_t k = 0; k < names.size(); ++k)
+        qInfo("%s: worst of %d points: %.9f ulp", names[k], kScenesPerKind * kClicksPerScene, worst[k]);
+    QVERIFY(*std::max_element(worst.begin(), worst.end()) <= kHalf);
 }
 
 QTEST_GUILESS_MAIN(TestUnprojectOracle)

@@ -161,8 +161,9 @@ void TestWayForward::matrices()
 void TestWayForward::anglesInDegrees_data()
 {
     QTest::addColumn<double>("degrees");
-    for (const double degrees : {179.9, 179.0, 178.56, 120.0, 60.1, 45.0, 1.0, 0.001})
-        QTest::addRow("%g", degrees) << degrees;
+    for (const double degrees :
+         {179.9, 179.0, 178.56, 173.60000000000002, 132.91171418488918, 120.0, 60.1, 45.0, 1.0, 0.001})
+        QTest::addRow("%.17g", degrees) << degrees;
 }
 
 /// A field of view and a shear in degrees: the tangent is computed from the given degrees, not from
@@ -171,16 +172,19 @@ void TestWayForward::anglesInDegrees()
 {
     QFETCH(double, degrees);
     const Extended exact = Extended(degrees) * boost::math::constants::pi<Extended>() / 180;
-    const PreciseEdges edges = preciseEdges(Perspective{radiansFromDegrees(degrees), 1.0, 1.0, 2.0});
+    const PreciseEdges edges = preciseEdges(Perspective{Angle::fromDegrees(degrees), 1.0, 1.0, 2.0});
     const auto isSame = [](const DoubleDouble &number, const Extended &truth) {
         return abs(Extended(number.value) + number.rest - truth) <= 1e-28 * abs(truth);
     };
     QVERIFY(isSame(edges.top, tan(exact / 2)));
-    QVERIFY(isSame(preciseCotangent(radiansFromDegrees(degrees)), 1 / tan(exact)));
-    // Radians that no such degrees give are taken as they are.
-    const double between = std::nextafter(radiansFromDegrees(degrees), 10.0);
-    QCOMPARE(preciseRadians(between).value, between);
-    QCOMPARE(preciseRadians(between).rest, 0.0);
+    QVERIFY(isSame(preciseCotangent(Angle::fromDegrees(degrees)), 1 / tan(exact)));
+    QCOMPARE(Angle::fromDegrees(degrees).degrees(), degrees);
+    // Radians are taken as they are, and shown as the degrees with the fewest digits.
+    const Angle rounded = radiansFromDegrees(degrees);
+    QVERIFY(
+        isSame(preciseEdges(Perspective{rounded, 1.0, 1.0, 2.0}).top, tan(Extended(radiansFromDegrees(degrees)) / 2)));
+    QVERIFY(rounded != Angle::fromDegrees(degrees));
+    QVERIFY(std::abs(rounded.degrees() - degrees) <= 1e-15 * degrees);
 }
 
 void TestWayForward::thePlaneOfTheEye()

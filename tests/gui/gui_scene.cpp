@@ -306,13 +306,13 @@ Ray rayThrough(const Setup &g, const glm::dvec2 &window)
         return {eye + at.x * s + at.y * u, f};
     }
     if (const auto *p = std::get_if<Perspective>(&g.projection())) {
-        const double top = std::tan(p->verticalFovRadians / 2.0), right = top * p->aspect;
+        const double top = std::tan(p->verticalFov.radians.value / 2.0), right = top * p->aspect.value;
         const glm::dvec2 at = inWindow(-right, right, -top, top);
         return {eye, f + at.x * s + at.y * u};
     }
     const auto &p = std::get<Oblique>(g.projection());
     const glm::dvec2 at = inWindow(p.box.left, p.box.right, p.box.bottom, p.box.top);
-    return {eye + at.x * s + at.y * u, f + s / std::tan(p.thetaRadians) + u / std::tan(p.phiRadians)};
+    return {eye + at.x * s + at.y * u, f + s / std::tan(p.theta.radians.value) + u / std::tan(p.phi.radians.value)};
 }
 
 glm::dvec3 onPlane(const Ray &ray, const glm::dvec3 &point, const glm::dvec3 &normal)

@@ -315,7 +315,7 @@ void TestParametersPanel::lookingChangesNothing()
     Scene prepared = startScene();
     perspective(prepared);
     auto perspective = std::get<Perspective>(*prepared.projection);
-    perspective.verticalFovRadians = 0.77777777777777779;
+    perspective.verticalFov = 0.77777777777777779;
     prepared.projection = perspective;
     prepared.camera = {WorldPoint(0.1 + 0.2, 1.0 / 3.0, 1e20 / 3.0), prepared.camera->center, prepared.camera->up};
     prepared.clipPlanes = {{1.0 / 3.0, 0.1 + 0.2, -0.0, 1e-300}};

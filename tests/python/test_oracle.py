@@ -29,7 +29,7 @@ def true_point(camera, px, py, depth):
     top = mp.tan(mp.radians(mp.mpf(fovy)) / 2)
     near, far, depth = mp.mpf(near), mp.mpf(far), mp.mpf(float(depth))
     z = near * far / (far * (1 - depth) + near * depth)
-    x = (2 * mp.mpf(float(px)) / width - 1) * top * mp.mpf(width / height)  # the aspect is a double
+    x = (2 * mp.mpf(float(px)) / width - 1) * top * mp.mpf(width) / height
     y = (1 - 2 * mp.mpf(float(py)) / height) * top
     return [e + z * (f + x * s + y * u) for e, f, s, u in zip(eye, forward, side, upward)]
 
@@ -39,16 +39,15 @@ def cameras():
     for near, far in ((1, 100), (0.1, 10000), (0.001, 1000)):
         for _ in range(4):
             eye, center = generator.normal(scale=10, size=3), generator.normal(size=3)
-            yield tuple(eye), tuple(center), (0, 1, 0), int(generator.integers(20, 120)), near, far, (1920, 1080)
+            yield tuple(eye), tuple(center), (0, 1, 0), float(generator.uniform(20, 120)), near, far, (1920, 1080)
 
 
 @pytest.mark.parametrize("camera", cameras(), ids=lambda c: f"{c[4]} to {c[5]}, {c[3]} degrees")
 def test_points_are_the_doubles_nearest_to_the_truth(camera):
     eye, center, up_, fovy, near, far, size = camera
     setup = up.Setup.perspective(fovy=fovy, near=near, far=far, eye=eye, center=center, up=up_, size=size)
-    generator = np.random.default_rng(fovy)
-    # Positions to 1/1024 of a pixel: the flip of y is then exact.
-    px, py = generator.integers(0, 1024 * size[0], COUNT) / 1024, generator.integers(0, 1024 * size[1], COUNT) / 1024
+    generator = np.random.default_rng(int(fovy))
+    px, py = generator.uniform(0, size[0], COUNT), generator.uniform(0, size[1], COUNT)
     depth = 1 - 10 ** generator.uniform(-7, 0, COUNT)
     points, quick = setup.unproject(px, py, depth), setup.unproject(px, py, depth, exact=False)
     with mp.workdps(60):

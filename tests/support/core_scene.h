@@ -13,6 +13,11 @@ inline unprojector::geometry::LookAt coreView(const View &view)
             {view.up[0], view.up[1], view.up[2]}};
 }
 
+inline unprojector::geometry::Angle coreAngle(double angle, const Projection &p)
+{
+    return p.areDegrees ? unprojector::geometry::Angle::fromDegrees(angle) : unprojector::geometry::Angle(angle);
+}
+
 inline unprojector::geometry::Projection coreProjection(const Projection &p)
 {
     const unprojector::geometry::Ortho box{p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance};
@@ -20,8 +25,11 @@ inline unprojector::geometry::Projection coreProjection(const Projection &p)
     case RandomKind::Frustum:
         return unprojector::geometry::Frustum{p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance};
     case RandomKind::Perspective:
-        return unprojector::geometry::Perspective{p.verticalFovRadians, p.aspect, p.nearDistance, p.farDistance};
-    case RandomKind::Oblique: return unprojector::geometry::Oblique{box, p.thetaRadians, p.phiRadians};
+        return unprojector::geometry::Perspective{coreAngle(p.verticalFovRadians, p),
+                                                  unprojector::geometry::DoubleDouble(p.aspect) / p.aspectHeight,
+                                                  p.nearDistance, p.farDistance};
+    case RandomKind::Oblique:
+        return unprojector::geometry::Oblique{box, coreAngle(p.thetaRadians, p), coreAngle(p.phiRadians, p)};
     case RandomKind::Ortho: break;
     }
     return box;

@@ -1,5 +1,7 @@
 #include "tests/support/oracle.h"
 
+#include <boost/math/constants/constants.hpp>
+
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
@@ -116,6 +118,11 @@ Matrix4 orthoMatrix(const Projection &p)
     }};
 }
 
+Extended radians(double angle, bool isDegrees)
+{
+    return isDegrees ? Extended(angle) * boost::math::constants::pi<Extended>() / 180 : Extended(angle);
+}
+
 } // namespace
 
 Matrix4 lookAtMatrix(const View &view)
@@ -143,9 +150,9 @@ Matrix4 projectionMatrix(const Projection &p)
     case RandomKind::Perspective: {
         // The page of gluPerspective gives its matrix with cot(fovy / 2), not through a frustum.
         const Extended zero = 0, zNear = p.nearDistance, zFar = p.farDistance;
-        const Extended cot = 1 / tan(Extended(p.verticalFovRadians) / 2);
+        const Extended cot = 1 / tan(radians(p.verticalFovRadians, p.areDegrees) / 2);
         return {{
-            {cot / Extended(p.aspect), zero, zero, zero},
+            {cot * p.aspectHeight / p.aspect, zero, zero, zero},
             {zero, cot, zero, zero},
             {zero, zero, (zFar + zNear) / (zNear - zFar), 2 * zFar * zNear / (zNear - zFar)},
             {zero, zero, Extended(-1), zero},
@@ -153,8 +160,8 @@ Matrix4 projectionMatrix(const Projection &p)
     }
     case RandomKind::Oblique: {
         Matrix4 shear = identity();
-        shear[0][2] = 1 / tan(Extended(p.thetaRadians));
-        shear[1][2] = 1 / tan(Extended(p.phiRadians));
+        shear[0][2] = 1 / tan(radians(p.thetaRadians, p.areDegrees));
+        shear[1][2] = 1 / tan(radians(p.phiRadians, p.areDegrees));
         return product(orthoMatrix(p), shear);
     }
     }
@@ -224,6 +231,16 @@ Vector3 Oracle::eyeUnder(const std::array<double, 3> &window) const
 Vector3 Oracle::worldUnder(const std::array<double, 3> &window) const
 {
     return divided(solved(m_windowFromWorld, homogeneous(window)));
+}
+
+Vector3 Oracle::eyeAt(const Vector3 &window) const
+{
+    return divided(solved(m_windowFromEye, {window[0], window[1], window[2], Extended(1)}));
+}
+
+Vector3 Oracle::worldAt(const Vector3 &window) const
+{
+    return divided(solved(m_windowFromWorld, {window[0], window[1], window[2], Extended(1)}));
 }
 
 Extended maxNorm(const Vector3 &v)

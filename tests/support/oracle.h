@@ -24,14 +24,17 @@ struct View {
 
 enum class RandomKind { Frustum, Ortho, Perspective, Oblique };
 
-/// The arguments of glFrustum, glOrtho, gluPerspective (angle in radians) or of a sheared glOrtho.
-/// Arguments that the kind does not have are ignored.
+/// The arguments of glFrustum, glOrtho, gluPerspective or of a sheared glOrtho, as a user writes
+/// them: nothing is rounded that is computed from them. Arguments that the kind does not have are
+/// ignored.
 struct Projection {
     RandomKind kind = RandomKind::Ortho;
     double left = -1.0, right = 1.0, bottom = -1.0, top = 1.0;
     double nearDistance = 1.0, farDistance = 2.0;
     double verticalFovRadians = 1.0, aspect = 1.0;
     double thetaRadians = 1.0, phiRadians = 1.0;
+    bool areDegrees = false;   ///< the angles above
+    double aspectHeight = 1.0; ///< the aspect is aspect / aspectHeight: a viewport's width and height
 };
 
 /// The arguments of glViewport and glDepthRange.
@@ -64,6 +67,8 @@ public:
     /// @param window  origin bottom-left; its depth in the target's depth range
     Vector3 eyeUnder(const std::array<double, 3> &window) const;
     Vector3 worldUnder(const std::array<double, 3> &window) const;
+    Vector3 eyeAt(const Vector3 &window) const;
+    Vector3 worldAt(const Vector3 &window) const;
 
     const Matrix4 &eyeFromWorld() const { return m_eyeFromWorld; }
     const Matrix4 &clipFromEye() const { return m_clipFromEye; }

@@ -9,8 +9,9 @@
 // Shortcuts for a single point of a setup, without preparing an Unprojector.
 
 /// @pre the setup is valid
-inline unprojector::unproject::Unprojected unprojectedAt(const unprojector::geometry::Setup &setup,
-                                                         const unprojector::geometry::WindowPoint &window)
+inline unprojector::unproject::Unprojected
+unprojectedAt(const unprojector::geometry::Setup &setup,
+              const unprojector::unproject::Unprojector::PreciseWindow &window)
 {
     return unprojector::unproject::Unprojector::of(setup).value().at(window);
 }

@@ -13,18 +13,19 @@ using namespace text;
 namespace {
 
 /// A click's point by one method in the requested space.
-Result<glm::dvec3> pointOf(const Unprojected &click, Method method, const BatchSpace &space)
+Result<glm::dvec3> pointOf(const Unprojector &unprojector, const WindowPoint &click, Method method,
+                           const BatchSpace &space)
 {
     const auto coordinates = [](const auto &point) {
         return point ? Result<glm::dvec3>(point->coordinates()) : Result<glm::dvec3>(point.error());
     };
     switch (space.kind) {
-    case BatchSpace::Kind::Eye: return coordinates(click.eye[method]);
-    case BatchSpace::Kind::World: return coordinates(click.world[method]);
+    case BatchSpace::Kind::Eye: return coordinates(unprojector.eyeAt(method, click));
+    case BatchSpace::Kind::World: return coordinates(unprojector.worldAt(method, click));
     case BatchSpace::Kind::Object: break;
     }
-    const Result<WorldPoint> &world = click.world[method];
-    return world ? coordinates(objectFromWorld(space.worldFromObject, *world)) : Result<glm::dvec3>(world.error());
+    const Result<ObjectFromWorld> object = ObjectFromWorld::of(space.worldFromObject);
+    return object ? coordinates(unprojector.objectAt(method, click, *object)) : Result<glm::dvec3>(object.error());
 }
 
 /// The input and result columns of a click.
@@ -63,7 +64,7 @@ public:
         for (const double number : {device.x, device.y, click.window.z})
             m_writer.number(number);
         if (click.hit)
-            write(index, unprojector->at(click.window), *space);
+            write(index, *unprojector, click.window, *space);
         else
             writeBackground(index);
         m_writer.endRow();
@@ -92,11 +93,11 @@ private:
             m_writer.nothing();
     }
 
-    void write(std::size_t index, const Unprojected &click, const BatchSpace &space)
+    void write(std::size_t index, const Unprojector &unprojector, const WindowPoint &click, const BatchSpace &space)
     {
         std::vector<std::optional<glm::dvec3>> points;
         for (const Method method : m_options.methods) {
-            const Result<glm::dvec3> point = pointOf(click, method, space);
+            const Result<glm::dvec3> point = pointOf(unprojector, click, method, space);
             points.push_back(point ? std::optional(*point) : std::nullopt);
             if (!point) {
                 m_hasBad = true;

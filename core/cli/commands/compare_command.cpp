@@ -117,8 +117,8 @@ public:
         if (perspective)
             x -= float(w.skew) * y;
         if (const auto *oblique = std::get_if<Oblique>(&g.projection())) {
-            x += float(cotangent(oblique->thetaRadians)) * z;
-            y += float(cotangent(oblique->phiRadians)) * z;
+            x += float(cotangent(oblique->theta)) * z;
+            y += float(cotangent(oblique->phi)) * z;
         }
         WorldPoint world;
         for (int k = 0; k < 3; ++k) {

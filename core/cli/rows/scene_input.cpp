@@ -144,7 +144,7 @@ std::optional<BatchSpace> batchSpace(const std::string &space, const SceneFile &
 {
     const std::string_view object = "object:";
     if (space == "eye")
-        return BatchSpace{BatchSpace::Kind::Eye, glm::dmat4(1.0)};
+        return BatchSpace{BatchSpace::Kind::Eye, {}};
     if (space == "world")
         return BatchSpace{};
     if (!space.starts_with(object)) {
@@ -154,7 +154,7 @@ std::optional<BatchSpace> batchSpace(const std::string &space, const SceneFile &
     const SceneFileObject *placed = objectNamed(scene, space.substr(object.size()));
     if (placed == nullptr)
         return std::nullopt;
-    return BatchSpace{BatchSpace::Kind::Object, worldFromObject(placed->transform)};
+    return BatchSpace{BatchSpace::Kind::Object, preciseWorldFromObject(placed->transform)};
 }
 
 } // namespace unprojector::cli

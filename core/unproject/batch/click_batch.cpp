@@ -86,8 +86,8 @@ PixelLens pixelLens(const Projection &projection, const Setup &g)
     lens.upY = (top - bottom) / (g.viewport.height * scale);
     lens.skew = skew;
     if (const auto *oblique = std::get_if<Oblique>(&projection)) {
-        lens.aheadX = preciseCotangent(oblique->thetaRadians);
-        lens.aheadY = preciseCotangent(oblique->phiRadians);
+        lens.aheadX = preciseCotangent(oblique->theta);
+        lens.aheadY = preciseCotangent(oblique->phi);
     }
     lens.depthAtNear = g.depthRange.atNear;
     lens.depthAtFar = g.depthRange.atFar;
@@ -129,16 +129,45 @@ PixelLens pixelLens(const MatrixProjection &projection, const Setup &g)
     return lens;
 }
 
-batch::PreciseConstants constantsOf(const PixelLens &lens, const PreciseAxes &axes, const Setup &g)
+/// The eye's position and axes in an object's space.
+PreciseAxes placed(const PreciseAxes &axes, const ObjectFromWorld &object)
+{
+    const auto &origin = object.worldFromObject().columns[3];
+    const DoubleDouble3 fromOrigin{axes.origin[0] - origin[0], axes.origin[1] - origin[1], axes.origin[2] - origin[2]};
+    const PreciseMatrix &m = object.matrix();
+    return {m.turned(fromOrigin), m.turned(axes.x), m.turned(axes.y), m.turned(axes.z)};
+}
+
+/// The sizes of the terms that a target space is computed from.
+struct TermSizes {
+    double origin; ///< of the terms that sum up to the eye's position
+    double axes;   ///< of those that sum up to its axes
+};
+
+TermSizes termSizes(const PreciseAxes &inWorld, const std::optional<ObjectFromWorld> &object)
+{
+    const double largest = std::max({size(inWorld.x), size(inWorld.y), size(inWorld.z)});
+    if (!object)
+        return {size(inWorld.origin), largest};
+    double entries = 0.0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const auto &column = object->matrix().columns[c];
+        entries += size({column[0], column[1], column[2]});
+    }
+    const auto &origin = object->worldFromObject().columns[3];
+    return {entries * (size(inWorld.origin) + size({origin[0], origin[1], origin[2]})), entries * largest};
+}
+
+batch::PreciseConstants constantsOf(const PixelLens &lens, const PreciseAxes &axes, const TermSizes &sizes,
+                                    const Setup &g)
 {
     const DoubleDouble3 across = scaled(axes.x, lens.acrossX);
     const DoubleDouble3 up = scaled(sum(axes.y, scaled(axes.x, -lens.skew)), lens.upY);
     const DoubleDouble3 ahead =
         sum(scaled(axes.z, lens.side), sum(scaled(axes.x, lens.aheadX), scaled(axes.y, lens.aheadY)));
     batch::PreciseConstants c{};
-    c.surfaceHeight = g.surface.heightPixels;
     c.axisX = twofold(lens.axisX);
-    c.axisY = twofold(lens.axisY);
+    c.axisY = twofold(flippedY(g.surface, lens.axisY));
     c.depthAtNear = lens.depthAtNear;
     c.depthAtFar = lens.depthAtFar;
     c.nearTerm = twofold(lens.nearTerm);
@@ -153,25 +182,28 @@ batch::PreciseConstants constantsOf(const PixelLens &lens, const PreciseAxes &ax
         return std::max(std::abs(axis.value - edge), std::abs(axis.value - edge - extent)) + std::abs(edge);
     };
     constexpr double kTiny = 0x1p-900; // below this, products of rests underflow
-    c.acrossSize = size(across);
-    c.upSize = size(up);
-    c.originSize = size(axes.origin) + kTiny;
-    c.reach = size(ahead) + std::abs(lens.aheadX.value) + std::abs(lens.aheadY.value)
-              + c.acrossSize * fromEdge(lens.axisX, g.viewport.x, g.viewport.width)
-              + c.upSize * fromEdge(lens.axisY, g.viewport.y, g.viewport.height);
+    const double aheadSize = sizes.axes * (1.0 + std::abs(lens.aheadX.value) + std::abs(lens.aheadY.value));
+    c.acrossSize = sizes.axes * std::abs(lens.acrossX.value);
+    c.upSize = sizes.axes * std::abs(lens.upY.value);
+    c.originSize = sizes.origin + kTiny;
+    c.reach = aheadSize + c.acrossSize * fromEdge(lens.axisX, g.viewport.x, g.viewport.width)
+              + c.upSize * (fromEdge(lens.axisY, g.viewport.y, g.viewport.height) + g.surface.heightPixels);
     if (!lens.isPerspective) {
         const double thickness = std::abs(g.depthRange.atFar - g.depthRange.atNear);
-        c.reach += (size(ahead) + 1.0) * (std::abs(lens.nearTerm.value) + std::abs(lens.farTerm.value)) * thickness;
+        c.reach += 2.0 * aheadSize * (std::abs(lens.nearTerm.value) + std::abs(lens.farTerm.value)) * thickness;
     }
     return c;
 }
 
 /// The click's answer at a window position; NaN if it has none.
-glm::dvec3 clicked(const Unprojector &unprojector, BatchSpace::Kind space, Method method, const WindowPoint &window)
+glm::dvec3 clicked(const Unprojector &unprojector, BatchSpace::Kind space, Method method,
+                   const Unprojector::PreciseWindow &window, const std::optional<ObjectFromWorld> &object = {})
 {
     const auto coordinates = [](const auto &point) {
         return point ? point->coordinates() : glm::dvec3(std::numeric_limits<double>::quiet_NaN());
     };
+    if (object)
+        return coordinates(unprojector.objectAt(method, window, *object));
     return space == BatchSpace::Kind::Eye ? coordinates(unprojector.eyeAt(method, window))
                                           : coordinates(unprojector.worldAt(method, window));
 }
@@ -183,14 +215,15 @@ void put(const glm::dvec3 &point, const BatchOutput<double> &output, std::size_t
     output.z[i] = point.z;
 }
 
-WindowPoint windowOf(const Unprojector &unprojector, const BatchInput<double> &input, std::size_t i)
+Unprojector::PreciseWindow windowOf(const Unprojector &unprojector, const BatchInput<double> &input, std::size_t i)
 {
-    return windowFromDevice(unprojector.setup().surface, DevicePoint(input.px[i], input.py[i]), input.depth[i]);
+    return preciseWindowFromDevice(unprojector.setup().surface, DevicePoint(input.px[i], input.py[i]), input.depth[i]);
 }
 
 } // namespace
 
-Result<ClickBatch> ClickBatch::byFormula(const Unprojector &unprojector, BatchSpace::Kind space)
+Result<ClickBatch> ClickBatch::byFormula(const Unprojector &unprojector, BatchSpace::Kind space,
+                                         const std::optional<ObjectFromWorld> &object)
 {
     const Setup &setup = unprojector.setup();
     if (const Result<BatchUnprojection> plain = BatchUnprojection::byFormula(setup, {space, {}}); !plain)
@@ -199,7 +232,10 @@ Result<ClickBatch> ClickBatch::byFormula(const Unprojector &unprojector, BatchSp
     if (space != BatchSpace::Kind::Eye)
         axes = std::visit([](const auto &view) { return axesOf(view); }, setup.pose);
     const PixelLens lens = std::visit([&](const auto &projection) { return pixelLens(projection, setup); }, setup.lens);
-    return ClickBatch(Formula{unprojector, space, lens.isPerspective, constantsOf(lens, axes, setup)});
+    const TermSizes sizes = termSizes(axes, object);
+    if (object)
+        axes = placed(axes, *object);
+    return ClickBatch(Formula{unprojector, space, object, lens.isPerspective, constantsOf(lens, axes, sizes, setup)});
 }
 
 Result<ClickBatch> ClickBatch::byMatrix(const Setup &setup, BatchSpace::Kind space)
@@ -238,9 +274,16 @@ Result<ClickBatch> ClickBatch::of(Method method, const Setup &setup, const Batch
         return unprojector.error();
     const bool isOfObject = space.kind == BatchSpace::Kind::Object;
     const BatchSpace::Kind kind = isOfObject ? BatchSpace::Kind::World : space.kind;
+    std::optional<ObjectFromWorld> object;
+    if (isOfObject) {
+        const Result<ObjectFromWorld> prepared = ObjectFromWorld::of(space.worldFromObject);
+        if (!prepared)
+            return prepared.error();
+        object = *prepared;
+    }
     const auto batchBy = [&]() -> Result<ClickBatch> {
         switch (method) {
-        case Method::Formula: return byFormula(*unprojector, kind);
+        case Method::Formula: return byFormula(*unprojector, kind, object);
         case Method::Matrix: return byMatrix(setup, kind);
         case Method::MatrixInFloat: break;
         }
@@ -248,15 +291,12 @@ Result<ClickBatch> ClickBatch::of(Method method, const Setup &setup, const Batch
             return inDouble.error();
         return ClickBatch(OneByOne{*unprojector, kind, method});
     };
-    const Result<ClickBatch> inWorld = batchBy();
-    if (!inWorld || !isOfObject)
-        return inWorld;
-    const Result<ObjectFromWorld> object = ObjectFromWorld::of(space.worldFromObject);
-    if (!object)
-        return object.error();
-    ClickBatch batch = *inWorld;
-    batch.m_object = *object;
-    return batch;
+    const Result<ClickBatch> batch = batchBy();
+    if (!batch || method == Method::Formula)
+        return batch;
+    ClickBatch withObject = *batch;
+    withObject.m_object = object;
+    return withObject;
 }
 
 void ClickBatch::run(const Formula &formula, const BatchInput<double> &input, const BatchOutput<double> &output,
@@ -273,7 +313,7 @@ void ClickBatch::run(const Formula &formula, const BatchInput<double> &input, co
             const std::size_t i = begin + k;
             if (doubt[k] != 0.0)
                 put(clicked(formula.unprojector, formula.space, Method::Formula,
-                            windowOf(formula.unprojector, input, i)),
+                            windowOf(formula.unprojector, input, i), formula.object),
                     output, i);
         }
     }

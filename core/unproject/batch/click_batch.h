@@ -15,8 +15,8 @@ namespace unprojector::unproject {
 /// The formulas are computed with about 30 digits, many points at a time. If that does not
 /// determine the rounding of the sum (once in a billion points, and if a coordinate is 0), the
 /// click's own functions are called. A point costs two to three times a BatchUnprojection's, which
-/// is little beside its text. Single precision and the conversion to an object's space are
-/// computed as in a click, one point after the other.
+/// is little beside its text. Single precision, and by a matrix the conversion to an object's space,
+/// are computed as in a click, one point after the other.
 class ClickBatch {
 public:
     /// @return the errors of check(setup), of ObjectFromWorld::of, and of
@@ -31,6 +31,7 @@ private:
     struct Formula {
         Unprojector unprojector;
         BatchSpace::Kind space;
+        std::optional<ObjectFromWorld> object; ///< for Kind::Object
         bool isPerspective;
         batch::PreciseConstants constants;
     };
@@ -44,7 +45,8 @@ private:
 
     explicit ClickBatch(const Loop &loop) : m_loop(loop) {}
 
-    static geometry::Result<ClickBatch> byFormula(const Unprojector &unprojector, BatchSpace::Kind space);
+    static geometry::Result<ClickBatch> byFormula(const Unprojector &unprojector, BatchSpace::Kind space,
+                                                  const std::optional<ObjectFromWorld> &object);
     static geometry::Result<ClickBatch> byMatrix(const geometry::Setup &setup, BatchSpace::Kind space);
 
     void run(const Formula &formula, const BatchInput<double> &input, const BatchOutput<double> &output,
@@ -55,7 +57,7 @@ private:
              std::size_t count, InstructionSet set) const;
 
     Loop m_loop;
-    std::optional<ObjectFromWorld> m_object; ///< from world space to the object's
+    std::optional<ObjectFromWorld> m_object; ///< for points in world space that belong in an object's
 };
 
 } // namespace unprojector::unproject

@@ -34,8 +34,7 @@ struct Twofold {
 
 /// The closed forms as in ClosedFormConstants, with Y counted upwards, for about 30 digits.
 struct PreciseConstants {
-    double surfaceHeight;
-    Twofold axisX, axisY; ///< window position, origin bottom-left
+    Twofold axisX, axisY; ///< device position of the view axis
     double depthAtNear, depthAtFar;
     Twofold nearTerm, farTerm;
     Twofold origin[3], ahead[3], across[3], up[3];

@@ -77,7 +77,7 @@ Result<Axes> axesIn(const BatchSpace &space, const Setup &setup)
     const Result<Axes> axes = std::visit([](const auto &view) { return axesOf(view); }, setup.pose);
     if (!axes || space.kind == BatchSpace::Kind::World)
         return axes;
-    const glm::dmat4 objectFromWorld = glm::inverse(space.worldFromObject);
+    const glm::dmat4 objectFromWorld = glm::inverse(space.worldFromObject.rounded());
     if (!isFinite(objectFromWorld))
         return Error{ErrorCode::SingularMatrix};
     const auto placed = [&](const glm::dvec3 &v, double w) { return glm::dvec3(objectFromWorld * glm::dvec4(v, w)); };
@@ -119,8 +119,8 @@ Result<LineConstants> constantsOf(const Projection &projection, const Setup &g, 
     glm::dvec3 ahead = -axes.z;
     if (const auto *oblique = std::get_if<Oblique>(&projection)) {
         for (int k = 0; k < 3; ++k) {
-            ahead[k] += (cotangent(oblique->thetaRadians) * DoubleDouble(axes.x[k])
-                         + cotangent(oblique->phiRadians) * DoubleDouble(axes.y[k]))
+            ahead[k] += (cotangent(oblique->theta) * DoubleDouble(axes.x[k])
+                         + cotangent(oblique->phi) * DoubleDouble(axes.y[k]))
                             .value;
         }
     }
@@ -219,7 +219,7 @@ Result<glm::dmat4> spaceFromDevice(const Setup &setup, const BatchSpace &space)
         clipFromSpace = clipFromSpace * *view;
     }
     if (space.kind == BatchSpace::Kind::Object)
-        clipFromSpace = clipFromSpace * space.worldFromObject;
+        clipFromSpace = clipFromSpace * space.worldFromObject.rounded();
 
     // NDC of a device position: the viewport's inverse, exact if the window's numbers are whole.
     const Viewport &v = setup.viewport;

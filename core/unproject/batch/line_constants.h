@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/precise_matrix.h"
 #include "core/geometry/setup.h"
 #include "core/unproject/batch/kernels.h"
 
@@ -11,7 +12,7 @@ namespace unprojector::unproject {
 struct BatchSpace {
     enum class Kind { Eye, World, Object };
     Kind kind = Kind::World;
-    glm::dmat4 worldFromObject{1.0}; ///< for Kind::Object, affine
+    geometry::PreciseMatrix worldFromObject = {}; ///< for Kind::Object, affine
 };
 
 /// The lines behind the positions of the view, by the formulas.

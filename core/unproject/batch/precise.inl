@@ -89,11 +89,9 @@ Pack rounded(TwoPacks number, Pack error, Pack &to)
 template <bool isPerspective>
 void unprojectPrecisely(const PreciseConstants &c, Pack px, Pack py, Pack d, Pack (&p)[3], Pack &doubt)
 {
-    const auto fromAxis = [](Pack position, const Twofold &axis) {
-        const TwoPacks way = difference(position, Pack(axis.value));
-        return Factor(TwoPacks{way.high, way.low - Pack(axis.rest)});
-    };
-    const Factor x = fromAxis(px, c.axisX), y = fromAxis(Pack(c.surfaceHeight) - py, c.axisY);
+    const TwoPacks right = difference(px, Pack(c.axisX.value)), up = difference(Pack(c.axisY.value), py);
+    const Factor x(TwoPacks{right.high, right.low - Pack(c.axisX.rest)});
+    const Factor y(TwoPacks{up.high, up.low + Pack(c.axisY.rest)});
     const TwoPacks toFar = difference(Pack(c.depthAtFar), d), fromNear = difference(d, Pack(c.depthAtNear));
     const TwoPacks atNear = isPerspective ? toFar : Factor(toFar) * Factor(c.nearTerm);
     const TwoPacks both = atNear + Factor(fromNear) * Factor(c.farTerm);
