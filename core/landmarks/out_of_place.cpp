@@ -361,7 +361,7 @@ public:
             descend(all);
     }
     Exchange &best() { return m_best; }
-    /// Whether the data cannot tell which pairs are exchanged: other ones explain the specimen nearly as well.
+    /// True if other exchanges explain the specimen nearly as well, so that the data cannot tell which ones were made.
     bool isUndecided() const { return isAny(m_best.isExchanged) && m_next - m_best.cost < kDecided; }
 
 private:

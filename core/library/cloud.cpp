@@ -51,7 +51,8 @@ Result<Cloud> Cloud::of(const Setup &setup, const CloudOptions &options)
     const bool isOfWindow = options.depthIs == DepthIs::Buffer || options.depthIs == DepthIs::Range;
     if (isOfWindow && options.type == NumberType::Int32)
         return valueError(text::tr("window depths as whole numbers have 8 or 16 bits; give floats, or distances"));
-    const clouds::DepthNumbers numbers{internalMeaning(options.depthIs), true, options.scale, options.baseline};
+    const clouds::DepthNumbers numbers{internalMeaning(options.depthIs), true,          options.scale, options.baseline,
+                                       options.disparityOffset,          options.noData};
     const auto cloud = clouds::OrganizedCloud::of(SetupAccess::of(setup), numbers, internalType(options.type),
                                                   options.method == Method::Formula ? unproject::Method::Formula
                                                                                     : unproject::Method::Matrix);
@@ -112,9 +113,11 @@ void Cloud::count(std::size_t row, const std::vector<double> &numbers, CloudCoun
     counts.beforeNear += of(clouds::PixelKind::BeforeNear);
     counts.atFar += of(clouds::PixelKind::AtFar);
     counts.outsideRange += of(clouds::PixelKind::OutsideRange);
+    counts.noData += of(clouds::PixelKind::NoData);
 }
 
-Result<DepthImage> readDepth(const std::filesystem::path &file, const std::string &channel)
+Result<DepthImage> readDepth(const std::filesystem::path &file, const std::string &channel,
+                             std::optional<std::endian> byteOrder)
 {
     const std::string name = files::utf8FromPath(file);
     std::error_code code;
@@ -136,6 +139,7 @@ Result<DepthImage> readDepth(const std::filesystem::path &file, const std::strin
         size);
     images::ImageRequest request;
     request.channel = channel;
+    request.byteOrder = byteOrder;
     request.refusal = [](const images::PixelSize &) { return std::optional<images::ImageError>(); };
     request.onRead = [](std::size_t) {};
     const auto image = images::readNumberImage(bytes, request);

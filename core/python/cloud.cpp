@@ -4,12 +4,14 @@
 #include "core/python/loops.h"
 
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <mutex>
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace unprojector::python {
@@ -17,8 +19,8 @@ namespace {
 
 constexpr const char *kCloudHelp = R"(The points under the pixels of a depth image.
 
-cloud(depth, *, depth_is, scale=None, baseline=None, method="formula", out=None,
-      dtype=None, counts=False, threads=None)
+cloud(depth, *, depth_is, scale=None, baseline=None, disparity_offset=None,
+      no_data=None, method="formula", out=None, dtype=None, counts=False, threads=None)
 
 depth : array of shape (..., height, width)
     A depth image of the setup's size, or a stack of them: uint8, uint16, other whole
@@ -29,11 +31,17 @@ depth_is : str
     "range"      0 to 1 over the setup's depth range
     "z"          distances from the eye along the view axis
     "distance"   distances from the eye along the pixel's ray
-    "disparity"  pixels between two cameras side by side: z = fx baseline / disparity
+    "disparity"  pixels between two cameras side by side:
+                 z = fx baseline / (disparity + disparity_offset)
 scale : float, optional
     The numbers are divided by it: 1000 for millimetres in a world of metres.
 baseline : float, optional
     The distance of the two cameras of a disparity, world units.
+disparity_offset : float, optional
+    Pixels: the second camera's cx less the first's, as doffs of Middlebury.
+no_data : float or list of floats, optional
+    Numbers of the image that mean no measurement, before the scale: 65535 in many
+    images of 16 bits.
 method : "formula" or "matrix"
     See unproject.
 out : array of shape (..., height, width, 3), float32 or float64, optional
@@ -48,7 +56,7 @@ threads : int, optional
 Returns world coordinates of shape (..., height, width, 3): nan for a pixel without a
 point, where nothing was measured, or that lies before the near plane, on the far plane
 or behind it. With counts, a tuple of the points and a dict: "kept", "zero", "nan",
-"infinite", "negative", "before near", "at far", "outside range".
+"infinite", "negative", "before near", "at far", "outside range", "no data".
 
 A UserWarning says that no pixel has a point. The digits are those of `unproject cloud`.)";
 
@@ -257,6 +265,7 @@ Outcome computed(const Cloud &cloud, const Depths &depths, py::array &points, bo
             counts.beforeNear += own.beforeNear;
             counts.atFar += own.atFar;
             counts.outsideRange += own.outsideRange;
+            counts.noData += own.noData;
         },
         threads);
     return {hasPoint, counts};
@@ -273,18 +282,23 @@ py::dict dictOf(const CloudCounts &counts)
     dict["before near"] = counts.beforeNear;
     dict["at far"] = counts.atFar;
     dict["outside range"] = counts.outsideRange;
+    dict["no data"] = counts.noData;
     return dict;
 }
 
 py::object cloudOf(const Setup &setup, const py::object &depth, const std::string &depthIs, std::optional<double> scale,
-                   std::optional<double> baseline, const std::string &method, const py::object &out,
-                   const py::object &dtype, bool hasCounts, const py::object &threads)
+                   std::optional<double> baseline, std::optional<double> disparityOffset,
+                   const std::optional<std::variant<double, std::vector<double>>> &noData, const std::string &method,
+                   const py::object &out, const py::object &dtype, bool hasCounts, const py::object &threads)
 {
     const Depths depths = depthsOf(depth);
     CloudOptions options;
     options.depthIs = meaningOf(depthIs);
     options.scale = scale;
     options.baseline = baseline;
+    options.disparityOffset = disparityOffset;
+    if (noData)
+        options.noData = noData->index() == 0 ? std::vector{std::get<0>(*noData)} : std::get<1>(*noData);
     options.method = methodOf(method);
     options.type = depths.type;
     const std::size_t most = threadsOf(threads);
@@ -338,14 +352,20 @@ void bindCloud(py::module_ &module, SetupClass &setup)
     py::options options;
     options.disable_function_signatures();
     setup.def("cloud", &cloudOf, py::arg("depth"), py::kw_only(), py::arg("depth_is"), py::arg("scale") = py::none(),
-              py::arg("baseline") = py::none(), py::arg("method") = "formula", py::arg("out") = py::none(),
+              py::arg("baseline") = py::none(), py::arg("disparity_offset") = py::none(),
+              py::arg("no_data") = py::none(), py::arg("method") = "formula", py::arg("out") = py::none(),
               py::arg("dtype") = py::none(), py::arg("counts") = false, py::arg("threads") = py::none(), kCloudHelp);
     module.def(
         "read_depth",
-        [](const std::filesystem::path &file, const std::string &channel) {
+        [](const std::filesystem::path &file, const std::string &channel, const std::string &byteOrder) {
+            if (!byteOrder.empty() && byteOrder != "little" && byteOrder != "big")
+                refuseWord("byte_order", byteOrder, "\"little\" or \"big\"");
+            std::optional<std::endian> order;
+            if (!byteOrder.empty())
+                order = byteOrder == "little" ? std::endian::little : std::endian::big;
             const DepthImage image = valueOrRaise([&] {
                 const py::gil_scoped_release released;
-                return readDepth(file, channel);
+                return readDepth(file, channel, order);
             }());
             for (const std::string &note : image.notes) {
                 if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0)
@@ -353,14 +373,17 @@ void bindCloud(py::module_ &module, SetupClass &setup)
             }
             return arrayOf(image);
         },
-        py::arg("file"), py::kw_only(), py::arg("channel") = "", R"(The numbers of a depth image.
+        py::arg("file"), py::kw_only(), py::arg("channel") = "", py::arg("byte_order") = "",
+        R"(The numbers of a depth image.
 
-read_depth(file, *, channel="")
+read_depth(file, *, channel="", byte_order="")
 
 file : path
-    PNG, TIFF, OpenEXR, PFM, PGM or NumPy's .npy, by its contents.
+    PNG, TIFF, OpenEXR, PFM, PGM, COLMAP's .bin or NumPy's .npy, by its contents.
 channel : str
     The channel of OpenEXR. Empty: the one named Z or depth.
+byte_order : str
+    "little" or "big", of a PGM of 16 bits. Empty: big, as the format has it.
 
 Returns an array of shape (height, width) in the type of the file: uint8, uint16,
 float32 or float64. What was chosen or ignored is a UserWarning.)");

@@ -104,7 +104,7 @@ int main(int argc, char **argv)
     row("12, little shape", 12, 0.0, 1.0);
     row("40 scans", 40, 0.0, 2.0);
     for (const double deviation : {0.3, 0.6}) {
-        for (const std::size_t scans : {3, 4, 5, 8}) {
+        for (const std::size_t scans : std::initializer_list<std::size_t>{3, 4, 5, 8}) {
             const auto sides = [&](const char *name, const std::vector<Pair> &swapped) {
                 measureSides(name, {scans, swapped, deviation}, seed, count);
             };

@@ -433,7 +433,7 @@ void TestMeshImport::reportsNotAFile()
     if (!refused) {
         const ImportError circle = importModel(folder / "circle", {}).error();
         QCOMPARE(int(circle.code), int(ImportErrorCode::NotReadable));
-        QVERIFY2(circle.detail.contains("links"), circle.detail.c_str());
+        QVERIFY2(circle.detail.find("links") != std::string::npos, circle.detail.c_str());
     }
 
     const std::filesystem::path locked = write("locked.obj", objBox());

@@ -312,7 +312,7 @@ void TestOutOfPlace::swappedSidesOfFewScansAreNamed_data()
     QTest::addColumn<std::size_t>("scans");
     QTest::addColumn<std::vector<Pair>>("swapped");
     const auto [outer, mouth, inner] = std::tuple(Pair{4, 5}, Pair{8, 9}, Pair{6, 7});
-    for (const std::size_t scans : {3, 4, 5}) {
+    for (const std::size_t scans : std::initializer_list<std::size_t>{3, 4, 5}) {
         const auto row = [scans](const char *name, const std::vector<Pair> &swapped) {
             QTest::addRow("%zu scans, %s", scans, name) << scans << swapped;
         };

@@ -133,9 +133,37 @@ def test_layouts_stacks_and_out(setup):
 def test_pixels_without_a_point_are_counted(setup):
     points, counts = setup.cloud(z_image(), depth_is="z", counts=True)
     assert counts == {
-        "kept": SIZE[0] * SIZE[1] - 7, "zero": 1, "nan": 1, "infinite": 1, "negative": 1, "before near": 1, "at far": 2, "outside range": 0,
+        "kept": SIZE[0] * SIZE[1] - 7, "zero": 1, "nan": 1, "infinite": 1, "negative": 1, "before near": 1, "at far": 2, "outside range": 0, "no data": 0,
     }
     assert np.isnan(points).all(axis=-1).sum() == 7 and np.isnan(points[3, 4:9]).all()
+
+
+def test_numbers_without_a_measurement_have_no_point(setup):
+    millimetres = (1000 * z_image().clip(1, 15)).astype(np.uint16)
+    millimetres[3, 4:9] = 2000
+    millimetres[7, 1:4] = 65535
+    millimetres[8, 1:3] = 9999
+    far = up.Setup.perspective(fovy=45, near=0.5, far=200, eye=(3, 2, 5), center=(0, 0, 0), size=SIZE)
+    whole = far.cloud(millimetres, depth_is="z", scale=1000)
+    assert not np.isnan(whole).any()
+    for no_data, count in ((65535, 3), ([65535], 3), (np.array([9999, 65535]), 5), (np.uint16(9999), 2), ([], 0), (None, 0)):
+        points, counts = far.cloud(millimetres, depth_is="z", scale=1000, no_data=no_data, counts=True)
+        left_out = np.isnan(points).all(axis=-1)
+        assert counts["no data"] == left_out.sum() == count and counts["kept"] == millimetres.size - count
+        assert np.array_equal(points[~left_out], whole[~left_out])
+        single = far.cloud(millimetres, depth_is="z", scale=1000, no_data=no_data, dtype=np.float32)
+        assert np.array_equal(single, points.astype(np.float32), equal_nan=True)
+    tenths = np.full(SIZE[::-1], np.float32(0.1))
+    with pytest.warns(UserWarning, match="no pixel has a point"):
+        assert np.isnan(far.cloud(tenths, depth_is="buffer", no_data=0.1)).all()
+
+
+def test_an_offset_is_added_to_disparities(setup):
+    with np.errstate(divide="ignore"):
+        disparity = 30 / z_image() - 2.5
+    points = setup.cloud(disparity, depth_is="disparity", baseline=0.5, disparity_offset=2.5)
+    expected = setup.cloud(disparity + 2.5, depth_is="disparity", baseline=0.5)
+    assert np.array_equal(points, expected, equal_nan=True) and (disparity < 0).any()
 
 
 def test_no_point_at_all_is_a_warning(setup):
@@ -156,6 +184,9 @@ def test_no_point_at_all_is_a_warning(setup):
         (np.zeros((45, 67)), {"depth_is": "buffer", "scale": 1000}, ValueError, "scale goes with depth_is z"),
         (np.zeros((45, 67)), {"depth_is": "z", "scale": 0}, ValueError, "scale is 0; it must be greater than 0"),
         (np.zeros((45, 67)), {"depth_is": "disparity"}, ValueError, "depth_is disparity needs baseline"),
+        (np.zeros((45, 67)), {"depth_is": "z", "disparity_offset": 1}, ValueError, "disparity_offset goes with depth_is disparity"),
+        (np.zeros((45, 67)), {"depth_is": "disparity", "baseline": 1, "disparity_offset": np.nan}, ValueError, "disparity_offset is nan; it must be a finite number"),
+        (np.zeros((45, 67)), {"depth_is": "z", "no_data": "65535"}, TypeError, "no_data"),
         (np.zeros((45, 67), int), {"depth_is": "buffer"}, ValueError, "window depths as whole numbers have 8 or 16 bits"),
         (np.zeros((45, 67), complex), {"depth_is": "z"}, TypeError, "depth has the type complex128"),
         (np.zeros((45, 67)), {"depth_is": "z", "dtype": int}, ValueError, "dtype is int64; give float64 or float32"),
@@ -176,6 +207,12 @@ def test_depth_files_are_read(tmp_path):
     assert np.array_equal(up.read_depth(tmp_path / "ä.pgm"), np.arange(6).reshape(2, 3))
     (tmp_path / "up.pfm").write_bytes(b"Pf\n3 2\n-1\n" + np.arange(6, dtype="<f4").tobytes())
     assert np.array_equal(up.read_depth(tmp_path / "up.pfm"), [[3, 4, 5], [0, 1, 2]])
+    (tmp_path / "depth.bin").write_bytes(b"3&2&1&" + np.arange(6, dtype="<f4").tobytes())
+    assert np.array_equal(up.read_depth(tmp_path / "depth.bin"), [[0, 1, 2], [3, 4, 5]])
+    (tmp_path / "nyu.pgm").write_bytes(b"P5 3 2 65535\n" + np.arange(6, dtype="<u2").tobytes())
+    assert np.array_equal(up.read_depth(tmp_path / "nyu.pgm", byte_order="little"), np.arange(6).reshape(2, 3))
+    with pytest.raises(ValueError, match="byte_order"):
+        up.read_depth(tmp_path / "nyu.pgm", byte_order="middle")
     with pytest.raises(FileNotFoundError, match="none.png: there is no such file"):
         up.read_depth(tmp_path / "none.png")
     (tmp_path / "text.png").write_text("hello")

@@ -4,6 +4,7 @@
 #include "unprojector/unproject.h"
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -23,7 +24,7 @@ enum class DepthIs {
     Range,    ///< 0 to 1 over the setup's depth range, from its lower end on
     Z,        ///< distances from the eye along the view axis
     Distance, ///< distances from the eye along the pixel's ray
-    Disparity ///< pixels between two cameras side by side: z = fx baseline / disparity
+    Disparity ///< pixels between two cameras side by side: z = fx baseline / (disparity + offset)
 };
 
 enum class NumberType { Uint8, Uint16, Int32, Float32, Float64 };
@@ -32,6 +33,9 @@ struct CloudOptions {
     DepthIs depthIs = DepthIs::Buffer;
     std::optional<double> scale = std::nullopt;    ///< the numbers are divided by it: 1000 for millimetres
     std::optional<double> baseline = std::nullopt; ///< of disparities, world units
+    /// Added to disparities, pixels: the second camera's cx less the first's, as doffs of Middlebury.
+    std::optional<double> disparityOffset = std::nullopt;
+    std::vector<double> noData = {}; ///< numbers of the image that mean no measurement, before the scale
     Method method = Method::Formula;
     NumberType type = NumberType::Float32; ///< of the image's numbers
 };
@@ -41,6 +45,7 @@ struct CloudCounts {
     std::size_t kept = 0, zero = 0, notANumber = 0, infinite = 0, negative = 0, beforeNear = 0;
     std::size_t atFar = 0;        ///< on the far plane or behind it: background
     std::size_t outsideRange = 0; ///< no depth of the window
+    std::size_t noData = 0;       ///< a number of CloudOptions::noData
 };
 
 /// Computes a point for each pixel of a depth image, prepared once for a setup. Any thread may call
@@ -86,9 +91,12 @@ struct DepthImage {
     std::vector<std::string> notes; ///< what was chosen or ignored, one sentence each
 };
 
-/// Reads a depth image: PNG, TIFF, OpenEXR, PFM, PGM or NumPy's .npy.
-/// @param channel  of OpenEXR; empty: the one named Z or depth
+/// Reads a depth image: PNG, TIFF, OpenEXR, PFM, PGM, COLMAP's .bin or NumPy's .npy.
+/// @param channel    of OpenEXR; empty: the one named Z or depth
+/// @param byteOrder  of a PGM of 16 bits; empty: big, as the format has it, and a note if the other one is far
+///                   smoother
 /// @return MissingFile, File; Value: contents that are no such image
-UNPROJECTOR_PUBLIC Result<DepthImage> readDepth(const std::filesystem::path &file, const std::string &channel = {});
+UNPROJECTOR_PUBLIC Result<DepthImage> readDepth(const std::filesystem::path &file, const std::string &channel = {},
+                                                std::optional<std::endian> byteOrder = std::nullopt);
 
 } // namespace unprojector

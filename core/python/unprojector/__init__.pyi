@@ -113,18 +113,22 @@ class Setup:
     @overload
     def cloud(
         self, depth: ArrayLike, *, depth_is: Literal["buffer", "range", "z", "distance", "disparity"],
-        scale: Optional[float] = None, baseline: Optional[float] = None, method: _Method = "formula",
+        scale: Optional[float] = None, baseline: Optional[float] = None, disparity_offset: Optional[float] = None,
+        no_data: Union[None, float, Sequence[float]] = None, method: _Method = "formula",
         out: Optional[NDArray[Any]] = None, dtype: Any = None, counts: Literal[False] = False,
         threads: Optional[int] = None,
     ) -> NDArray[Any]: ...
     @overload
     def cloud(
         self, depth: ArrayLike, *, depth_is: Literal["buffer", "range", "z", "distance", "disparity"],
-        scale: Optional[float] = None, baseline: Optional[float] = None, method: _Method = "formula",
+        scale: Optional[float] = None, baseline: Optional[float] = None, disparity_offset: Optional[float] = None,
+        no_data: Union[None, float, Sequence[float]] = None, method: _Method = "formula",
         out: Optional[NDArray[Any]] = None, dtype: Any = None, counts: Literal[True], threads: Optional[int] = None,
     ) -> tuple[NDArray[Any], dict[str, int]]: ...
 
-def read_depth(file: _Path, *, channel: str = "") -> NDArray[Any]: ...
+def read_depth(
+    file: _Path, *, channel: str = "", byte_order: Literal["", "little", "big"] = "",
+) -> NDArray[Any]: ...
 
 class SceneObject:
     @property
