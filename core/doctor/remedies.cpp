@@ -84,7 +84,8 @@ constexpr Remedy kRemedies[] = {
      marked("The depth is reversed: reversed depths are taken for ordinary ones, or ordinary for reversed ones."),
      kDepthReversed},
     {"depth-range-is-planes", marked("near and far as depth range"),
-     marked("Near and far are passed as the viewport's depth range, MinDepth and MaxDepth: usually it goes from 0 to 1."),
+     marked(
+         "Near and far are passed as the viewport's depth range, MinDepth and MaxDepth: usually it goes from 0 to 1."),
      kDepthRangeIsPlanes},
     {"depth-rounded", marked("depth rounded"), marked("The depth is rounded to few bits."), kDepthRounded},
     {"depth-range-ignored", marked("depth range ignored"),

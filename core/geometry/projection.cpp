@@ -228,7 +228,8 @@ Projection withAspect(const Projection &projection, const DoubleDouble &aspect)
         {
             constexpr double kRounding = 1e-12;
             const double own = std::abs(p.width / p.fx) / std::abs(p.height / p.fy);
-            return std::abs(own - aspect) <= kRounding * aspect ? Projection(p) : (*this)(frustumFromPinhole(p));
+            return std::abs(own - aspect.value) <= kRounding * aspect.value ? Projection(p)
+                                                                            : (*this)(frustumFromPinhole(p));
         }
         Projection operator()(const Ortho &p) const { return widened(p); }
         Projection operator()(Perspective p) const

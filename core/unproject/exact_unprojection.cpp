@@ -83,8 +83,8 @@ ExactUnprojection::Matrix ExactUnprojection::clipFromEye(const Projection &proje
     Matrix m = extended(glm::dmat4(0.0));
     if (const auto *p = std::get_if<Perspective>(&projection)) {
         const Extended n = p->nearDistance, f = p->farDistance;
-        const Extended cotangent = 1 / tan(cli::extended(p->verticalFov.radians) / 2);
-        m[0][0] = cotangent / cli::extended(p->aspect);
+        const Extended cotangent = 1 / tan(unproject::extended(p->verticalFov.radians) / 2);
+        m[0][0] = cotangent / unproject::extended(p->aspect);
         m[1][1] = cotangent;
         m[2][2] = -(f + n) / (f - n);
         m[2][3] = -2 * f * n / (f - n);
@@ -125,8 +125,8 @@ ExactUnprojection::Matrix ExactUnprojection::clipFromEye(const Projection &proje
     m[3][3] = 1;
     if (const auto *oblique = std::get_if<Oblique>(&projection)) {
         Matrix shear = extended(glm::dmat4(1.0));
-        shear[0][2] = 1 / tan(cli::extended(oblique->theta.radians));
-        shear[1][2] = 1 / tan(cli::extended(oblique->phi.radians));
+        shear[0][2] = 1 / tan(unproject::extended(oblique->theta.radians));
+        shear[1][2] = 1 / tan(unproject::extended(oblique->phi.radians));
         m = product(m, shear);
     }
     return m;

@@ -122,7 +122,7 @@ void TestWayForward::objectsFarFromTheOrigin()
             worldFromObject({Translate{-place}, Rotate{random.uniform(-180.0, 180.0), {0.3, 1.0, -0.2}},
                              Scale{glm::dvec3(random.uniform(0.5, 2.0))}});
         const glm::dvec3 point = glm::dvec3(glm::inverse(matrix) * glm::dvec4(world.coordinates(), 1.0));
-        worst = std::max(worst, worstUlps(way.fromWorld(product(matrix, precise(point))),
+        worst = std::max(worst, worstUlps(way.fromWorld(PreciseMatrix(matrix).at(point)),
                                           exact.forward(exactProduct(matrix, point)), kLeastShareFarAway));
     }
     QVERIFY2(worst <= kUlps, QByteArray::number(worst));
