@@ -62,7 +62,9 @@ struct Checker {
             return Error{ErrorCode::FocalLengthIsZero, 0.0};
         if (!(p.width > 0.0 && p.height > 0.0))
             return Error{ErrorCode::EmptyImage, p.width, p.height};
-        return checkBox(projectionWindow(p), true);
+        if (const Check distances = checkClipDistances(p.nearDistance, p.farDistance, true); !distances)
+            return distances; // near = 0 would make the edges equal
+        return checkWindow(projectionWindow(p));
     }
     Check operator()(const Oblique &p) const
     {
