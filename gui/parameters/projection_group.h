@@ -22,7 +22,7 @@ private:
     enum class Number { Left, Right, Bottom, Top, Skew, Near, Far, Fovy, Aspect, Theta, Phi };
     /// A number of a projection, angles in degrees; empty if it has none.
     static std::optional<double> numberIn(const geometry::Projection &projection, Number number);
-    /// For an edge or the skew, a pinhole becomes its frustum.
+    /// Sets a number. An edge or the skew turns a pinhole into its frustum.
     static void setNumber(geometry::Projection &projection, Number number, double value);
     template <class AnyProjection, class Use>
     static void withNumber(AnyProjection &projection, Number number, const Use &use);

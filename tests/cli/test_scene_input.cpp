@@ -267,7 +267,7 @@ void TestSceneInput::brokenFiles_data()
     row("10 000 brackets under an unknown key",
         changed("\"window\"", "\"x\": " + QByteArray(10000, '[') + ", \"window\""), ":2:");
     row("projection of an unknown type", changed("oblique", "fisheye"),
-        ": projection.type: \"fisheye\" must be frustum, ortho, perspective, oblique or matrix\n");
+        ": projection.type: \"fisheye\" must be frustum, ortho, perspective, oblique, pinhole or matrix\n");
     row("a step of an unknown type", changed("rotate", "shear"),
         ": objects[0].transform[1]: must have exactly one of translate, rotate or scale\n");
     row("near 0", QByteArray(kPerspectiveScene).replace("\"near\": 1", "\"near\": 0"),

@@ -112,7 +112,7 @@ void TestMalformedSceneFile::malformedScenesAreRefusedWithTheirPlace_data()
     row("no projection", changed("\"projection\"", "\"Projection\""), ": projection: is missing");
     row("projection null", withProjection("null"), ": projection: expected an object in { }, found null");
     row("projection unknown", withProjection("{\"type\": \"fisheye\"}"),
-        ": projection.type: \"fisheye\" must be frustum, ortho, perspective, oblique or matrix");
+        ": projection.type: \"fisheye\" must be frustum, ortho, perspective, oblique, pinhole or matrix");
     row("near missing", changed("\"near\": 1, ", ""), ": projection.near: is missing");
     row("near null", changed("\"near\": 1", "\"near\": null"), ": projection.near: expected a number, found null");
     row("near 0", changed("\"ortho\"", "\"frustum\"").replace("\"near\": 1,", "\"near\": 0,"),

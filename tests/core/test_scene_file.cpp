@@ -122,11 +122,11 @@ void TestSceneFile::anglesAreDegrees()
 {
     const auto perspective =
         parsed(withProjection(R"({"type": "perspective", "fovy": 90, "aspect": 2, "near": 1, "far": 9})"));
-    QVERIFY(std::get<Projection>(perspective.projection) == Projection(Perspective{std::numbers::pi / 2, 2, 1, 9}));
+    QVERIFY(std::get<Projection>(perspective.projection) == Projection(Perspective{Angle::fromDegrees(90), 2, 1, 9}));
     const auto oblique = parsed(withProjection(
         R"({"type": "oblique", "left": -1, "right": 1, "bottom": -2, "top": 2, "near": -3, "far": 3, "theta": 45, "phi": 90})"));
     QVERIFY(std::get<Projection>(oblique.projection)
-            == Projection(Oblique{{-1, 1, -2, 2, -3, 3}, std::numbers::pi / 4, std::numbers::pi / 2}));
+            == Projection(Oblique{{-1, 1, -2, 2, -3, 3}, Angle::fromDegrees(45), Angle::fromDegrees(90)}));
 }
 
 void TestSceneFile::skewsAndPinholesAreKept()

@@ -111,7 +111,8 @@ void TestLibraryPoints::exactPointsAreTheClicks()
     geometry::Setup clicked;
     clicked.surface = {80, 60, 1.0};
     clicked.viewport = geometry::wholeSurface(clicked.surface);
-    clicked.lens = geometry::Perspective{geometry::radiansFromDegrees(45.0), 80.0 / 60.0, 0.1, 100.0};
+    clicked.lens =
+        geometry::Perspective{geometry::Angle::fromDegrees(45.0), geometry::aspectOf(clicked.viewport), 0.1, 100.0};
     clicked.pose = geometry::LookAt{{3.0, 2.0, 5.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
     const auto click = unproject::Unprojector::of(clicked);
     QVERIFY(click);
