@@ -107,7 +107,7 @@ void TestComparisonPanel::theTableHoldsThePicksDoubles()
 
 void TestComparisonPanel::theTableHasThePointInTheObjectsSpace()
 {
-    const Pick pick = pickWith({4.0, 2.0, 7.0}, {4.0, 2.0, 7.5}, {4.0, 2.0, 7.0}, 0.04);
+    const Pick pick = picked(frustumGeometry(), 612.0, 99.0, 0.9);
     KeptPick moved = kept(pick);
     moved.placement = worldFromObject({Translate{{0.0, 0.0, 3.0}}, Scale{{2.0, 2.0, 4.0}}});
     ComparisonModel model;
@@ -116,14 +116,17 @@ void TestComparisonPanel::theTableHasThePointInTheObjectsSpace()
     const auto value = [&](int row, int column) {
         return cell(model, row, column, ComparisonModel::kValueRole).toDouble();
     };
-    QCOMPARE(value(0, ComparisonModel::Formula), 2.0);
-    QCOMPARE(value(1, ComparisonModel::Formula), 1.0);
-    QCOMPARE(value(2, ComparisonModel::Formula), 1.0);
-    QCOMPARE(value(2, ComparisonModel::Difference), -0.125);
-    // Half of 0.04 and a quarter of it are certain to 0.02 and 0.01.
-    QCOMPARE(cell(model, 0, ComparisonModel::Formula).toString(), QStringLiteral("2.000"));
-    QCOMPARE(cell(model, 2, ComparisonModel::Formula).toString(), QStringLiteral("1.0000"));
-    QCOMPARE(model.pointNameAt(model.index(0, ComparisonModel::Formula)), QStringLiteral("object"));
+    const std::pair<Method, int> columns[] = {{Method::Formula, ComparisonModel::Formula},
+                                              {Method::Matrix, ComparisonModel::Matrix}};
+    for (const auto &[method, column] : columns) {
+        const WorldPoint world = pick.point.world[method].value();
+        QCOMPARE(value(0, column), world.x / 2.0);
+        QCOMPARE(value(1, column), world.y / 2.0);
+        QCOMPARE(value(2, column), (world.z - 3.0) / 4.0);
+    }
+    for (int row = 0; row < 3; ++row)
+        QVERIFY(value(row, ComparisonModel::Difference)
+                == value(row, ComparisonModel::Formula) - value(row, ComparisonModel::Matrix));
 }
 
 void TestComparisonPanel::theTableOfABackgroundHoldsTheRay()

@@ -367,6 +367,8 @@ void TestComparisonTexts::everyErrorHasItsSentence_data()
     row("bottom equals top", ErrorCode::BottomEqualsTop, {value});
     row("field of view", ErrorCode::FieldOfViewOutOfRange, {angle});
     row("aspect", ErrorCode::AspectNotPositive, {value});
+    row("focal length", ErrorCode::FocalLengthIsZero);
+    row("empty image", ErrorCode::EmptyImage, {value, other});
     row("shear angle", ErrorCode::ShearAngleOutOfRange, {angle});
     row("eye equals center", ErrorCode::EyeEqualsCenter);
     row("up is zero", ErrorCode::UpIsZero);
