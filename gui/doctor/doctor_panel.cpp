@@ -356,8 +356,8 @@ void DoctorPanel::mark()
                 worldFromSpace = worldFromObject(m_document.objects()[point.model].transform);
             WrongPointMark mark{WorldPoint(glm::dvec3(worldFromSpace * glm::dvec4(point.got, 1.0))), std::nullopt};
             if (point.depth && unprojector) {
-                const auto right =
-                    unprojector->worldAt(Method::Formula, preciseWindowFromDevice(own->surface, point.pixel, *point.depth));
+                const auto right = unprojector->worldAt(
+                    Method::Formula, preciseWindowFromDevice(own->surface, point.pixel, *point.depth));
                 if (right)
                     mark.right = *right;
             } else if (rays) {
