@@ -61,7 +61,7 @@ std::string differentCounts(std::span<const LandmarkSet> sets)
             for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i)
                 list += (i > 0 ? ", " : "") + ('"' + names[i] + '"');
             if (names.size() > kMostNamed)
-                list = tr("%1 and %2 others", list, names.size() - kMostNamed);
+                list = tr("%1, … (%2 in all)", list, names.size());
             where += (where.empty() ? "" : "; ") + tr("%1 on %2", count, list);
         }
         return tr(

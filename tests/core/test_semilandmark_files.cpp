@@ -235,8 +235,9 @@ void TestSemilandmarkFiles::aTableHasOneNumberOfSemilandmarks()
     for (const char *name : {"r", "s", "t", "u", "v"})
         sets.push_back(specimen(name, 20.0 * double(sets.size())));
     sets[1].curves[0] = straight("ab", {"A", "B"}, glm::dvec3(20, 0, 0), glm::dvec3(28, 0, 0), 9);
-    const QString differ("the curve \"ab\" has different numbers of semilandmarks, so they are not at the same places: "
-                         "5 on \"r\", \"t\", \"u\" and 1 more; 9 on \"s\"; give it the same number on all specimens");
+    const QString differ(
+        "the curve \"ab\" has different numbers of semilandmarks, so they are not at the same places: "
+        "5 on \"r\", \"t\", \"u\", … (4 in all); 9 on \"s\"; give it the same number on all specimens");
     for (const TableForm form : {TableForm::Wide, TableForm::Tps, TableForm::Nts}) {
         const auto table = specimenTable(sets, form);
         QVERIFY(!table);
