@@ -184,6 +184,15 @@ void SceneLandmarks::select(std::vector<std::size_t> indices, std::optional<std:
         m_changes.notify(Change::LandmarkSelection);
 }
 
+void SceneLandmarks::selectInOrder(std::vector<std::size_t> order)
+{
+    std::erase_if(order, [this](std::size_t index) { return index >= all().size(); });
+    const bool isOtherOrder = order != m_order;
+    m_order = order;
+    if (take(std::move(order), std::nullopt, m_nextUnplaced) || isOtherOrder)
+        m_changes.notify(Change::LandmarkSelection);
+}
+
 void SceneLandmarks::toggle(std::size_t index)
 {
     std::vector<std::size_t> indices = m_selection;

@@ -43,6 +43,9 @@ public:
     /// @param current  one of them; nothing: the first
     void select(std::vector<std::size_t> indices, std::optional<std::size_t> current = std::nullopt);
     void selectOnly(std::size_t index) { select({index}, index); }
+    /// Selects landmarks in this order. The next one to place stays the same.
+    /// @param order  without repeats; invalid indices are ignored
+    void selectInOrder(std::vector<std::size_t> order);
     /// Adds a landmark to the selection as the current one, or removes it from the selection.
     void toggle(std::size_t index);
     void clearSelection() { select({}); }

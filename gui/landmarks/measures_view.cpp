@@ -23,7 +23,6 @@
 #include <QMenu>
 #include <QSignalBlocker>
 #include <QStyle>
-#include <QStyledItemDelegate>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -68,6 +67,7 @@ MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
     m_rows->setRootIsDecorated(false);
     m_rows->setUniformRowHeights(true);
     m_rows->setHeaderLabels({tr("Measure"), tr("Landmarks"), tr("Value")});
+    m_rows->setTextElideMode(Qt::ElideMiddle);
     m_rows->setItemDelegateForColumn(1, new NamesDelegate(m_rows));
     m_rows->setItemDelegateForColumn(2, new NumberDelegate(m_rows));
     m_rows->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -415,14 +415,13 @@ void MeasuresView::selectLandmarksOf(std::size_t row)
 {
     if (row >= protocol().size())
         return;
-    const std::vector<std::size_t> indices = indicesOf(protocol()[row], m_document.scene().landmarks);
-    SceneLandmarks &landmarks = m_document.sceneLandmarks();
-    for (std::size_t i = 0; i < indices.size(); ++i) { // one by one: the order counts
-        if (i == 0)
-            landmarks.selectOnly(indices[i]);
-        else if (!landmarks.isSelected(indices[i]))
-            landmarks.toggle(indices[i]);
+    std::vector<std::size_t> order;
+    for (const std::size_t index : indicesOf(protocol()[row], m_document.scene().landmarks)) {
+        if (std::find(order.begin(), order.end(), index) == order.end())
+            order.push_back(index);
     }
+    if (!order.empty())
+        m_document.sceneLandmarks().selectInOrder(std::move(order));
 }
 
 } // namespace unprojector::gui

@@ -590,6 +590,17 @@ void TestCurves::measuresTakeTheOrderOfTheSelection()
     emit rows->itemClicked(rows->topLevelItem(0), 0);
     QVERIFY(landmarks.selectionInOrder() == (std::vector<std::size_t>{2, 1, 0}));
     QVERIFY(std::abs(valueOf("way,along the surface: right – front – top,") - 1.25 - std::hypot(2.0, 0.25)) < 1e-6);
+    // It selects them at once: none of them is next to place, and nothing is computed again.
+    QVERIFY(landmarks.setMissing({1}));
+    const std::optional<std::size_t> next = landmarks.nextUnplaced();
+    landmarks.clearSelection();
+    int changes = 0;
+    connect(document.get(), &SceneDocument::changed, this, [&changes] { ++changes; });
+    emit rows->itemClicked(rows->topLevelItem(0), 0);
+    QVERIFY(landmarks.selectionInOrder() == (std::vector<std::size_t>{2, 1, 0}));
+    QVERIFY(landmarks.nextUnplaced() == next);
+    emit rows->itemClicked(rows->topLevelItem(0), 0);
+    QCOMPARE(changes, 1);
 }
 
 QTEST_MAIN(TestCurves)
