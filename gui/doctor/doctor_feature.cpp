@@ -2,6 +2,7 @@
 
 #include "gui/doctor/code_changes_view.h"
 #include "gui/doctor/doctor_panel.h"
+#include "gui/document/session.h"
 #include "gui/view/scene_view.h"
 #include "gui/window/actions.h"
 #include "gui/window/feature.h"
@@ -23,6 +24,7 @@ public:
     explicit DoctorFeature(Window &window) : Feature(&window), m_panel(new DoctorPanel(window.document()))
     {
         connect(m_panel, &DoctorPanel::pickRequested, &window.view(), &SceneView::pickPixel);
+        connect(&window.session(), &Session::opened, m_panel, &DoctorPanel::followScene);
         connect(m_panel, &DoctorPanel::pasteCameraWanted, &window, [&window] { trigger(window, kPasteCameraAction); });
     }
 

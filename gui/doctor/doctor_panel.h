@@ -2,6 +2,7 @@
 
 #include "core/doctor/diagnosis.h"
 #include "core/ray/scene_rays.h"
+#include "gui/doctor/wrong_points_form.h"
 #include "gui/document/scene_document.h"
 
 #include <QWidget>
@@ -19,7 +20,6 @@ class CandidatesTable;
 class CodeChangesView;
 class Diagnoser;
 class DiagnosisView;
-class WrongPointsForm;
 
 /// The doctor's panel: the program's camera, the clicks and the program's points for them, in three
 /// steps, and the mistake that explains them.
@@ -34,6 +34,12 @@ public:
 
     DiagnosisView &answer() { return *m_answer; }
     CodeChangesView &code() { return *m_code; }
+
+    /// Call this after another scene was opened. A lesson puts the clicks aside, and the scene before
+    /// it comes back with them.
+    /// @param lesson  the name of the lesson that the scene is a step of, or empty
+    /// @param isBack  it is the scene before a lesson, restored
+    void followScene(const QString &lesson, bool isBack);
 
 signals:
     /// Emitted when this pixel of the view should be picked.
@@ -83,6 +89,14 @@ private:
         friend bool operator==(const Taken &, const Taken &) = default;
     };
     std::optional<Taken> m_taken, m_takenBefore;
+    /// The clicks of a scene that was left.
+    struct Clicks {
+        std::optional<geometry::Setup> setup;
+        std::optional<Taken> taken;
+        std::vector<WrongPointsForm::ClickedRow> rows;
+    };
+    Clicks m_left;
+    std::optional<Clicks> m_aside; ///< of the scene before the lesson
     std::optional<geometry::Setup> m_setupBefore;
     std::vector<doctor::WrongPoint> m_asked;
     std::optional<doctor::Diagnosis> m_diagnosis; ///< of m_asked

@@ -462,7 +462,7 @@ void WrongPointsForm::addClick(const DevicePoint &pixel, const std::optional<dou
 {
     Row *const waiting = waitingRow();
     Row &row = waiting ? *waiting : addRow();
-    m_beforeClick = {&row, !waiting, row.pixel->text(), row.depth->text(), row.clickedDepth};
+    m_beforeClick = {&row, !waiting, row.pixel->text(), row.clickedPixel, row.depth->text(), row.clickedDepth};
     row.left = nullptr;
     row.clickedPixel = writtenText(pixel.x, 12) + QStringLiteral(", ") + writtenText(pixel.y, 12);
     row.pixel->setText(row.clickedPixel);
@@ -484,6 +484,7 @@ bool WrongPointsForm::takeBackClick()
     }
     Row &row = *before->row;
     row.pixel->setText(before->pixel);
+    row.clickedPixel = before->clickedPixel;
     row.depth->setText(before->depth);
     row.clickedDepth = before->clickedDepth;
     arrange();
@@ -492,16 +493,37 @@ bool WrongPointsForm::takeBackClick()
     return true;
 }
 
-void WrongPointsForm::forgetClickedRows()
+std::vector<WrongPointsForm::ClickedRow> WrongPointsForm::takeClickedRows()
 {
     const QSignalBlocker blocker(this);
+    std::vector<ClickedRow> taken;
     std::vector<const Row *> clicked;
     for (const auto &row : m_rows) {
-        if (row->isOfClick())
-            clicked.push_back(row.get());
+        if (!row->isOfClick())
+            continue;
+        clicked.push_back(row.get());
+        taken.push_back({row->pixel->text(), row->depth->text(), row->got->text(), row->clickedDepth});
     }
     for (const Row *row : clicked)
         removeRow(row);
+    return taken;
+}
+
+void WrongPointsForm::putBack(const std::vector<ClickedRow> &rows)
+{
+    m_beforeClick.reset();
+    for (const ClickedRow &each : rows) {
+        Row &row = m_rows.back()->isEmpty() ? *m_rows.back() : makeRow();
+        row.pixel->setText(each.pixel);
+        row.clickedPixel = each.pixel;
+        row.depth->setText(each.depth);
+        row.clickedDepth = each.clickedDepth;
+        row.got->setText(each.got);
+        for (QLineEdit *field : row.fields())
+            field->setCursorPosition(0);
+    }
+    arrange();
+    markFaults();
 }
 
 void WrongPointsForm::forgetClickedDepths()

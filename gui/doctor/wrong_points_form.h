@@ -41,8 +41,15 @@ public:
     bool takeBackClick();
     /// Keeps the last click: it cannot be reverted any more.
     void forgetClick() { m_beforeClick.reset(); }
+    /// A row of a click, with what was typed into it.
+    struct ClickedRow {
+        QString pixel, depth, got;
+        std::optional<double> clickedDepth; ///< the full depth of the click
+    };
     /// Removes the rows of clicks, which belong to their scene, without `changed`. Typed pixels stay.
-    void forgetClickedRows();
+    std::vector<ClickedRow> takeClickedRows();
+    /// Puts such rows behind the present ones, without `changed`.
+    void putBack(const std::vector<ClickedRow> &rows);
     /// Drops the depths of clicks, which belong to the camera of their view. Typed depths stay.
     void forgetClickedDepths();
     /// Focuses the first row without a program's point.
@@ -76,7 +83,7 @@ private:
     struct BeforeClick {
         Row *row;
         bool isNew; ///< the click has added it
-        QString pixel, depth;
+        QString pixel, clickedPixel, depth;
         std::optional<double> clickedDepth;
     };
 

@@ -11,6 +11,7 @@
 #include "gui/doctor/diagnosis_view.h"
 #include "gui/doctor/wrong_points_form.h"
 #include "gui/document/scene_edits.h"
+#include "gui/document/session.h"
 #include "gui/pipeline/paste_camera_dialog.h"
 #include "gui/pipeline/pasted_matrix_box.h"
 #include "gui/widgets/segmented_switch.h"
@@ -92,6 +93,8 @@ private slots:
     void theWholeTaskIsDone();
     void depthsOfClicksGoWithTheirCamera();
     void clicksGoWithTheirScene();
+    void aLessonGivesTheClicksBack();
+    void aClickThatIsTakenBackLeavesAClick();
     void theSolvedValueIsInSentenceTableAndCode();
     void eachCandidateHasOneRow();
     void noLibraryWithoutALineIsShown();
@@ -254,6 +257,48 @@ void TestDoctorSteps::theSolvedValueIsInSentenceTableAndCode()
     table->setCurrentCell(rowWithValue(), 0);
     const QString code = panelOf(*window).code().text();
     QVERIFY2(code.contains(QStringLiteral("gluPerspective(fovy, aspect, n, %1)").arg(otherFar)), qPrintable(code));
+}
+
+void TestDoctorSteps::aLessonGivesTheClicksBack()
+{
+    const auto window = doctorWindow();
+    Session &session = window->session();
+    const auto texts = [&] {
+        QStringList all;
+        for (const char *name : {"Pixel", "Depth", "Your program's coordinate"}) {
+            for (const QLineEdit *field : fieldsOf(*window, QLatin1String(name)))
+                all << field->text();
+        }
+        return all;
+    };
+    clickedAndWrong(*window);
+    type(gotOf(*window), QStringLiteral("4 5 6"));
+    const QStringList before = texts();
+    const Scene lesson = window->document().scene();
+    QVERIFY(session.openLesson(lesson, QStringLiteral("step"), QStringLiteral("lesson")));
+    settle();
+    QCOMPARE(texts(), (QStringList{QString(), QString(), QString()}));
+    clickedAndWrong(*window, {0.3, 0.2, 1.0});
+    QVERIFY(session.openLesson(lesson, QStringLiteral("next step"), QStringLiteral("lesson")));
+    QVERIFY(session.comeBack());
+    settle();
+    QCOMPARE(texts(), before);
+    QTRY_VERIFY_WITH_TIMEOUT(window->document().picks().wrongPoints().size() == 1, kPatienceMilliseconds);
+}
+
+void TestDoctorSteps::aClickThatIsTakenBackLeavesAClick()
+{
+    WrongPointsForm form;
+    form.addClick(DevicePoint(1.5, 2.5), 0.25);
+    form.addClick(DevicePoint(3.5, 4.5), 0.5); // into the same row, which waits
+    QVERIFY(form.takeBackClick());
+    const auto rows = form.takeClickedRows();
+    QCOMPARE(rows.size(), std::size_t(1));
+    QCOMPARE(rows[0].pixel, QStringLiteral("1.5, 2.5"));
+    QVERIFY(form.isEmpty());
+    form.putBack(rows);
+    QVERIFY(rows[0].clickedDepth == 0.25 && !form.isEmpty());
+    QCOMPARE(form.takeClickedRows().size(), std::size_t(1));
 }
 
 /// Far of any number: near, a scale and others explain the point as well.
