@@ -1,5 +1,7 @@
 #include "core/geometry/precise_matrix.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace unprojector::geometry {
@@ -45,7 +47,20 @@ DoubleDouble3 PreciseMatrix::at(const glm::dvec3 &point) const
 
 PreciseMatrix PreciseMatrix::affineInverse() const
 {
-    const auto column = [this](std::size_t c) { return DoubleDouble3{columns[c][0], columns[c][1], columns[c][2]}; };
+    // Of size 1, so that nothing leaves the range of doubles.
+    double largest = 0.0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        for (std::size_t r = 0; r < 3; ++r)
+            largest = std::max(largest, std::abs(columns[c][r].value));
+    }
+    const int exponent = largest > 0.0 && std::isfinite(largest) ? std::ilogb(largest) : 0;
+    const auto scaled = [](const DoubleDouble &d, int power) {
+        return DoubleDouble(std::ldexp(d.value, power), std::ldexp(d.rest, power));
+    };
+    const auto column = [&](std::size_t c) {
+        return DoubleDouble3{scaled(columns[c][0], -exponent), scaled(columns[c][1], -exponent),
+                             scaled(columns[c][2], -exponent)};
+    };
     const std::array<DoubleDouble3, 3> rows{cross(column(1), column(2)), cross(column(2), column(0)),
                                             cross(column(0), column(1))};
     const DoubleDouble determinant = dot(column(0), rows[0]);
@@ -53,6 +68,27 @@ PreciseMatrix PreciseMatrix::affineInverse() const
     for (std::size_t r = 0; r < 3; ++r) {
         for (std::size_t c = 0; c < 3; ++c)
             inverse.columns[c][r] = rows[r][c] / determinant;
+    }
+    // The cofactors lose the square of the condition number. Newton's step X (2 - M X) gives it back.
+    for (int step = 0; step < 2; ++step) {
+        std::array<DoubleDouble3, 3> left; // the columns of 1 - M X
+        for (std::size_t c = 0; c < 3; ++c) {
+            for (std::size_t r = 0; r < 3; ++r) {
+                left[c][r] = r == c ? 1.0 : 0.0;
+                for (std::size_t k = 0; k < 3; ++k)
+                    left[c][r] = left[c][r] - column(k)[r] * inverse.columns[c][k];
+            }
+        }
+        const PreciseMatrix before = inverse;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const DoubleDouble3 change = before.turned(left[c]);
+            for (std::size_t r = 0; r < 3; ++r)
+                inverse.columns[c][r] = before.columns[c][r] + change[r];
+        }
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+        for (std::size_t r = 0; r < 3; ++r)
+            inverse.columns[c][r] = scaled(inverse.columns[c][r], -exponent);
     }
     const DoubleDouble3 moved = inverse.turned(column(3));
     for (std::size_t r = 0; r < 3; ++r)

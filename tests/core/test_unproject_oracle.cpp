@@ -470,11 +470,30 @@ void TestUnprojectOracle::unitsInTheLastPlace()
 
 namespace {
 
-/// glTranslate, glRotate, glScale, and its inverse from the reference pages with 50 digits.
+/// A vector turned back by glRotate: Rodrigues' formula with 50 digits.
+oracle::Vector3 turnedBack(const Rotate &rotate, const oracle::Vector3 &d)
+{
+    oracle::Vector3 axis = oracle::extended(rotate.axis);
+    const Extended size = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+    for (Extended &component : axis)
+        component /= size;
+    const Extended angle = -Extended(rotate.degrees) * boost::math::constants::pi<Extended>() / 180;
+    const Extended along = axis[0] * d[0] + axis[1] * d[1] + axis[2] * d[2];
+    oracle::Vector3 turned;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+        const Extended crossed = axis[i] * d[j] - axis[j] * d[i];
+        turned[k] = d[k] * cos(angle) + crossed * sin(angle) + axis[k] * along * (1 - cos(angle));
+    }
+    return turned;
+}
+
+/// glTranslate, glRotate, glScale, glRotate, and its inverse from the reference pages with 50 digits.
 struct Placed {
     Translate translate;
     Rotate rotate;
     Scale scale;
+    Rotate inner;
 
     static Placed randomly(oracle::Random &random, double reach)
     {
@@ -483,38 +502,34 @@ struct Placed {
         };
         const glm::dvec3 factors(random.logUniform(1e-6, 1e6), random.logUniform(1e-6, 1e6),
                                  random.logUniform(1e-6, 1e6));
-        return {{three(-reach, reach)}, {random.uniform(-180.0, 180.0), three(-1.0, 1.0)}, {factors}};
+        const Rotate outer{random.uniform(-180.0, 180.0), three(-1.0, 1.0)};
+        return {{three(-reach, reach)}, outer, {factors}, {random.uniform(-180.0, 180.0), three(-1.0, 1.0)}};
     }
 
-    PreciseMatrix worldFromObject() const { return preciseWorldFromObject({translate, rotate, scale}); }
+    PreciseMatrix worldFromObject() const { return preciseWorldFromObject({translate, rotate, scale, inner}); }
 
     oracle::Vector3 objectFromWorld(const oracle::Vector3 &world) const
     {
         const oracle::Vector3 d = oracle::difference(world, oracle::extended(translate.offset));
-        oracle::Vector3 axis = oracle::extended(rotate.axis);
-        const Extended size = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
-        for (Extended &component : axis)
-            component /= size;
-        // Rodrigues' formula, turned back.
-        const Extended angle = -Extended(rotate.degrees) * boost::math::constants::pi<Extended>() / 180;
-        const Extended along = axis[0] * d[0] + axis[1] * d[1] + axis[2] * d[2];
+        oracle::Vector3 object = turnedBack(rotate, d);
         const oracle::Vector3 factors = oracle::extended(scale.factors);
-        oracle::Vector3 object;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-            const Extended crossed = axis[i] * d[j] - axis[j] * d[i];
-            object[k] = (d[k] * cos(angle) + crossed * sin(angle) + axis[k] * along * (1 - cos(angle))) / factors[k];
-        }
-        return object;
+        for (std::size_t k = 0; k < 3; ++k)
+            object[k] /= factors[k];
+        return turnedBack(inner, object);
     }
 };
 
-/// The error in units in the last place of the largest component.
+/// The greatest error of a coordinate in its own units in the last place. A coordinate that is nothing
+/// beside the others counts with the units of 2^-40 of the largest.
 double ulpsOff(const std::array<double, 3> &point, const oracle::Vector3 &truth)
 {
-    const double largest = static_cast<double>(oracle::maxNorm(truth));
-    const Extended ulp = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
-    return relativeError(WorldPoint(point[0], point[1], point[2]), truth, ulp);
+    double worst = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double size = static_cast<double>(std::max<Extended>(abs(truth[k]), oracle::maxNorm(truth) * 0x1p-40));
+        const Extended ulp = std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
+        worst = std::max(worst, static_cast<double>(abs(point[k] - truth[k]) / ulp));
+    }
+    return worst;
 }
 
 } // namespace
