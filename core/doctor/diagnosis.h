@@ -2,11 +2,11 @@
 
 #include "core/cameras/foreign_camera.h"
 #include "core/geometry/box.h"
+#include "core/geometry/precise_matrix.h"
 #include "core/geometry/result.h"
 #include "core/geometry/setup.h"
 #include "core/geometry/spaces.h"
 
-#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
 #include <array>
@@ -29,7 +29,7 @@ enum class PointSpace { World, Eye, Object };
 /// A model of the scene, for programs that wrongly keep or omit its matrix.
 struct PlacedModel {
     std::string name;
-    glm::dmat4 worldFromObject{1.0};
+    geometry::PreciseMatrix worldFromObject;
 };
 
 /// A point of the scene that a program returns independently of the click.

@@ -76,7 +76,7 @@ std::vector<KnownPoint> fixedPoints(const Given &given, const Case &scene, const
         all.push_back({Kind::CameraCentre, transformed(spaceFromWorld, camera->center.coordinates()), {}});
     all.push_back({Kind::WorldOrigin, transformed(spaceFromWorld, glm::dvec3(0.0)), {}});
     for (const PlacedModel &model : scene.models) {
-        const glm::dvec3 origin = transformed(model.worldFromObject, glm::dvec3(0.0));
+        const glm::dvec3 origin = transformed(model.worldFromObject.rounded(), glm::dvec3(0.0));
         all.push_back({Kind::ObjectOrigin, transformed(spaceFromWorld, origin), model.name});
     }
     return all;

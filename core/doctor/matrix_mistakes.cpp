@@ -111,12 +111,16 @@ void addMatrixMistakes(VariantList &list)
 
 void addPointMistakes(VariantList &list, std::span<const PlacedModel> models)
 {
-    for (const PlacedModel &model : models) {
+    constexpr std::size_t kMostInPairs = 200; // the pairs, and their memory, grow with the square
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        const bool isAlone = i >= kMostInPairs;
         list.add(
             "model-left-in",
-            [](Run &run, const Variant &v) { run.point = transformed(glm::inverse(v.matrix), run.point); }, model);
+            [](Run &run, const Variant &v) { run.point = transformed(glm::inverse(v.matrix), run.point); }, models[i],
+            isAlone);
         list.add(
-            "model-left-out", [](Run &run, const Variant &v) { run.point = transformed(v.matrix, run.point); }, model);
+            "model-left-out", [](Run &run, const Variant &v) { run.point = transformed(v.matrix, run.point); },
+            models[i], isAlone);
     }
     list.add("eye-added", Stage::Point, [](Run &run, const Variant &) { run.point += run.given.eyePosition; });
     list.add("eye-subtracted", Stage::Point, [](Run &run, const Variant &) { run.point -= run.given.eyePosition; });

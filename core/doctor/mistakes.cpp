@@ -147,10 +147,11 @@ void VariantList::addAlone(std::string_view id, Stage stage, Apply apply, Varian
     m_variants.back().isAlone = true;
 }
 
-void VariantList::add(std::string_view id, Apply apply, const PlacedModel &model)
+void VariantList::add(std::string_view id, Apply apply, const PlacedModel &model, bool isAlone)
 {
     add(id, Stage::Point, apply, 0.0, {marked("of %1"), model.name});
-    m_variants.back().matrix = model.worldFromObject;
+    m_variants.back().matrix = model.worldFromObject.rounded();
+    m_variants.back().isAlone = isAlone;
 }
 
 std::vector<Variant> VariantList::sorted() &&

@@ -34,7 +34,7 @@ Click clickOf(const Case &scene, const Given &given, const WrongPoint &point, do
     click.depth = depth;
     click.space = point.space;
     if (point.space == PointSpace::Object && point.model < scene.models.size())
-        click.worldFromObject = scene.models[point.model].worldFromObject;
+        click.worldFromObject = scene.models[point.model].worldFromObject.rounded();
     setPixel(given, click, point.pixel);
     click.depthAbove = depthOnMesh(scene, DevicePoint(click.pixel.x, click.pixel.y - 1.0));
     click.depthBelow = depthOnMesh(scene, DevicePoint(click.pixel.x, click.pixel.y + 1.0));
@@ -109,7 +109,7 @@ std::optional<glm::dvec3> eyeOf(const Setup &setup, const WorldPoint &world)
 }
 
 /// A point of a mesh in an object's space.
-std::optional<glm::dvec3> objectOf(const glm::dmat4 &worldFromObject, const WorldPoint &world)
+std::optional<glm::dvec3> objectOf(const PreciseMatrix &worldFromObject, const WorldPoint &world)
 {
     const Result<ObjectPoint> point = unproject::objectFromWorld(worldFromObject, world);
     return point ? std::optional(point->coordinates()) : std::nullopt;
@@ -200,7 +200,8 @@ std::optional<glm::dvec3> rightPoint(const Case &scene, const WrongPoint &point,
 {
     if (prepared.depthKnown == DepthKnown::ByRay)
         return std::nullopt;
-    const glm::dmat4 &worldFromObject = prepared.click.worldFromObject;
+    const bool isOfObject = point.space == PointSpace::Object && point.model < scene.models.size();
+    const PreciseMatrix worldFromObject = isOfObject ? scene.models[point.model].worldFromObject : PreciseMatrix();
     if (prepared.onMesh)
         return point.space == PointSpace::Eye ? eyeOf(scene.setup, *prepared.onMesh)
                                               : objectOf(worldFromObject, *prepared.onMesh);

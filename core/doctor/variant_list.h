@@ -25,7 +25,8 @@ public:
     void addAlone(std::string_view id, Stage stage, Apply apply, VariantName name, double parameter = 0.0,
                   double second = 0.0);
     /// Adds a variant with a model's matrix.
-    void add(std::string_view id, Apply apply, const PlacedModel &model);
+    /// @param isAlone  it is not tried in pairs
+    void add(std::string_view id, Apply apply, const PlacedModel &model, bool isAlone);
 
     /// The variants sorted by mistake; variants of one mistake stay in the order of addition.
     std::vector<Variant> sorted() &&;

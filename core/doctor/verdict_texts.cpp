@@ -89,7 +89,8 @@ std::string verdictSentence(const Diagnosis &diagnosis)
     if (diagnosis.verdict == "right")
         return tr(isByRay ? "The point lies on the ray of this pixel, between near and far. Its right depth is not "
                             "known: give the depth."
-                          : "The point is right to the digits given.");
+                  : diagnosis.isSinglePrecision ? "The point is right to the digits that single precision holds."
+                                                : "The point is right to the digits given.");
     if (diagnosis.contradiction)
         return tr("Points %1 and %2 have the same pixel and depth but different coordinates: they contradict each "
                   "other.",

@@ -132,7 +132,7 @@ Result<Diagnosis> diagnose(const Scene &scene, std::span<const WrongPoint> point
     const opening::OpenedScene &opened = SceneAccess::of(scene);
     doctor::Case examined{SetupAccess::of(scene.setup()), {}, {}, {}, {}};
     for (const scene::SceneObject &object : opened.objects)
-        examined.models.push_back({object.name, geometry::worldFromObject(object.transform)});
+        examined.models.push_back({object.name, geometry::preciseWorldFromObject(object.transform)});
     if (!opened.objects.empty()) {
         const SceneAccess::Rays rays = SceneAccess::rays(scene, examined.setup);
         if (!rays)

@@ -50,12 +50,14 @@ ExactUnprojection::Matrix ExactUnprojection::product(const Matrix &a, const Matr
     return m;
 }
 
-ExactUnprojection::Matrix ExactUnprojection::extended(const glm::dmat4 &matrix)
+ExactUnprojection::Matrix ExactUnprojection::extended(const PreciseMatrix &matrix)
 {
     Matrix m;
-    for (int row = 0; row < 4; ++row) {
-        for (int column = 0; column < 4; ++column)
-            m[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = matrix[column][row];
+    for (std::size_t row = 0; row < 4; ++row) {
+        for (std::size_t column = 0; column < 4; ++column) {
+            const DoubleDouble &number = matrix.columns[column][row];
+            m[row][column] = Extended(number.value) + number.rest;
+        }
     }
     return m;
 }
@@ -201,7 +203,7 @@ std::optional<ExactUnprojection> ExactUnprojection::of(const Setup &setup)
     return inverted(setup, windowFromWorld(setup));
 }
 
-std::optional<ExactUnprojection> ExactUnprojection::toObject(const Setup &setup, const glm::dmat4 &worldFromObject)
+std::optional<ExactUnprojection> ExactUnprojection::toObject(const Setup &setup, const PreciseMatrix &worldFromObject)
 {
     return inverted(setup, product(windowFromWorld(setup), extended(worldFromObject)));
 }

@@ -1,11 +1,10 @@
 #pragma once
 
+#include "core/geometry/precise_matrix.h"
 #include "core/geometry/setup.h"
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <glm/mat4x4.hpp>
-
 #include <array>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <optional>
 
 namespace unprojector::unproject {
@@ -22,7 +21,8 @@ public:
     // To world space, to an object's space and to eye space. Each returns empty where the product
     // has no inverse. @pre the setup's parts are valid
     static std::optional<ExactUnprojection> of(const geometry::Setup &setup);
-    static std::optional<ExactUnprojection> toObject(const geometry::Setup &setup, const glm::dmat4 &worldFromObject);
+    static std::optional<ExactUnprojection> toObject(const geometry::Setup &setup,
+                                                     const geometry::PreciseMatrix &worldFromObject);
     static std::optional<ExactUnprojection> toEye(const geometry::Setup &setup);
 
     /// The point; empty for a point at infinity.
@@ -36,7 +36,7 @@ private:
     using Matrix = std::array<std::array<Extended, 4>, 4>; ///< m[row][column]
 
     static Matrix product(const Matrix &a, const Matrix &b);
-    static Matrix extended(const glm::dmat4 &m);
+    static Matrix extended(const geometry::PreciseMatrix &m);
     static Matrix eyeFromWorld(const geometry::LookAt &camera);
     static Matrix clipFromEye(const geometry::Projection &projection);
     static Matrix windowFromNdc(const geometry::Setup &setup);

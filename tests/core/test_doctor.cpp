@@ -8,6 +8,7 @@
 #include "core/doctor/verdict_texts.h"
 #include "core/geometry/transform.h"
 #include "core/text/translation.h"
+#include "core/unproject/exact_unprojection.h"
 #include "core/unproject/unprojector.h"
 #include "tests/core/doctor_oracle.h"
 #include "tests/support/random_scene.h"
@@ -93,6 +94,7 @@ private slots:
     void withoutADepthTheRayJudges();
     void theMeshKnowsTheDepth();
     void theRightPointIsThatOfTheDepth();
+    void theRightPointInAnObjectIsThatOfItsSteps();
     void aRoundedDepthIsAllowedFor();
     void anotherSizeIsTried();
     void otherSpaces();
@@ -391,6 +393,24 @@ void TestDoctor::theRightPointIsThatOfTheDepth()
     QVERIFY(!diagnosed(of, point).right);
 }
 
+/// The steps of an object cancel; their product in doubles is wrong in the eleventh decimal.
+void TestDoctor::theRightPointInAnObjectIsThatOfItsSteps()
+{
+    using unproject::Extended;
+    Case of = scene();
+    of.models = {
+        {"far", preciseWorldFromObject({Translate{{1e6, 0, 0}}, Rotate{30.0, {0, 0, 1}}, Translate{{-1e6, 0.3, 0}}})}};
+    WrongPoint point = pointAt(of, WorldPoint(kTruth), glm::dvec3(9.0));
+    point.space = PointSpace::Object;
+    const auto world = unproject::ExactUnprojection::of(of.setup)->at(point.pixel, *point.depth).value();
+    const Extended half = 0.5, root = sqrt(Extended(3)) / 2, x = world[0] - 1e6, y = world[1];
+    const std::array<Extended, 3> truth{root * x + half * y + 1e6, root * y - half * x - Extended(0.3), world[2]};
+    const Diagnosis diagnosis = diagnosed(of, point);
+    QVERIFY(diagnosis.right);
+    for (int axis = 0; axis < 3; ++axis)
+        QCOMPARE((*diagnosis.right)[axis], double(truth[std::size_t(axis)]));
+}
+
 /// A depth of three digits moves the point by hundredths.
 void TestDoctor::aRoundedDepthIsAllowedFor()
 {
@@ -482,6 +502,7 @@ void TestDoctor::singlePrecisionIsNoMistake()
         const Diagnosis right = ask(oracleUnder(x, 700.0 - y, depth)), flipped = ask(oracleUnder(x, y, depth));
         QCOMPARE(QString::fromStdString(right.verdict), QStringLiteral("right"));
         QVERIFY(right.isSinglePrecision);
+        QCOMPARE(verdictSentence(right), std::string("The point is right to the digits that single precision holds."));
         if (std::abs(y - 350.0) > 5.0)
             QCOMPARE(QString::fromStdString(flipped.verdict), QStringLiteral("y-not-flipped"));
     }

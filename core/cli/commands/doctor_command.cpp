@@ -75,7 +75,7 @@ std::optional<CaseRead> withoutMesh(const std::string &file)
         return std::nullopt;
     Case result{setupOf(*scene), {}, {}, {}, verticesOnceRead(file)};
     for (const SceneFileObject &object : scene->objects)
-        result.models.push_back({object.name, worldFromObject(object.transform)});
+        result.models.push_back({object.name, preciseWorldFromObject(object.transform)});
     return CaseRead{std::move(result), filesOf(*scene, file)};
 }
 
@@ -87,7 +87,7 @@ std::optional<CaseRead> withMesh(const std::string &file)
         return std::nullopt;
     Case result{*setup, {}, {}, {}, {}};
     for (const SceneObject &object : opened->objects)
-        result.models.push_back({object.name, worldFromObject(object.transform)});
+        result.models.push_back({object.name, preciseWorldFromObject(object.transform)});
     const Result<Unprojector> unprojector = Unprojector::of(*setup);
     if (!unprojector) {
         complain(opened->name + ": " + errorText(unprojector.error()));
