@@ -18,14 +18,6 @@ using Rows = std::array<DoubleDouble4, 4>;
 /// The error of two sums of four products, each relative to the sum of its terms' magnitudes.
 constexpr double kRounding = 0x1p-95;
 
-DoubleDouble4 product(const Rows &rows, const DoubleDouble4 &v)
-{
-    DoubleDouble4 result;
-    for (std::size_t row = 0; row < 4; ++row)
-        result[row] = rows[row][0] * v[0] + rows[row][1] * v[1] + rows[row][2] * v[2] + rows[row][3] * v[3];
-    return result;
-}
-
 Rows product(const Rows &a, const Rows &b)
 {
     Rows result;
@@ -118,6 +110,7 @@ Result<WayBack> WayBack::of(const Setup &setup)
 /// satisfies e <= |X| r + G e. If G d <= a d for d = |X| r, then e <= d / (1 - a).
 WayBack::Solution WayBack::solved(const DoubleDouble4 &clip) const
 {
+    const auto product = [](const Rows &rows, const DoubleDouble4 &v) { return WayForward::product(rows, v); };
     const auto residual = [&](const DoubleDouble4 &point) {
         DoubleDouble4 rest = product(m_way.m_clipFromEye, product(m_way.m_eyeFromWorld, point));
         for (std::size_t k = 0; k < 4; ++k)

@@ -43,7 +43,17 @@ std::vector<MatrixFactor> frustumFactors(const Frustum &frustum)
 
 struct FactorsOf {
     std::vector<MatrixFactor> operator()(const Frustum &p) const { return frustumFactors(p); }
-    std::vector<MatrixFactor> operator()(const Pinhole &p) const { return frustumFactors(frustumFromPinhole(p)); }
+    std::vector<MatrixFactor> operator()(const Pinhole &p) const
+    {
+        // Its edges are rounded; the matrix is not rounded from them.
+        std::vector<MatrixFactor> result = frustumFactors(frustumFromPinhole(p));
+        const glm::dmat4 whole = clipFromEye(Projection(p)).value();
+        glm::dmat4 &toSquare = result.back().matrix;
+        toSquare[0][0] = whole[0][0] / p.nearDistance;
+        toSquare[1][1] = whole[1][1] / p.nearDistance;
+        toSquare[3] = {-whole[2][0], -whole[2][1], 0.0, 1.0};
+        return result;
+    }
     std::vector<MatrixFactor> operator()(const Perspective &p) const
     {
         return frustumFactors(frustumFromPerspective(p));

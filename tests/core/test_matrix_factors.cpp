@@ -89,7 +89,8 @@ void TestMatrixFactors::theirProductIsTheMatrixToAnUlp()
         const double theta = between(0.1, 3.0), phi = between(0.1, 3.0);
         for (const Projection &projection :
              {Projection(frustum), Projection(Perspective{between(0.01, 3.0), between(0.1, 10), n, n + size()}),
-              Projection(box), Projection(Oblique{box, theta, phi})}) {
+              Projection(box), Projection(Oblique{box, theta, phi}),
+              Projection(Pinhole{500.0, 510.0, between(319.0, 321.0), 240.0, 0.0, 640.0, 480.0, n, n + size()})}) {
             const auto parts = factors(projection);
             const auto matrix = clipFromEye(projection);
             QVERIFY(parts && matrix);

@@ -184,7 +184,7 @@ batch::PreciseConstants constantsOf(const PixelLens &lens, const PreciseAxes &ax
     constexpr double kTiny = 0x1p-900; // below this, products of rests underflow
     const double aheadSize = sizes.axes * (1.0 + std::abs(lens.aheadX.value) + std::abs(lens.aheadY.value));
     c.acrossSize = sizes.axes * std::abs(lens.acrossX.value);
-    c.upSize = sizes.axes * std::abs(lens.upY.value);
+    c.upSize = sizes.axes * std::abs(lens.upY.value) * (1.0 + std::abs(lens.skew.value));
     c.originSize = sizes.origin + kTiny;
     c.reach = aheadSize + c.acrossSize * fromEdge(lens.axisX, g.viewport.x, g.viewport.width)
               + c.upSize * (fromEdge(lens.axisY, g.viewport.y, g.viewport.height) + g.surface.heightPixels);
