@@ -207,7 +207,7 @@ Numbers read(ImageBytes &bytes, const ImageRequest &request)
         return readChannel(file, *asked, request);
     }
     const ImageError uncertain{
-        tr("the OpenEXR image has the channels %1; give the one of depth by --channel NAME", channels.names)};
+        tr("the OpenEXR image has the channels %1; give the one of depth by %2", channels.names, request.channelName)};
     std::vector<Choice> choices = channels.ofDepth();
     if (choices.empty())
         return uncertain;

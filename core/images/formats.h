@@ -38,6 +38,8 @@ Colors readJpegColors(ImageBytes &bytes, const ImageRequest &request);
 /// The messages that several formats share.
 ImageError damaged(std::string_view detail);
 ImageError tooShort(const PixelSize &size);
+/// A byte order was given for a format that tells its own.
+ImageError byteOrderRefusal(const ImageRequest &request);
 /// @param library  "libpng"
 /// @param others  formats to convert to
 ImageError noLibrary(std::string_view format, std::string_view library, std::string_view others);

@@ -160,8 +160,8 @@ std::optional<ImageError> excess(const NumberImage &image, const ImageRequest &r
         return std::nullopt;
     if (!request.byteOrder && std::ranges::none_of(numbers, isExcess, withSwappedBytes<Number>))
         return ImageError{tr("numbers are above %1, the greatest one of the header, and none is in the other byte "
-                             "order; give --byte-order little",
-                             text::shortestText(image.greatest))};
+                             "order; give little by %2",
+                             text::shortestText(image.greatest), request.byteOrderName)};
     const auto pixel = static_cast<std::size_t>(found - numbers.begin());
     return ImageError{tr("the pixel in column %1 and row %2 has the value %3, and the header says that %4 is the "
                          "greatest (both counted from 0, from the upper left)",
@@ -182,8 +182,8 @@ std::optional<ImageError> readInOrder(ImageBytes &bytes, NumberImage &image, std
         return error;
     if (!request.byteOrder && isSmootherSwapped<Number>(image))
         image.notes.push_back(tr("in the other byte order the image is far smoother; if the depths are wrong, give "
-                                 "--byte-order %1",
-                                 usual == std::endian::big ? "little" : "big"));
+                                 "%1 by %2",
+                                 usual == std::endian::big ? "little" : "big", request.byteOrderName));
     return std::nullopt;
 }
 
@@ -210,8 +210,11 @@ Numbers readNetpbm(ImageBytes &bytes, const ImageRequest &request)
         return ImageError{tr("the header is damaged")};
     NumberImage image;
     image.size = {*width, *height};
+    image.greatest = isPfm ? 0.0 : *last;
     if (auto refused = sizeRefusal(image.size, request))
         return *refused;
+    if (request.byteOrder && image.greatest <= 255.0)
+        return byteOrderRefusal(request);
     bytes.moveTo(header.end());
     std::optional<ImageError> error;
     if (isPfm) {
@@ -220,7 +223,7 @@ Numbers readNetpbm(ImageBytes &bytes, const ImageRequest &request)
             image.notes.push_back(tr("the header has the scale %1, which is not applied: the depths are used unchanged",
                                      text::shortestText(std::abs(*last))));
         error = readAll<float>(bytes, image, (*last < 0.0) != kIsLittle, request);
-    } else if (image.greatest = *last; image.greatest > 255.0) {
+    } else if (image.greatest > 255.0) {
         error = readInOrder<std::uint16_t>(bytes, image, std::endian::big, request);
         error = error ? error : excess<std::uint16_t>(image, request);
     } else {

@@ -104,14 +104,19 @@ bool hasFreeByteOrder(std::string_view first)
 
 } // namespace
 
+ImageError byteOrderRefusal(const ImageRequest &request)
+{
+    return ImageError{
+        tr("%1 is for PGM of 16 bits and raw floats, and this is another format; leave it out", request.byteOrderName)};
+}
+
 geometry::Result<NumberImage, ImageError> readNumberImage(ImageBytes &bytes, const ImageRequest &request)
 {
     const std::string_view first = bytes.first();
     if (!request.channel.empty() && !isExr(first))
-        return ImageError{tr("--channel is for OpenEXR, and this is another format; leave the option out")};
+        return ImageError{tr("%1 is for OpenEXR, and this is another format; leave it out", request.channelName)};
     if (request.byteOrder && !hasFreeByteOrder(first))
-        return ImageError{tr("--byte-order is for PGM of 16 bits and raw floats, and this is another format; leave the "
-                             "option out")};
+        return byteOrderRefusal(request);
     if (isPng(first))
         return readPng(bytes, request);
     if (isNpy(first))

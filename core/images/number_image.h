@@ -65,6 +65,8 @@ struct ImageRequest {
     /// The byte order of a PGM of 16 bits and of raw floats; empty: big for PGM, little for raw floats, and a
     /// note if the other one gives a far smoother image.
     std::optional<std::endian> byteOrder;
+    /// The caller's names of these two, for errors and notes.
+    const char *channelName = "--channel", *byteOrderName = "--byte-order";
     /// The reason to refuse an image of a size, before memory is allocated for it.
     std::function<std::optional<ImageError>(const PixelSize &)> refusal;
     /// Receives the number of pixels read since the last call.

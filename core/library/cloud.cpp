@@ -140,6 +140,8 @@ Result<DepthImage> readDepth(const std::filesystem::path &file, const std::strin
     images::ImageRequest request;
     request.channel = channel;
     request.byteOrder = byteOrder;
+    request.channelName = "channel";
+    request.byteOrderName = "byte_order";
     request.refusal = [](const images::PixelSize &) { return std::optional<images::ImageError>(); };
     request.onRead = [](std::size_t) {};
     const auto image = images::readNumberImage(bytes, request);

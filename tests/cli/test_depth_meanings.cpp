@@ -322,13 +322,12 @@ void TestDepthMeanings::theOtherByteOrderIsANote()
     else
         given << "--depth-scale"
               << "1000";
-    const QByteArray note = "depth: in the other byte order the image is far smoother; if the depths are wrong, give "
-                            "--byte-order ";
+    const QByteArray note = "depth: in the other byte order the image is far smoother; if the depths are wrong, give ";
     const Run run = runCommand(given);
     QCOMPARE(run.errors.contains(note), !named.isEmpty());
     if (named.isEmpty())
         return;
-    QVERIFY2(run.errors.contains(note + named.toUtf8() + '\n'), run.errors.constData());
+    QVERIFY2(run.errors.contains(note + named.toUtf8() + " by --byte-order\n"), run.errors.constData());
     const Run turned = runCommand(given + QStringList{"--byte-order", named});
     QVERIFY2(!turned.errors.contains("byte order"), turned.errors.constData());
     const QString right = m_folder.write("right.npy", isRaw ? npy(npyHeader("<f4", "(48, 64)"), bytesOf(floats))

@@ -213,6 +213,9 @@ def test_depth_files_are_read(tmp_path):
     assert np.array_equal(up.read_depth(tmp_path / "nyu.pgm", byte_order="little"), np.arange(6).reshape(2, 3))
     with pytest.raises(ValueError, match="byte_order"):
         up.read_depth(tmp_path / "nyu.pgm", byte_order="middle")
+    (tmp_path / "low.pgm").write_bytes(b"P5 3 2 255\n" + bytes(range(6)))
+    with pytest.raises(ValueError, match="byte_order is for PGM of 16 bits"):
+        up.read_depth(tmp_path / "low.pgm", byte_order="little")
     with pytest.raises(FileNotFoundError, match="none.png: there is no such file"):
         up.read_depth(tmp_path / "none.png")
     (tmp_path / "text.png").write_text("hello")
