@@ -100,7 +100,7 @@ public:
         const std::optional<glm::dvec3> v = numbers(X);
         if (!v || glm::abs(*v) != glm::dvec3(kMissing) || v->x != v->y || v->y != v->z || isOurs(m_table.header))
             return v;
-        notes.add(LandmarkNote::Kind::CodeIsMissing, 1, std::to_string(line()));
+        notes.add(LandmarkNote::Kind::CodeIsMissing);
         return std::nullopt;
     }
 

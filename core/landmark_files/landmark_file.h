@@ -101,7 +101,7 @@ struct LandmarkNote {
         RowNamesLeftOut,    ///< count: row names of R that are no numbers, beside a column of names
         ApostrophesLeftOut, ///< count: texts of another program's table with an apostrophe before an apparent formula
         NegativeIsMissing,  ///< count: points whose coordinates are all -1, tpsDig's form of missing ones
-        CodeIsMissing,      ///< detail: the line with coordinates that are all 9999 or all -9999
+        CodeIsMissing,      ///< coordinates that are all 9999 or all -9999
         MissingCodeUnknown, ///< the file says that values are missing, and not by which number
         PreviewsLeftOut,    ///< count: points under 3D Slicer's mouse that were not placed yet
         LinksLeftOut,       ///< count: pairs of points that a file connects by lines

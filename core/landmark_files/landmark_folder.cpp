@@ -89,7 +89,9 @@ std::vector<std::filesystem::path> filesIn(const std::filesystem::path &folder, 
         // Other JSON contains no landmarks, and neither do measures, sliders and a series' template.
         const bool isOther = (format == Format::SlicerJson && !isMarkup(file.stem())) || isMeasuresFile(file)
                              || isSlidersFile(file) || file.filename() == seriesTemplate({});
-        if (format && !isOther && it->is_regular_file(ignored))
+        // A link to nothing is reported as a file that cannot be read.
+        const bool isLost = it->is_symlink(ignored) && !it->exists(ignored);
+        if (format && !isOther && (it->is_regular_file(ignored) || isLost))
             found.push_back(file);
     }
     // "face.ply.points-2.csv" would come before "face.ply.points.csv".

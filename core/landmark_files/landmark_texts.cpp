@@ -176,8 +176,10 @@ std::string noteText(const LandmarkNote &note)
                     marked("%1 points have only coordinates of -1, as tpsDig writes missing points; they have no "
                            "position here"));
     case Kind::CodeIsMissing:
-        return tr("line %1: all coordinates are 9999 or -9999, the mark of a missing point; it has no position here",
-                  note.detail);
+        return said(marked("%1 point has only coordinates of 9999 or -9999, the mark of a missing point; it has no "
+                           "position here"),
+                    marked("%1 points have only coordinates of 9999 or -9999, the mark of missing points; they have no "
+                           "position here"));
     case Kind::MissingCodeUnknown:
         return tr("the parameters say that values are missing, and not by which number; every number is read as a "
                   "coordinate");

@@ -4,6 +4,8 @@
 
 #include <QDir>
 
+#include <filesystem>
+
 namespace {
 
 const QByteArray kPicked = "<!DOCTYPE PickedPoints>\n<PickedPoints>\n"
@@ -34,6 +36,7 @@ private slots:
     void slidersOfSemilandmarks();
     void aFolderToATable();
     void tablesOfAllKinds();
+    void aLinkToNothingIsReported();
     void specimensOfOneName();
     void namesAlignEveryTable();
     void aSecondPlacingIsNoSpecimen();
@@ -267,6 +270,21 @@ void TestLandmarksCommand::tablesOfAllKinds()
              QByteArray("1 4L 12 1 9999 DIM=3\nA\na\nlate\nb_2\n1 1 1 9999 9999 9999 9999 9999 9999 9999 9999 9999\n"
                         "0.1 -2 3 9999 9999 9999 9999 9999 9999 9999 9999 9999\n"
                         "9999 9999 9999 9999 9999 9999 1 2 3 4 5 6\n9999 9999 9999 9999 9999 9999 7 8 9 10 11 12\n"));
+}
+
+/// A data set whose file is not there is no smaller data set.
+void TestLandmarksCommand::aLinkToNothingIsReported()
+{
+    QVERIFY(QDir().mkpath(m_folder.path("links")));
+    m_folder.write("links/a.csv", kTable);
+    std::error_code error;
+    std::filesystem::create_symlink("gone.csv", std::filesystem::path(m_folder.path("links/b.csv").toStdU16String()),
+                                    error);
+    if (error)
+        QSKIP("this system lets the test make no links");
+    const Run run = runCommand({"landmarks", "--table", m_folder.path("links"), "-o", "-", "--format", "wide"});
+    QCOMPARE(run.exitCode, 1);
+    QVERIFY2(run.errors.startsWith(m_folder.path("links/b.csv").toUtf8() + ": "), run.errors.constData());
 }
 
 /// a.pp beside a.pts, and a file whose specimens have one name: each is a specimen of its own.
