@@ -5,6 +5,7 @@
 #include "core/matrices/pipeline.h"
 #include "core/opening/models.h"
 #include "core/ray/mesh_point.h"
+#include "core/scene_file/json_text.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 #include "core/text/error_text.h"
@@ -207,7 +208,7 @@ Result<Scene, LessonError> sceneOf(const Step &step)
 {
     const std::string where = step.id + ".scene";
     const Result<scene_file::SceneFile, scene_file::SceneFileError> file =
-        scene_file::parseScene(step.scene.json().dump(), where);
+        scene_file::parseScene(scene_file::compactJson(step.scene.json()), where);
     if (!file)
         return LessonError{scene_file::sceneErrorText(file.error())};
     auto objects = opening::objectsOf(*file, {}, [](const std::filesystem::path &model) {

@@ -72,8 +72,10 @@ bool isSceneFile(const std::filesystem::path &file)
     if (first != std::string::npos && text[first] != '{')
         return false;
     if (text.size() == kStart) {
+        // The key stands near the start of this program's scenes; a model with data inside is not read whole.
+        constexpr std::uintmax_t kEnough = std::uintmax_t{8} << 20;
         const auto size = std::filesystem::file_size(file, error);
-        text.resize(std::max<std::size_t>(kStart, error ? 0 : std::min<std::uintmax_t>(size, kMostSceneBytes)));
+        text.resize(std::max<std::size_t>(kStart, error ? 0 : std::min(size, kEnough)));
         read(kStart);
     }
     return isSceneText(text);

@@ -83,8 +83,8 @@ struct SceneFile {
 };
 
 /// The maximum number of bytes and depth of brackets of a scene file. This allows more than a
-/// million landmarks, and every file of landmarks that can be imported. It prevents a file or a pipe
-/// without end from exhausting memory or stack: a scene takes up to some 40 times its text.
+/// million landmarks, and every file of landmarks that can be imported. A file or a pipe without end is
+/// refused, as is one that would exhaust the stack. A scene takes up to some 40 times its text.
 constexpr std::size_t kMostSceneBytes = std::size_t{256} << 20;
 constexpr std::size_t kMostSceneLevels = 64;
 /// The maximum size of the window, in logical pixels and in device pixels.

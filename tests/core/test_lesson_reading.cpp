@@ -35,6 +35,7 @@ private slots:
     void aFaultNamesItsPlace_data();
     void aFaultNamesItsPlace();
     void translationsMayBeIncomplete();
+    void numbersMayHaveAllTheirDigits();
     void aChangeLeavesTheRest();
     void linksAreRead_data();
     void linksAreRead();
@@ -299,6 +300,21 @@ void TestLessonReading::translationsMayBeIncomplete()
     const auto other = parseLesson("t", lesson, R"({"steps": [{"id": "b"}]})");
     QVERIFY(!other);
     QCOMPARE(other.error().text, std::string("t, translated: steps[0]: the lesson has no step \"b\""));
+}
+
+/// More digits than a double holds are kept as they are written.
+void TestLessonReading::numbersMayHaveAllTheirDigits()
+{
+    const auto lesson = parseLesson("t", oneStep(R"(, "scene": {"unprojector": 1,
+        "window": {"width": 800, "height": 600, "devicePixelRatio": 1},
+        "projection": {"type": "perspective", "fovy": 45, "near": 1, "far": 100},
+        "view": {"eye": [0.70710678118654757, 0.10000000000000000555, 5], "center": [0, 0, 0], "up": [0, 1, 0]},
+        "objects": []})"));
+    QVERIFY2(lesson, lesson ? "" : lesson.error().text.c_str());
+    const auto scene = sceneOf(lesson->steps.front());
+    QVERIFY2(scene, scene ? "" : scene.error().text.c_str());
+    const Setup setup = *setupOf(*scene, {800, 600, 1.0}, {});
+    QVERIFY(setup.camera().eye == WorldPoint(std::sqrt(0.5), 0.1, 5.0));
 }
 
 void TestLessonReading::aChangeLeavesTheRest()

@@ -51,7 +51,7 @@ void TestSceneMemory::aLargeFileTakesLittleMemory_data()
 {
     QTest::addColumn<QByteArray>("text");
     QTest::addColumn<QByteArray>("message");
-    constexpr qsizetype most = (8 << 20) - 1000;
+    constexpr qsizetype most = (8 << 20) - 1000; // memory grows with the text: as much as a test may take
     const auto many = [](const QByteArray &element, qsizetype bytes) {
         return '[' + (element + ',').repeated(bytes / (element.size() + 1)).chopped(1) + ']';
     };
