@@ -177,24 +177,32 @@ void PickStrip::showTexts()
     const int arrows = (SpaceCount - 1) * metrics.horizontalAdvance(u'›')
                        + (m_atClick->isHidden() ? 0 : m_atClick->sizeHint().width());
     std::array<int, SpaceCount> widths{};
-    int digits = kMostDigits;
-    for (;; --digits) {
+    std::array<QString, SpaceCount> shown;
+    const auto sumOfWidths = [&] {
         int sum = arrows;
         for (int space = 0; space < SpaceCount; ++space) {
             widths[space] =
-                std::max(metrics.horizontalAdvance(textOf(space, digits)), metrics.horizontalAdvance(m_names[space]))
-                + kPadding;
+                std::max(metrics.horizontalAdvance(shown[space]), metrics.horizontalAdvance(m_names[space])) + kPadding;
             sum += widths[space];
         }
-        if (sum <= width() || digits == kFewestDigits)
-            break;
-    }
+        return sum;
+    };
+    int digits = kMostDigits + 1;
+    do {
+        --digits;
+        for (int space = 0; space < SpaceCount; ++space)
+            shown[space] = textOf(space, digits);
+    } while (sumOfWidths() > width() && digits > kFewestDigits);
+    // A button would cut off the ends of its numbers.
+    for (int left = SpaceCount; left > 0 && sumOfWidths() > width(); --left)
+        *std::max_element(shown.begin(), shown.end(), [&metrics](const QString &a, const QString &b) {
+            return metrics.horizontalAdvance(a) < metrics.horizontalAdvance(b);
+        }) = QStringLiteral("…");
     auto *line = static_cast<QHBoxLayout *>(m_spaces->layout());
     for (int space = 0; space < SpaceCount; ++space) {
         QToolButton &button = *m_buttons[space];
-        const QString text = textOf(space, digits);
-        button.setText(m_names[space] + u'\n' + text);
-        button.setAccessibleName(m_names[space] + u' ' + text);
+        button.setText(m_names[space] + u'\n' + shown[space]);
+        button.setAccessibleName(m_names[space] + u' ' + textOf(space, digits));
         button.setEnabled(static_cast<bool>(m_texts[space]));
         line->setStretch(1 + 2 * space, widths[space]); // behind the label, an arrow between two
     }

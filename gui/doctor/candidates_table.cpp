@@ -8,6 +8,7 @@
 
 #include <QEvent>
 #include <QHeaderView>
+#include <QScrollBar>
 #include <QSignalBlocker>
 
 namespace unprojector::gui {
@@ -32,7 +33,6 @@ CandidatesTable::CandidatesTable(QWidget *parent) : QTableWidget(0, ColumnCount,
     setEditTriggers(NoEditTriggers);
     setTabKeyNavigation(false);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setAccessibleName(tr("Candidates"));
     setToolTip(tr("Mistakes that explain the point, the best first. The code to change belongs to the selected one"));
     // The names' column changes with the panel and with the other columns, whose final widths the
@@ -75,7 +75,9 @@ void CandidatesTable::setDiagnosis(const Diagnosis &diagnosis, const WrongPoint 
 void CandidatesTable::fitRows()
 {
     resizeRowsToContents();
-    setFixedHeight(verticalHeader()->length() + horizontalHeader()->sizeHint().height() + 2 * frameWidth());
+    // Many digits can need more room than a narrow panel has.
+    const int bar = horizontalHeader()->length() > viewport()->width() ? horizontalScrollBar()->sizeHint().height() : 0;
+    setFixedHeight(verticalHeader()->length() + horizontalHeader()->sizeHint().height() + bar + 2 * frameWidth());
 }
 
 void CandidatesTable::changeEvent(QEvent *event)

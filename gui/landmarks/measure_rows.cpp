@@ -27,6 +27,7 @@ struct Measures {
 };
 
 const QString kBetweenNames = QStringLiteral(" – ");
+const QString kBetweenSides = QStringLiteral(" ↔ ");
 
 QString nameOf(const LandmarkSet &set, std::size_t index)
 {
@@ -90,7 +91,8 @@ MeasureRow angleRow(const QString &points, const Measured &measured, const Landm
 
 QString namesFitted(const QString &names, const QFontMetrics &metrics, int width)
 {
-    QStringList parts = names.split(kBetweenNames);
+    const QString &between = names.contains(kBetweenSides) ? kBetweenSides : kBetweenNames;
+    QStringList parts = names.split(between);
     const auto lengthOf = [&metrics](const QString &text) { return metrics.horizontalAdvance(text); };
     if (parts.size() < 2 || lengthOf(names) <= width)
         return names;
@@ -98,14 +100,14 @@ QString namesFitted(const QString &names, const QFontMetrics &metrics, int width
     QStringList byLength = parts;
     std::sort(byLength.begin(), byLength.end(),
               [&](const QString &a, const QString &b) { return lengthOf(a) < lengthOf(b); });
-    int room = width - static_cast<int>(parts.size() - 1) * lengthOf(kBetweenNames), share = 0;
+    int room = width - static_cast<int>(parts.size() - 1) * lengthOf(between), share = 0;
     for (qsizetype i = 0; i < byLength.size(); ++i) {
         share = room / static_cast<int>(byLength.size() - i);
         room -= std::min(lengthOf(byLength[i]), share);
     }
     for (QString &part : parts)
         part = metrics.elidedText(part, Qt::ElideMiddle, share);
-    return parts.join(kBetweenNames);
+    return parts.join(between);
 }
 
 std::vector<MeasureRow> measuresOf(const LandmarkSet &set, const std::vector<std::size_t> &indices)
@@ -327,9 +329,8 @@ std::vector<MeasureRow> sidesOf(const LandmarkSet &whole)
     for (const landmarks::Pair &pair : pairs) {
         isPaired[pair.left] = isPaired[pair.right] = true;
         if (whole.landmarks[pair.left].isPlaced() && whole.landmarks[pair.right].isPlaced())
-            add(Measures::tr("Asymmetry"),
-                QStringLiteral("%1 ↔ %2").arg(nameOf(set, pair.left), nameOf(set, pair.right)), pair.left, pair.right,
-                asymmetries[pair.left]);
+            add(Measures::tr("Asymmetry"), nameOf(set, pair.left) + kBetweenSides + nameOf(set, pair.right), pair.left,
+                pair.right, asymmetries[pair.left]);
     }
     for (std::size_t i = 0; i < isPaired.size(); ++i) {
         if (isPaired[i] || !whole.landmarks[i].isPlaced()) // the table lists names to place

@@ -2,6 +2,7 @@
 
 #include "gui/text/number_text.h"
 #include "gui/widgets/copy_menu.h"
+#include "gui/widgets/number_delegate.h"
 
 #include <QDialogButtonBox>
 #include <QHeaderView>
@@ -28,6 +29,10 @@ public:
     void setNumber(int column, const std::optional<double> &number)
     {
         setText(column, number ? writtenText(*number, kDigits) : QStringLiteral("–"));
+        QStringList texts;
+        for (int digits = kDigits; number && digits > 0; --digits)
+            texts << writtenText(*number, digits);
+        setData(column, NumberDelegate::kTextsRole, texts);
         setData(column, Qt::UserRole, number ? QVariant(*number) : QVariant());
         setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
         if (number)
@@ -83,6 +88,7 @@ RepeatsDialog::RepeatsDialog(const landmarks::MeasurementError &error, const QSt
     m_table->setUniformRowHeights(true);
     m_table->setAlternatingRowColors(true);
     m_table->setAccessibleName(tr("Error of measurement of each landmark"));
+    m_table->setItemDelegate(new NumberDelegate(m_table));
     QTreeWidgetItem *header = m_table->headerItem();
     header->setToolTip(Scans, tr("Scans on which the landmark was placed more than once"));
     header->setToolTip(Placings, tr("All placings on these scans"));

@@ -1,5 +1,6 @@
 #include "gui/pipeline/lifecycle_panel.h"
 
+#include "gui/text/fitted_text.h"
 #include "gui/view/lifecycle_log.h"
 #include "gui/widgets/copy_menu.h"
 #include "gui/widgets/digits_font.h"
@@ -11,6 +12,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QScrollBar>
+#include <QStyledItemDelegate>
 #include <QTimer>
 #include <QToolButton>
 #include <QTreeView>
@@ -23,6 +25,22 @@ namespace {
 
 constexpr int kPadding = 8; ///< of a cell, both sides
 constexpr int kMargin = 6;  ///< of the panel
+
+/// Cuts a call before or behind a number.
+class CallsDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        if (const int width = option->rect.width() - kPadding; width > 0) // else the wanted size is asked for
+            option->text = elidedSentence(option->text, width, [option](const QString &text) {
+                return option->fontMetrics.horizontalAdvance(text);
+            });
+    }
+};
 
 } // namespace
 
@@ -37,6 +55,7 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
     m_table->setAllColumnsShowFocus(true);
     m_table->setAlternatingRowColors(true);
     m_table->setTreePosition(LifecycleLog::Step);
+    m_table->setItemDelegateForColumn(LifecycleLog::Step, new CallsDelegate(m_table));
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     QHeaderView *header = m_table->header();
     header->setHighlightSections(false);

@@ -2,6 +2,8 @@
 
 #include "gui/text/number_text.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 
 namespace unprojector::gui {
@@ -41,6 +43,17 @@ QString elidedSentence(const QString &sentence, int width, const TextWidth &widt
         return std::any_of(sentence.begin() + from, sentence.begin() + to, [](QChar c) { return c.isDigit(); });
     };
     const auto isOfNumber = [](QChar c) { return c.isNumber() || QStringLiteral(".e+-−×⁻").contains(c); };
+    // Whether a cut here would leave a number without its unit, or with a part of it.
+    const auto isInUnit = [&sentence](qsizetype end) {
+        static const QRegularExpression withUnit(
+            QStringLiteral("[0-9][0-9.e+\\-−×⁻]*[ \\x{00a0}]?(?:[a-zA-Zµ°%]+|[毫厘微]?米|度|像素)"));
+        for (auto found = withUnit.globalMatch(sentence); found.hasNext();) {
+            const QRegularExpressionMatch match = found.next();
+            if (match.capturedStart() < end && end < match.capturedEnd())
+                return true;
+        }
+        return false;
+    };
     QString shown, inLongWord; // Chinese has no blanks
     for (qsizetype end = 1; end < sentence.size(); ++end) {
         const QString cut = sentence.left(end).trimmed() + u'…';
@@ -54,7 +67,8 @@ QString elidedSentence(const QString &sentence, int width, const TextWidth &widt
             wordEnd = sentence.size();
         if (!hasDigit(before, wordEnd))
             shown = cut;
-        if (!isOfNumber(sentence.at(end - 1)) && !isOfNumber(sentence.at(end)))
+        // Chinese: nothing of a number or of its unit is cut off.
+        if (!isOfNumber(sentence.at(end - 1)) && !isOfNumber(sentence.at(end)) && !isInUnit(end))
             inLongWord = cut;
     }
     return !shown.isEmpty() ? shown : !inLongWord.isEmpty() ? inLongWord : QStringLiteral("…");

@@ -1,5 +1,6 @@
 #include "gui/widgets/certain_digits_delegate.h"
 
+#include "gui/text/fitted_text.h"
 #include "gui/widgets/contrast.h"
 #include "gui/widgets/coordinates_model.h"
 
@@ -19,9 +20,12 @@ void CertainDigitsDelegate::paint(QPainter *painter, const QStyleOptionViewItem 
     }
     QStyleOptionViewItem item = option;
     initStyleOption(&item, index);
-    const QString text = item.text;
-    item.text.clear();
     const QStyle *style = item.widget ? item.widget->style() : QApplication::style();
+    const int margin = style->pixelMetric(QStyle::PM_FocusFrameHMargin, &item, item.widget) + 1;
+    const QFontMetricsF metrics(item.font);
+    const QString whole = std::exchange(item.text, QString());
+    const QString text = fittedText(QStringList{whole} + shorterTexts(whole.toDouble()), item.rect.width() - 2 * margin,
+                                    [&metrics](const QString &each) { return qCeil(metrics.horizontalAdvance(each)); });
     style->drawControl(QStyle::CE_ItemViewItem, &item, painter, item.widget);
 
     const bool isSelected = item.state.testFlag(QStyle::State_Selected);
@@ -30,9 +34,7 @@ void CertainDigitsDelegate::paint(QPainter *painter, const QStyleOptionViewItem 
     // A power of ten belongs to the certain digits before it.
     const qsizetype power = length.toInt() > 0 && text.contains(u'e') ? text.indexOf(u'e') : text.size();
     const qsizetype end = std::min<qsizetype>(length.toInt(), power);
-    const int margin = style->pixelMetric(QStyle::PM_FocusFrameHMargin, &item, item.widget) + 1;
     QRectF area = item.rect.adjusted(margin, 0, -margin, 0);
-    const QFontMetricsF metrics(item.font);
     painter->save();
     painter->setFont(item.font);
     for (const auto &[part, color] : {std::pair(text.mid(power), ink), std::pair(text.mid(end, power - end), grey),

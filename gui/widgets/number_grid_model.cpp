@@ -14,7 +14,7 @@ constexpr int kSignificantDigits = 9;
 constexpr std::size_t kRoomInColumn = 8;
 constexpr std::size_t kRoomInLine = 6;
 
-std::string fittedText(double value, Digits digits, bool isWhole, std::size_t capacity)
+std::string textWithin(double value, Digits digits, bool isWhole, std::size_t capacity)
 {
     if (isWhole)
         return numberText(value, digits);
@@ -92,7 +92,7 @@ void NumberGridModel::makeTexts() const
         std::vector<std::string> texts;
         texts.reserve(static_cast<std::size_t>(m_rows));
         for (int row = 0; row < m_rows; ++row)
-            texts.push_back(number(row, column) ? fittedText(*number(row, column), m_digits, m_isWhole, capacity)
+            texts.push_back(number(row, column) ? textWithin(*number(row, column), m_digits, m_isWhole, capacity)
                                                 : std::string());
         std::vector<std::string> aligned = texts;
         const std::size_t point = alignAtDecimalPoint(aligned);

@@ -188,6 +188,18 @@ void TestComparisonTexts::aSentenceIsNeverCutInANumber()
         QVERIFY2(shown == said || !shown.contains(u'1') || shown.contains(QStringLiteral("1.23e-05 mm")),
                  qPrintable(shown));
     }
+    // A number at the start, and one in Chinese, which has no blanks: with their units, or not at all.
+    const QString apart = QStringLiteral("5.2 mm apart from the mesh"),
+                  chinese = QStringLiteral("标志点最多移动了1.23e-05\u00a0mm（鼻根），6°");
+    for (int width = 1; width < apart.size(); ++width) {
+        const QString shown = elidedSentence(apart, width, size);
+        QVERIFY2(!shown.contains(u'5') || shown.startsWith(QStringLiteral("5.2 mm")), qPrintable(shown));
+    }
+    for (int width = 1; width < chinese.size(); ++width) {
+        const QString shown = elidedSentence(chinese, width, size);
+        QVERIFY2(!shown.contains(u'1') || shown.contains(QStringLiteral("1.23e-05\u00a0mm")), qPrintable(shown));
+        QVERIFY2(!shown.contains(u'6'), qPrintable(shown));
+    }
     QCOMPARE(elidedSentence(said, 50, size), QStringLiteral("They were moved onto the mesh by at most…"));
     QCOMPARE(elidedSentence(said, 63, size),
              QStringLiteral("They were moved onto the mesh by at most 1.23e-05 mm (nasion l…"));
