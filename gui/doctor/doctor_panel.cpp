@@ -116,11 +116,10 @@ void DoctorPanel::connectSteps()
 void DoctorPanel::connectDocument()
 {
     connect(&m_document, &SceneDocument::opened, this, [this] {
-        m_setup.reset();
+        m_left = {std::exchange(m_setup, std::nullopt), std::exchange(m_taken, std::nullopt),
+                  m_form->takeClickedRows()};
         m_setupBefore.reset();
-        m_taken.reset();
         m_takenBefore.reset();
-        m_form->forgetClickedRows();
     });
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (!isVisible())
@@ -142,6 +141,24 @@ void DoctorPanel::connectDocument()
         if (isVisible())
             ask();
     });
+}
+
+void DoctorPanel::followScene(const QString &lesson, bool isBack)
+{
+    Clicks left = std::exchange(m_left, {});
+    if (lesson.isEmpty() && !isBack) {
+        m_aside.reset();
+    } else if (!isBack && !m_aside) {
+        m_aside = std::move(left);
+    } else if (isBack && m_aside) {
+        const Clicks clicks = *std::exchange(m_aside, std::nullopt);
+        if (m_form->isEmpty())
+            m_setup = clicks.setup;
+        m_taken = clicks.taken; // its pick comes back and is no new click
+        m_form->putBack(clicks.rows);
+        if (isVisible())
+            refresh();
+    }
 }
 
 void DoctorPanel::takeGivenCamera()
@@ -311,7 +328,7 @@ void DoctorPanel::ask()
     Case scene;
     scene.setup = *own;
     for (const SceneObject &object : m_document.objects())
-        scene.models.push_back({object.name, worldFromObject(object.transform)});
+        scene.models.push_back({object.name, preciseWorldFromObject(object.transform)});
     scene.otherSize = m_camera->otherSize();
     if (auto rays = raysOf(*own))
         scene.pointOnMesh = ray::MeshPoint(std::move(rays));

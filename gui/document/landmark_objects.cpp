@@ -101,8 +101,7 @@ QString detachStale(std::vector<Landmark> &landmarks, const std::vector<SceneObj
         const QString what =
             Texts::tr("“%1” (%2)").arg(SceneLandmarks::shownNameOf(landmarks, i), heldByText(landmark));
         landmark.anchor = landmarks::Free{};
-        if (held) // it was that of another position, or of another mesh
-            landmark.uncertainty.reset();
+        landmark.uncertainty.reset(); // it was that of another position, or of another mesh
         if (!held && unknown++ == 0)
             firstUnknown = what;
         if (held && (elsewhere++ == 0 || off > farthest)) {

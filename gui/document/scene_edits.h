@@ -34,7 +34,7 @@ geometry::Check editLandmarks(SceneDocument &document, std::vector<landmarks::La
 geometry::Check editLandmarkSet(SceneDocument &document, landmarks::LandmarkSet set, const EditLabel &label);
 
 /// Sets a projection, a view or both, from matrices or another program's camera (withSetup), and a viewport. With the
-/// size of a picture, the view gets this size in device pixels, and the viewport fills it.
+/// size of an image, the view gets this size in device pixels, and the viewport fills it.
 /// @return the errors of byParameters and setupOf
 geometry::Check editMatrices(SceneDocument &document, const std::optional<geometry::Lens> &projection,
                              const std::optional<glm::dmat4> &eyeFromWorld, const EditLabel &label,

@@ -157,10 +157,8 @@ QString DeviationsView::summaryOf(const Deviations &deviations, const SeriesShap
                          .arg(shortestText(kSpreadsOutOfPlace))
                          .arg(off);
     if (!undecided.isEmpty())
-        sentences
-            << tr("Left and right seem to be swapped on %1; %2 scans cannot tell for which pairs. Look at the scan.")
-                   .arg(undecided.join(QStringLiteral(", ")))
-                   .arg(scanCount);
+        sentences << tr("Left and right seem to be swapped on %1; %2 scans cannot tell for which pairs. Look there.")
+                         .arg(undecided.join(QStringLiteral(", ")), QString::number(scanCount));
     if (!notAligned.isEmpty())
         sentences << tr("Not compared, with fewer than %1 landmarks that others have: %2.")
                          .arg(kFewestToAlign)

@@ -47,8 +47,9 @@ QString projectionCall(const Projection &projection)
         {
             const QString frustum =
                 call("glFrustum", {f.left, f.right, f.bottom, f.top, f.nearDistance, f.farDistance});
-            return f.skew == 0.0 ? frustum
-                                 : frustum + QStringLiteral(", glMultMatrixd(%1)").arg(writtenText(f.skew, kDigits));
+            return f.skew == 0.0
+                       ? frustum
+                       : frustum + QStringLiteral(", glMultMatrixd(skew = %1)").arg(writtenText(f.skew, kDigits));
         }
         QString operator()(const Pinhole &p) const { return (*this)(frustumFromPinhole(p)); }
         QString operator()(const Ortho &o) const { return orthoCall(o); }

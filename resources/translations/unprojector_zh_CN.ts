@@ -1964,7 +1964,7 @@ Both in the scene&apos;s units. The circle is the clicked point. A click&apos;s 
         <translation>已比较的扫描：%1。偏离超过 %2 倍散布的标志点：%3。</translation>
     </message>
     <message>
-        <source>Left and right seem to be swapped on %1; %2 scans cannot tell for which pairs. Look at the scan.</source>
+        <source>Left and right seem to be swapped on %1; %2 scans cannot tell for which pairs. Look there.</source>
         <translation>%1 上的左右似乎对调了；%2 个扫描无法判断是哪几对。请查看该扫描。</translation>
     </message>
     <message>

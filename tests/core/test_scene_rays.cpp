@@ -84,7 +84,7 @@ glm::dmat4 reversedInfinite(double nearPlane)
     return m;
 }
 
-/// The picture turned by 90 degrees, as for a display that is held upright. It has no known form.
+/// The view turned by 90 degrees, as for a display that is held upright. It has no known form.
 glm::dmat4 rolled(const glm::dmat4 &m)
 {
     glm::dmat4 result = m;
@@ -570,7 +570,8 @@ void TestSceneRays::uncertaintyHoldsForMatricesOfNoKnownForm()
             matrix[0][2] = 0.1 * aim.share(); // a tilted near plane
         if (i % 3 == 0)
             matrix = -reversed(matrix);
-        const WorldPoint eye(anyOf(0.1, 1e5) * aim.direction());
+        const double away = anyOf(0.1, 1e5);
+        const WorldPoint eye(away * aim.direction());
         const WorldVector ahead(aim.direction());
         const glm::dmat4 view = eyeFromWorld(*eyeFrame({eye, eye + ahead, {0.1, 0.2, 1.0}}));
         const double distance = n * anyOf(1.5, std::min(100.0, f / n));
@@ -590,7 +591,7 @@ void TestSceneRays::uncertaintyHoldsForMatricesOfNoKnownForm()
         const oracle::Oracle oracle(pose, lens, {0.0, 0.0, 640.0, 480.0, 0.0, 1.0}, false);
         const SceneRays rays = Clicked{{objectOf(modelOf(corners))}}.rays(setup);
         for (int k = 0; k < 20; ++k) {
-            const DevicePoint click(640.0 * aim.share(), std::floor(480.0 * aim.share()) + 0.5);
+            const DevicePoint click{640.0 * aim.share(), std::floor(480.0 * aim.share()) + 0.5}; // in this order
             if (const auto hit = rays.at(click); hit && *hit)
                 shares.add(**hit, onPlane(oracle, {click.x, 480.0 - click.y}, exact));
         }
@@ -610,8 +611,8 @@ void TestSceneRays::uncertaintyHoldsInDeepBoxes()
     for (int i = 0; i < 200; ++i) {
         const double depth = std::pow(10.0, 9.0 + i % 4);
         const Ortho box{-1.3, 1.4, -1.0, 1.1, -depth, depth};
-        const LookAt camera{WorldPoint(within(1.0), within(1.0), within(1.0)),
-                            WorldPoint(within(5.0), within(5.0), within(5.0)),
+        const LookAt camera{WorldPoint{within(1.0), within(1.0), within(1.0)}, // in this order
+                            WorldPoint{within(5.0), within(5.0), within(5.0)},
                             {0.0, 1.0, 0.0}};
         const auto three = [](const auto &p) { return std::array{p.x, p.y, p.z}; };
         const oracle::Oracle oracle(
@@ -632,8 +633,8 @@ void TestSceneRays::uncertaintyHoldsInDeepBoxes()
         setup.pose = camera;
         const SceneRays rays = Clicked{{objectOf(modelOf(std::move(mesh)))}}.rays(setup);
         for (int k = 0; k < 10; ++k) {
-            const DevicePoint click(std::floor(240.0 + 160.0 * aim.share()) + 0.5,
-                                    std::floor(200.0 + 80.0 * aim.share()) + 0.5);
+            const DevicePoint click{std::floor(240.0 + 160.0 * aim.share()) + 0.5,
+                                    std::floor(200.0 + 80.0 * aim.share()) + 0.5};
             if (const auto hit = rays.at(click); hit && *hit)
                 shares.add(**hit, onPlane(oracle, {click.x, 480.0 - click.y}, exact));
         }

@@ -127,6 +127,7 @@ void TestComparisonPanel::theTableHasThePointInTheObjectsSpace()
     for (int row = 0; row < 3; ++row)
         QVERIFY(value(row, ComparisonModel::Difference)
                 == value(row, ComparisonModel::Formula) - value(row, ComparisonModel::Matrix));
+    QCOMPARE(model.pointNameAt(model.index(0, ComparisonModel::Formula)), QStringLiteral("object"));
 }
 
 void TestComparisonPanel::theTableOfABackgroundHoldsTheRay()

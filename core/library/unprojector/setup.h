@@ -135,7 +135,8 @@ public:
     /// @return Value: an unknown key
     Result<ApiMatrices> matrices(std::string_view conventions) const;
 
-    /// The parameters; empty where the setup was given by a matrix.
+    /// The parameters; empty where the setup was given by a matrix. Of a camera by K, the frustum with
+    /// rounded edges; sceneText() keeps K.
     std::optional<Projection> projection() const;
     std::optional<Camera> camera() const;
 
