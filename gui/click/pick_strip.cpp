@@ -193,11 +193,11 @@ void PickStrip::showTexts()
         for (int space = 0; space < SpaceCount; ++space)
             shown[space] = textOf(space, digits);
     } while (sumOfWidths() > width() && digits > kFewestDigits);
-    // A button would cut off the ends of its numbers.
-    for (int left = SpaceCount; left > 0 && sumOfWidths() > width(); --left)
-        *std::max_element(shown.begin(), shown.end(), [&metrics](const QString &a, const QString &b) {
-            return metrics.horizontalAdvance(a) < metrics.horizontalAdvance(b);
-        }) = QStringLiteral("…");
+    // A button would cut off the ends of its numbers. The world's point goes last.
+    for (const Space space : {Ndc, Clip, Window, Object, Eye, World, Pixel}) {
+        if (sumOfWidths() > width())
+            shown[space] = QStringLiteral("…");
+    }
     auto *line = static_cast<QHBoxLayout *>(m_spaces->layout());
     for (int space = 0; space < SpaceCount; ++space) {
         QToolButton &button = *m_buttons[space];

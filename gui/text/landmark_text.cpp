@@ -6,8 +6,11 @@
 
 #include <QCoreApplication>
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <variant>
 
 namespace unprojector::gui {
@@ -174,9 +177,14 @@ Notation landmarkNotation(const landmarks::Landmark &landmark, int axis, int cha
             notation.decimals = std::max(notation.decimals, std::min(wide.decimals, -certain));
         }
     } else if (!notation.isScientific) {
-        constexpr int kThousandths = 3;
+        // Thousandths, or five digits of a small coordinate.
+        constexpr int kThousandths = 3, kFewestDigits = 5;
+        const glm::dvec3 size = glm::abs(landmark.world->coordinates());
+        const double largest = std::max({size.x, size.y, size.z, std::numeric_limits<double>::min()});
+        const int wanted =
+            std::max(kThousandths, kFewestDigits - 1 - static_cast<int>(std::floor(std::log10(largest))));
         const Notation wide = notationOf(*landmark.world, (*landmark.world)[axis], kDigits, most);
-        notation.decimals = std::max(notation.decimals, std::min(wide.decimals, kThousandths));
+        notation.decimals = std::max(notation.decimals, std::min(wide.decimals, wanted));
     }
     return notation;
 }
