@@ -339,8 +339,10 @@ struct Exchange {
 class ExchangeSearch {
 public:
     /// @param pairs  those that the specimen and the others have
-    ExchangeSearch(const Configuration &specimen, const Usual &usual, std::span<const Pair> pairs)
-        : m_specimen(specimen), m_usual(usual), m_pairs(pairs)
+    /// @param isCancelled  ends the search early
+    ExchangeSearch(const Configuration &specimen, const Usual &usual, std::span<const Pair> pairs,
+                   const std::function<bool()> &isCancelled)
+        : m_specimen(specimen), m_usual(usual), m_pairs(pairs), m_isCancelled(isCancelled)
     {
     }
 
@@ -402,7 +404,7 @@ private:
         for (bool isBetter = true; isBetter;) {
             isBetter = false;
             const std::vector<bool> from = here.isExchanged;
-            for (std::size_t i = 0; i < m_pairs.size(); ++i) {
+            for (std::size_t i = 0; i < m_pairs.size() && !m_isCancelled(); ++i) {
                 std::vector<bool> flipped = from;
                 flipped[i] = !flipped[i];
                 Exchange other = exchanged(std::move(flipped));
@@ -418,14 +420,17 @@ private:
     const Configuration &m_specimen;
     const Usual &m_usual;
     std::span<const Pair> m_pairs;
+    const std::function<bool()> &m_isCancelled;
     Exchange m_best;
     double m_next = std::numeric_limits<double>::infinity(); ///< the least cost of other exchanges than the best
 };
 
 } // namespace
 
-Deviations deviationsOf(std::span<const Configuration> specimens, std::span<const Pair> pairs)
+Deviations deviationsOf(std::span<const Configuration> specimens, std::span<const Pair> pairs,
+                        const std::function<bool()> &isCancelled)
 {
+    const std::function<bool()> isEnded = isCancelled ? isCancelled : [] { return false; };
     Deviations result;
     std::vector<Configuration> all(specimens.begin(), specimens.end());
     std::size_t landmarks = 0;
@@ -476,8 +481,10 @@ Deviations deviationsOf(std::span<const Configuration> specimens, std::span<cons
                 if (isJudged(pair.left) && isJudged(pair.right))
                     present.push_back(pair);
             }
-            ExchangeSearch search(usable[k], usual[k], present);
+            ExchangeSearch search(usable[k], usual[k], present, isEnded);
             search.run();
+            if (isEnded())
+                return {};
             const std::vector<bool> &flags = search.best().isExchanged;
             isUndecided[k] = search.isUndecided();
             isSwapped[k] =

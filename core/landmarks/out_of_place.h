@@ -4,6 +4,7 @@
 #include "core/landmarks/symmetry.h"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -71,7 +72,9 @@ inline constexpr double kSpreadsOutOfPlace = 2.8;
 /// pairs at once cost 6. If another set is within 1.5 of it, the data cannot tell: the landmarks are out
 /// of place, and none is called swapped.
 ///
-/// @param pairs  left and right landmarks
-Deviations deviationsOf(std::span<const Configuration> specimens, std::span<const Pair> pairs = {});
+/// @param pairs        left and right landmarks
+/// @param isCancelled  true: returns soon, with nothing; empty: never
+Deviations deviationsOf(std::span<const Configuration> specimens, std::span<const Pair> pairs = {},
+                        const std::function<bool()> &isCancelled = {});
 
 } // namespace unprojector::landmarks

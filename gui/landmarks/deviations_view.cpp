@@ -102,14 +102,14 @@ void DeviationsView::compare()
         scans.push_back(&scan.points.landmarks);
     SeriesShapes shapes = shapesOf(scans);
     m_background.cancel();
-    m_background.start([shapes](Job &) { return deviationsOf(shapes.scans, shapes.pairs()); },
-                       [this, shapes](const JobResult<Deviations> &found) {
-                           if (found)
-                               showResult(*found, shapes);
-                           else
-                               m_summary->setText(
-                                   tr("The scans could not be compared: %1.").arg(failureText(found.error())));
-                       });
+    m_background.start(
+        [shapes](Job &job) { return deviationsOf(shapes.scans, shapes.pairs(), [&job] { return job.isCancelled(); }); },
+        [this, shapes](const JobResult<Deviations> &found) {
+            if (found)
+                showResult(*found, shapes);
+            else
+                m_summary->setText(tr("The scans could not be compared: %1.").arg(failureText(found.error())));
+        });
 }
 
 void DeviationsView::showResult(Deviations deviations, const SeriesShapes &shapes)

@@ -106,6 +106,7 @@ private slots:
     void swappedSidesOfFewScansAreNamed_data();
     void swappedSidesOfFewScansAreNamed();
     void sidesThatScansCannotTellAreReported();
+    void aCancelledComparisonIsEmpty();
     void twoMistakesOfALandmarkDoNotHideEachOther();
     void whatCannotBeJudgedIsReported();
     void equalSpecimensHaveNoOutlier();
@@ -366,6 +367,16 @@ void TestOutOfPlace::sidesThatScansCannotTellAreReported()
         }
     }
     QVERIFY(undecided > 10);
+}
+
+void TestOutOfPlace::aCancelledComparisonIsEmpty()
+{
+    simulated::Random random(17);
+    const auto scans = simulated::seriesOfFew(random, {.swapped = {{8, 9}}});
+    int asked = 0;
+    QVERIFY(deviationsOf(scans, simulated::kPairsOfFew, [&asked] { return ++asked > 3; }).worstFirst.empty());
+    QVERIFY(asked < 10);
+    QVERIFY(!deviationsOf(scans, simulated::kPairsOfFew, [] { return false; }).worstFirst.empty());
 }
 
 void TestOutOfPlace::twoMistakesOfALandmarkDoNotHideEachOther()
