@@ -3,6 +3,7 @@
 #include "core/cli/rows/depth_image.h"
 #include "tests/fuzz/fuzzing.h"
 
+#include <bit>
 #include <string>
 #include <variant>
 
@@ -19,7 +20,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
 {
     const std::string file = fuzz::fileOf("depth", data, size).string();
     for (const DepthImageChoices &given :
-         {DepthImageChoices{}, DepthImageChoices{images::PixelSize{3, 2}, {}}, DepthImageChoices{{}, "Z"}}) {
+         {DepthImageChoices{}, DepthImageChoices{images::PixelSize{3, 2}, {}, std::endian::big},
+          DepthImageChoices{{}, "Z", {}}, DepthImageChoices{{}, {}, std::endian::little}}) {
         std::size_t seen = 0;
         const auto image = readDepthImage(file, given, {3, 2}, [&](std::size_t count) { seen += count; });
         if (!image)
