@@ -201,7 +201,7 @@ void TestSceneRays::hitsAreSeenWhereTheClickWas()
 void TestSceneRays::placedObjectsAnswerAsTheirTrianglesInTheWorld_data()
 {
     QTest::addColumn<std::vector<TransformStep>>("transform");
-    const auto row = [](const char *name, std::vector<TransformStep> steps) { QTest::newRow(name) << steps; };
+    const auto row = [](const char *name, const std::vector<TransformStep> &steps) { QTest::newRow(name) << steps; };
     row("none", {});
     row("turned and moved", {Translate{{0.5, -0.3, 1.0}}, Rotate{37.0, {1.0, 2.0, 0.5}}});
     row("mirrored", {Scale{{-1.0, 1.0, 1.0}}});
@@ -268,7 +268,7 @@ void TestSceneRays::clipPlanesCut_data()
 {
     QTest::addColumn<std::vector<glm::dvec4>>("planes");
     QTest::addColumn<double>("z"); // of the wall that the ray hits; 9: none
-    const auto row = [](const char *name, std::vector<glm::dvec4> planes, double z) {
+    const auto row = [](const char *name, const std::vector<glm::dvec4> &planes, double z) {
         QTest::newRow(name) << planes << z;
     };
     row("none", {}, 2.0);
@@ -314,7 +314,7 @@ void TestSceneRays::theNearestObjectAnswersAndOfEqualOnesTheFirst()
 void TestSceneRays::normalsLookOut_data()
 {
     QTest::addColumn<std::vector<TransformStep>>("transform");
-    const auto row = [](const char *name, std::vector<TransformStep> steps) { QTest::newRow(name) << steps; };
+    const auto row = [](const char *name, const std::vector<TransformStep> &steps) { QTest::newRow(name) << steps; };
     row("as it is", {});
     row("mirrored", {Scale{{1.0, 1.0, -1.0}}});
     row("flattened", {Rotate{30.0, {0.0, 0.0, 1.0}}, Scale{{1.0, 0.1, 1.0}}});
