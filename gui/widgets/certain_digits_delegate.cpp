@@ -32,8 +32,10 @@ void CertainDigitsDelegate::paint(QPainter *painter, const QStyleOptionViewItem 
     const QColor ink = item.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text);
     const QColor grey = quietInk(ink, item.palette.color(isSelected ? QPalette::Highlight : QPalette::Base));
     // A power of ten belongs to the certain digits before it.
-    const qsizetype power = length.toInt() > 0 && text.contains(u'e') ? text.indexOf(u'e') : text.size();
-    const qsizetype end = std::min<qsizetype>(length.toInt(), power);
+    // The certain length counts in the notation of the whole text; a text in another one has no certain digits.
+    const int certain = text.contains(u'e') == whole.contains(u'e') ? length.toInt() : 0;
+    const qsizetype power = certain > 0 && text.contains(u'e') ? text.indexOf(u'e') : text.size();
+    const qsizetype end = std::min<qsizetype>(certain, power);
     QRectF area = item.rect.adjusted(margin, 0, -margin, 0);
     painter->save();
     painter->setFont(item.font);
