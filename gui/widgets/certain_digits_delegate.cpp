@@ -6,6 +6,7 @@
 
 #include <QApplication>
 #include <QPainter>
+#include <QtMath>
 
 #include <utility>
 
