@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace unprojector::gui {
 using namespace geometry;
@@ -35,7 +36,14 @@ QString withoutTrailingZeros(QString text)
     return text;
 }
 
-constexpr int kNothingUncertain = -20;
+/// The certain place; none without an uncertainty.
+std::optional<int> placeOf(double uncertainty)
+{
+    if (!(uncertainty > 0.0) || !std::isfinite(uncertainty))
+        return std::nullopt;
+    return static_cast<int>(std::ceil(std::log10(uncertainty)));
+}
+
 /// The most decimals that are written out.
 constexpr int kMostZeros = 9;
 
@@ -154,16 +162,16 @@ int decimalsFor(const Components<3> &point, int digits)
 
 int certainPlace(double uncertainty)
 {
-    if (!(uncertainty > 0.0) || !std::isfinite(uncertainty))
-        return kNothingUncertain;
-    return std::max(static_cast<int>(std::ceil(std::log10(uncertainty))), kNothingUncertain);
+    constexpr int kNothingUncertain = -20;
+    return placeOf(uncertainty).value_or(kNothingUncertain);
 }
 
 QString certainText(double value, double uncertainty)
 {
-    const int place = certainPlace(uncertainty);
-    if (place == kNothingUncertain || !std::isfinite(value))
+    const std::optional<int> certain = placeOf(uncertainty);
+    if (!certain || !std::isfinite(value))
         return shortestText(value);
+    const int place = *certain;
     const double rounded = place > 0 ? roundedTo(value, place) : value;
     if (std::abs(rounded) >= kTooLarge)
         return scientificText(rounded, std::max(0, exponentOf(rounded) - place));
@@ -182,13 +190,15 @@ QString Notation::text(double value) const
 qsizetype Notation::certainLength(double value, double uncertainty) const
 {
     const QString whole = text(value);
-    const int place = certainPlace(uncertainty);
-    if (place == kNothingUncertain || !std::isfinite(value))
+    if (!std::isfinite(value))
         return whole.size();
     const qsizetype power = isScientific ? whole.indexOf(u'e') : whole.size();
+    const std::optional<int> place = placeOf(uncertainty);
+    if (!place)
+        return power;
     const qsizetype point = whole.indexOf(u'.') < 0 ? power : whole.indexOf(u'.');
     const int unit = isScientific ? whole.mid(power + 1).toInt() : 0; // the place of the digit before the point
-    const int last = std::max(place, unit - decimals);
+    const int last = std::max(*place, unit - decimals);
     const qsizetype length = last >= unit ? point - (last - unit) : point + 1 + (unit - last);
     const qsizetype sign = whole.startsWith(u'-') ? 1 : 0;
     if (length > sign)
@@ -229,9 +239,9 @@ Notation notationWithin(const Components<3> &point, double coordinate, double un
     constexpr int kDigitsOfExact = 10, kMoreDigits = 2, kDoubleDigits = 16, kLeastExponent = -4;
     const double largest = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
     const int exponent = largest > 0.0 && std::isfinite(largest) ? exponentOf(largest) : 0;
-    const int place = certainPlace(uncertainty);
-    const int last = place == kNothingUncertain ? exponent + 1 - kDigitsOfExact
-                                                : std::max(place - kMoreDigits, exponent + 1 - kDoubleDigits);
+    const std::optional<int> place = placeOf(uncertainty);
+    const int last =
+        place ? std::max(*place - kMoreDigits, exponent + 1 - kDoubleDigits) : exponent + 1 - kDigitsOfExact;
     if (exponent > kMostExponent || (exponent < kLeastExponent && -last > kMostZeros)) {
         const int own = coordinate != 0.0 && std::isfinite(coordinate) ? exponentOf(coordinate) : last;
         return {std::clamp(own - last, 0, kDoubleDigits - 1), true};

@@ -10,6 +10,7 @@
 #include "comparison_picks.h"
 
 #include <QLabel>
+#include <QRegularExpression>
 #include <QTest>
 
 #include <cmath>
@@ -55,7 +56,7 @@ void TestComparisonDigits::certainDigitsAreBlackAndTwoMoreGrey_data()
     row("nothing but the uncertainty", 0.004, 0.05, "0.004", "0.0");
     row("negative", -3.5, 0.004, "-3.5000", "-3.50");
     row("no uncertainty", 1.25, 0.0, "1.250000000", "1.250000000");
-    row("finer than a double", 1.25, 1e-25, "1.250000000", "1.250000000");
+    row("finer than a double", 1.25, 1e-25, "1.250000000000000", "1.250000000000000");
     row("to the last place of a double", 1.25, 1e-16, "1.250000000000000", "1.250000000000000");
     row("thousands", 1234.5, 0.04, "1234.500", "1234.5");
     row("hundreds that may be off", 1234.6, 30.0, "1235", "12");
@@ -63,6 +64,8 @@ void TestComparisonDigits::certainDigitsAreBlackAndTwoMoreGrey_data()
     row("of a small scan", 0.00903634, 1.4e-8, "0.009036340", "0.0090363");
     row("on a map", 5412349.529786, 1e-6, "5412349.52978600", "5412349.529786");
     row("tiny", 1.234e-12, 3e-15, "1.2340e-12", "1.23");
+    row("tiny, far below its size", 1.0802858072384839e-13, 9.18e-21, "1.080285807e-13", "1.0802858");
+    row("tiny, no uncertainty", 1.234e-12, 0.0, "1.234000000e-12", "1.234000000");
     row("huge", 1.25e20, 1e12, "1.2500000000e+20", "1.25000000");
 }
 
@@ -125,6 +128,12 @@ void TestComparisonDigits::theAnswerHasTheDigitsOfTheTable()
     for (const char *grey : {">57<", ">89<", ">00<"})
         QVERIFY2(markup.contains(QLatin1String(grey)), qPrintable(markup));
     QCOMPARE(cell(panel.model(), 0, ComparisonModel::Formula, ComparisonModel::kCertainLengthRole).toInt(), 6);
+
+    // A power of ten is written once, also where all digits before it are certain.
+    panel.setPick(pickWith({1.25e-13, -2.5e-13, 3e-14}, {1.25e-13, -2.5e-13, 3e-14}, {0.0, 0.0, 0.0}, 0.0));
+    QString shown = labelNamed(panel, "World coordinate")->text();
+    shown.remove(QRegularExpression(QStringLiteral("<[^>]*>"))).remove(QStringLiteral("&nbsp;"));
+    QVERIFY2(shown.contains(QStringLiteral("e-13,")) && shown.count(u'e') == 3, qPrintable(shown));
 }
 
 void TestComparisonDigits::whatIsCopiedHasAllDigits()

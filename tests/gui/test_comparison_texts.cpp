@@ -79,6 +79,8 @@ void TestComparisonTexts::numbersAreWritten_data()
     QTest::newRow("written, not a number") << writtenText(std::numeric_limits<double>::quiet_NaN(), 5) << "nan";
     QTest::newRow("written, infinite") << writtenText(-std::numeric_limits<double>::infinity()) << "-inf";
     QTest::newRow("certain, far from zero") << certainText(4000000.1234, 0.0005) << "4000000.123";
+    QTest::newRow("certain, far below") << certainText(1.0802858072384839e-13, 9.18e-21) << "1.0802858e-13";
+    QTest::newRow("certain, below 1e-20") << certainText(1.0802858072384839e-18, 9.18e-26) << "1.0802858e-18";
     QTest::newRow("certain, farther") << certainText(123456789012.0, 300.0) << "1.23456789e+11";
     QTest::newRow("certain, farther, rounded to nothing") << certainText(4e10, 1e12) << "0";
     QTest::newRow("how large") << significantText(1234567.0, 2) << "1.2e+06";
