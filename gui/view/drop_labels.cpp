@@ -26,6 +26,19 @@ std::optional<QPointF> widgetOf(const Setup &setup, const WorldPoint &point)
     return QPointF(widget.x, widget.y);
 }
 
+namespace {
+
+/// The largest share of a way along one axis where a label is still inside the view.
+/// @param start, way, view, label  logical pixels; the last two are lengths
+double roomAlong(double start, double way, double view, double label)
+{
+    constexpr double kEdge = 1.0;
+    const double end = way > 0.0 ? view - label / 2.0 - kEdge : label / 2.0 + kEdge;
+    return way == 0.0 ? 1.0 : std::clamp((end - start) / way, 0.0, 1.0);
+}
+
+} // namespace
+
 std::vector<DropLabel> dropLabels(const SceneDocument &document, const QFont &font, const std::vector<QRectF> &taken)
 {
     const Picks &picks = document.picks();
@@ -40,6 +53,9 @@ std::vector<DropLabel> dropLabels(const SceneDocument &document, const QFont &fo
     const QFontMetricsF metrics(font);
     const std::vector<LineSegment> lines = dropLines(*point, document.ground().box);
     constexpr double kMark = 9.0; // half of the pick's mark
+    const Surface &surface = document.setup().surface;
+    const QRectF view(0.0, 0.0, logicalFromDevice(surface, surface.widthPixels),
+                      logicalFromDevice(surface, surface.heightPixels));
     std::vector<QRectF> boxes = taken;
     boxes.emplace_back(*start - QPointF(kMark, kMark), QSizeF(2.0 * kMark, 2.0 * kMark));
     for (int axis = 0; axis < 3; ++axis) {
@@ -56,12 +72,16 @@ std::vector<DropLabel> dropLabels(const SceneDocument &document, const QFont &fo
         if (length < size.height())
             continue; // the line is hardly visible
         // The label is at the middle of the line, else further along or beyond its foot, where
-        // there is room.
+        // there is room, or as far along as the view reaches: a cut number is another number.
         const double behind = 1.0 + (size.width() / 2.0 + kMark) / length;
-        for (const double share : {0.5, 0.75, 1.0, behind}) {
+        const double reach = std::min(roomAlong(start->x(), way.x(), view.width(), size.width()),
+                                      roomAlong(start->y(), way.y(), view.height(), size.height()));
+        for (const double share : {0.5, 0.75, 1.0, behind, reach, reach / 2.0}) {
             QRectF box(QPointF(), size);
             box.moveCenter(*start + way * share);
-            if (std::any_of(boxes.begin(), boxes.end(), [&box](const QRectF &other) { return other.intersects(box); }))
+            if (!view.contains(box) || std::any_of(boxes.begin(), boxes.end(), [&box](const QRectF &other) {
+                    return other.intersects(box);
+                }))
                 continue;
             boxes.push_back(box);
             labels.push_back({text, QColor::fromRgbF(line.color.r, line.color.g, line.color.b), box});
