@@ -104,7 +104,9 @@ QString clickedText(double depth)
 
 QString quoted(const QLineEdit &field)
 {
-    return QStringLiteral("“%1”").arg(field.text().trimmed());
+    constexpr int kMost = 40;
+    const QString text = field.text().trimmed();
+    return QStringLiteral("“%1”").arg(text.size() > kMost ? text.left(kMost) + u'…' : text);
 }
 
 } // namespace
