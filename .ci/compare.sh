@@ -53,7 +53,7 @@ keep() {
 
 # All mistakes that the old build knows: it lists them when it gets an unknown one.
 mistakes=$("$old/core/cli/unproject" map --what displacement --convention ? -o "$work/none.pfm" "$work/scenes/ortho.json" 2>&1 |
-    sed -n 's/.* is none of //p' | tr -d ',')
+    sed -n 's/.* is not one of //p' | tr -d ',')
 [ -n "$mistakes" ] || { echo "The old build lists no mistakes" >&2; exit 2; }
 
 # computed COMMAND OUT: the output of a build's command for all scenes.
