@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # bash .ci/compare.sh OLD NEW: checks that two builds give the same digits and pixels. OLD and NEW
 # are build folders. Both commands compute the same scenes (points, pick, project, matrices, map,
-# code, doctor, landmarks), and both windows take pictures of their views. Prints the differences;
-# returns 1 if there are any.
+# code, doctor, landmarks), and both windows take pictures of their views. Prints the differences,
+# those in numbers and those in words apart (differences.py); returns 1 if there are any.
 # A change of the structure must have none. A change that is meant to alter digits shows them.
 set -eu
 old=$(cd -- "$1" && pwd) new=$(cd -- "$2" && pwd)
@@ -116,9 +116,8 @@ for which in old new; do
     [ ! -x "$old/gui/unprojector" ] || [ ! -x "$new/gui/unprojector" ] || pictures "${!which}" "$work/$which"
 done
 echo "$(find "$work/old" -type f | wc -l) outputs of the old build, $(find "$work/old" -name '*.png' | wc -l) of them pictures"
-if diff -rq "$work/old" "$work/new" >"$work/differences" && [ -z "$failed" ]; then
+if python3 "$folder/differences.py" "$work/old" "$work/new" && [ -z "$failed" ]; then
     echo "The same."
 else
-    sed "s|$work/||g" "$work/differences"
     exit 1
 fi
