@@ -123,7 +123,12 @@ void TestLongStreams::tenMillionRowsKeepTheirOrderInLittleMemory()
     QCOMPARE(process.readAllStandardError(), QByteArray()); // and no progress bar in a pipe
     if (peak == 0)
         QSKIP("the rows are right; how much memory they took is not known here");
-    QVERIFY2(peak < 64LL * 1024, QByteArray::number(peak) + " KiB");
+#ifdef UNPROJECTOR_IS_SANITIZED
+    constexpr qint64 kMost = 128LL * 1024; // the sanitizer's own memory counts, more with huge pages
+#else
+    constexpr qint64 kMost = 64LL * 1024;
+#endif
+    QVERIFY2(peak < kMost, QByteArray::number(peak) + " KiB");
     qInfo("%lld KiB at most", static_cast<long long>(peak));
 }
 
