@@ -4,6 +4,7 @@
 #include "gui/doctor/step_heading.h"
 #include "gui/text/number_text.h"
 #include "gui/text/sentences.h"
+#include "gui/text/typed_numbers.h"
 #include "gui/widgets/plain_text_box.h"
 #include "gui/widgets/refused_field.h"
 #include "gui/widgets/typing_pause.h"
@@ -104,9 +105,7 @@ QString clickedText(double depth)
 
 QString quoted(const QLineEdit &field)
 {
-    constexpr int kMost = 40;
-    const QString text = field.text().trimmed();
-    return QStringLiteral("“%1”").arg(text.size() > kMost ? text.left(kMost) + u'…' : text);
+    return QStringLiteral("“%1”").arg(typedBeginning(field.text().trimmed()));
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "gui/landmarks/computing_button.h"
 #include "gui/landmarks/measure_rows.h"
 #include "gui/text/error_text.h"
+#include "gui/text/typed_numbers.h"
 #include "gui/widgets/number_delegate.h"
 
 #include <QHeaderView>
@@ -284,7 +285,8 @@ void CurvesView::apply(int row, int column, const QVariant &typed)
         return;
     if (column == Name) {
         if (!curves.rename(index, typed.toString()))
-            say(tr("“%1” cannot be the name: it is empty, or another curve has it.").arg(typed.toString().trimmed()));
+            say(tr("“%1” cannot be the name: it is empty, or another curve has it.")
+                    .arg(typedBeginning(typed.toString().trimmed())));
     } else if (column == Count && !curves.all()[index].points.empty()) {
         bool isNumber = false;
         const int count = typed.toString().trimmed().toInt(&isNumber);
@@ -292,7 +294,7 @@ void CurvesView::apply(int row, int column, const QVariant &typed)
             curves.setCount(index, count);
         else
             say(tr("n is “%1”; a curve has 2 to %2 semilandmarks.")
-                    .arg(typed.toString().trimmed())
+                    .arg(typedBeginning(typed.toString().trimmed()))
                     .arg(landmarks::kMostSemilandmarks));
     }
     showRows(); // restores the value after a rejection

@@ -323,7 +323,8 @@ QString ForeignCameraBox::fault() const
         return m_fault;
     for (const QLineEdit *field : {m_near, m_far}) {
         if (isRefused(*field, numberIn(*field).has_value()))
-            return tr("“%1” is not a distance: type a number greater than 0.").arg(field->text().trimmed());
+            return tr("“%1” is not a distance: type a number greater than 0.")
+                .arg(typedBeginning(field->text().trimmed()));
     }
     if (isRefused(*m_size, typedSize(m_size->text()).has_value()))
         return sizeFaultText(m_size->text().trimmed());

@@ -2,6 +2,7 @@
 
 #include "core/doctor/written_points.h"
 #include "core/text/expression.h"
+#include "core/text/printable.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>
@@ -66,9 +67,16 @@ std::optional<geometry::Surface> typedSize(QString text)
     return geometry::Surface{static_cast<int>((*numbers)[0].value), static_cast<int>((*numbers)[1].value), 1.0};
 }
 
+QString typedBeginning(const QString &text)
+{
+    constexpr std::size_t kMost = 40;
+    return QString::fromStdString(text::printableBeginning(text.toStdString(), kMost));
+}
+
 QString sizeFaultText(const QString &text)
 {
-    return TypedNumbers::tr("“%1” is not a size: type width and height in whole pixels, such as 1000 x 700.").arg(text);
+    return TypedNumbers::tr("“%1” is not a size: type width and height in whole pixels, such as 1000 x 700.")
+        .arg(typedBeginning(text));
 }
 
 } // namespace unprojector::gui

@@ -9,6 +9,9 @@
 
 namespace unprojector::gui {
 
+/// A typed or pasted text for a message: its first 40 characters, printable.
+QString typedBeginning(const QString &text);
+
 /// Parses the coordinates of a point, typed or copied from a program: "1.5 2 -3", "1.5, 2, -3",
 /// "vec3(1.500000, 2.000000, -3.000000)", "[1.5 2. -3.]", "{1.5f, 2, -3}", "QVector3D(1.5, 2, -3)".
 /// Each may be an expression without blanks. An additional 1, the w of a point, may follow.

@@ -8,6 +8,7 @@
 #include "gui/text/formula_text.h"
 #include "gui/text/landmark_text.h"
 #include "gui/text/number_text.h"
+#include "gui/text/typed_numbers.h"
 #include "gui/widgets/formula_view.h"
 
 #include "comparison_picks.h"
@@ -53,6 +54,7 @@ private slots:
     void coordinatesOfASurveyCanBeRead();
     void theCauseOfADifferenceIsNamed();
     void theCertaintyIsNamed();
+    void aLongTextIsQuotedByItsBeginning();
     void everyErrorHasItsSentence_data();
     void everyErrorHasItsSentence();
     void everyImportErrorHasItsSentence_data();
@@ -346,6 +348,14 @@ void TestComparisonTexts::theCauseOfADifferenceIsNamed()
     QVERIFY(!labelNamed(panel, "Cause of the difference")->isVisible());
     panel.findChild<VerdictView *>()->findChild<QToolButton *>()->click();
     QVERIFY(labelNamed(panel, "Cause of the difference")->isVisible());
+}
+
+void TestComparisonTexts::aLongTextIsQuotedByItsBeginning()
+{
+    const QString pasted = QStringLiteral("1 2 3 ").repeated(1000);
+    QCOMPARE(typedBeginning(pasted), pasted.left(40) + u'…');
+    QCOMPARE(typedBeginning(QStringLiteral("1 x")), QStringLiteral("1 x"));
+    QVERIFY2(sizeFaultText(pasted).size() < 150, qPrintable(sizeFaultText(pasted).left(200)));
 }
 
 void TestComparisonTexts::theCertaintyIsNamed()

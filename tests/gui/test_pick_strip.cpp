@@ -17,6 +17,8 @@
 #include "gui/widgets/whole_table.h"
 #include "tests/support/patience.h"
 
+#include "document_edits.h"
+
 #include <QLabel>
 #include <QSettings>
 #include <QSignalSpy>
@@ -78,6 +80,7 @@ private slots:
     void itIsHiddenWhereItWouldTellOrTakeRoom();
     void itStaysHiddenAfterARestart();
     void theLinesAlongTheAxesHaveTheirCoordinates();
+    void noCoordinateIsCutAtTheViewsEdge();
 };
 
 void TestPickStrip::everySpaceHasItsCoordinate()
@@ -327,6 +330,28 @@ void TestPickStrip::theLinesAlongTheAxesHaveTheirCoordinates()
     }
     window->view().onLButtonDown(WidgetPoint(2, 2));
     QVERIFY(dropLabels(window->document(), window->view().font(), {}).empty());
+}
+
+/// Near the model, the lines along the axes leave the view.
+void TestPickStrip::noCoordinateIsCutAtTheViewsEdge()
+{
+    const auto window = windowOfSize({1280, 800});
+    LookAt camera = *window->document().scene().camera;
+    camera.eye = camera.eye + (camera.center - camera.eye) * 0.7;
+    QVERIFY(editCamera(window->document(), camera, {QStringLiteral("test")}));
+    const QRectF view(window->view().rect());
+    int hits = 0, shown = 0;
+    for (int j = 1; j < 10; ++j) {
+        for (int i = 1; i < 10; ++i) {
+            window->view().onLButtonDown(WidgetPoint(view.width() * i / 10.0, view.height() * j / 10.0));
+            hits += window->document().picks().pick()->hit() ? 1 : 0;
+            for (const DropLabel &label : dropLabels(window->document(), window->view().font(), {})) {
+                QVERIFY2(view.contains(label.box), qPrintable(label.text));
+                ++shown;
+            }
+        }
+    }
+    QVERIFY2(hits > 20 && shown > 2 * hits, qPrintable(QStringLiteral("%1 of %2").arg(shown).arg(hits)));
 }
 
 QTEST_MAIN(TestPickStrip)
