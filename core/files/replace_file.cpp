@@ -27,6 +27,8 @@ Written checkTarget(const std::filesystem::path &target)
 {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(target, error);
+    if (status.type() == std::filesystem::file_type::none) // not even whether it exists is known
+        return systemError(error);
     if (std::filesystem::is_directory(status))
         return FileError{FileErrorCode::IsDirectory, {}};
     if (isStream(target))
