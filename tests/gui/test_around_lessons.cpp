@@ -173,24 +173,30 @@ void TestAroundLessons::theStatusBarKeepsTheAnswer()
         }
         return text;
     };
-    const auto point = [&] {
-        QTest::mouseMove(&window->view(), cube + QPoint(3, 3));
-        QTest::mouseMove(&window->view(), cube);
+    // On a busy machine a late layout takes the pointer from the view: it points again until it is read.
+    const auto points = [&](const QString &words) {
+        return QTest::qWaitFor(
+            [&] {
+                if (readout().contains(words))
+                    return true;
+                QTest::mouseMove(&window->view(), cube + QPoint(3, 3));
+                QTest::mouseMove(&window->view(), cube);
+                settle(200);
+                return readout().contains(words);
+            },
+            kPatienceMilliseconds);
     };
     follow(*window, QStringLiteral("view:500x500"));
     QTRY_COMPARE_WITH_TIMEOUT(window->view().size(), (QSizeF(500, 500) / ratio).toSize(), kPatienceMilliseconds);
     settle(200);
-    point();
-    QTRY_VERIFY_WITH_TIMEOUT(readout().contains(pixel), kPatienceMilliseconds);
+    QVERIFY2(points(pixel), qPrintable(readout()));
     QVERIFY2(!readout().contains(QStringLiteral("world")), qPrintable(readout()));
     for (std::size_t i = 0; i < player.lesson()->steps.size(); ++i) {
         QVERIFY(player.goTo(i));
         if (player.step().question)
             player.reveal();
     }
-    settle(200);
-    point();
-    QTRY_VERIFY_WITH_TIMEOUT(readout().contains(QStringLiteral("world")), kPatienceMilliseconds);
+    QVERIFY2(points(QStringLiteral("world")), qPrintable(readout()));
 }
 
 void TestAroundLessons::hiddenPanelsAreHiddenAgain()
