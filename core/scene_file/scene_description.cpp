@@ -104,7 +104,13 @@ Setup setupOf(const SceneFile &scene)
 
 std::filesystem::path objectFile(const SceneFileObject &object, const std::filesystem::path &sceneFile)
 {
-    return object.file.empty() ? std::filesystem::path() : sceneFile.parent_path() / object.file;
+    if (object.file.empty())
+        return {};
+    std::filesystem::path file = sceneFile.parent_path() / object.file;
+    // A recovered scene may name its models from a folder that is gone: no system follows its "..".
+    std::error_code failed;
+    std::filesystem::path whole = absolutePath(file);
+    return !std::filesystem::exists(file, failed) && std::filesystem::exists(whole, failed) ? whole : file;
 }
 
 Result<Scene, SceneFileError> sceneFromFile(const SceneFile &file, const std::filesystem::path &sceneFile,

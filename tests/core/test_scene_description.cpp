@@ -13,6 +13,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <fstream>
+
 using namespace unprojector;
 using namespace unprojector::geometry;
 using namespace unprojector::scene;
@@ -33,6 +35,7 @@ private slots:
     void whatNoWindowDrawsIsRefusedWithItsKey();
     void aModelBehindALinkStaysTheSame_data();
     void aModelBehindALinkStaysTheSame();
+    void theFolderOfTheSceneMayBeGone();
     void theDepthRangeOfAClickIsInSinglePrecision();
     void withoutUiTheFilesNumbersHold();
     void aWindowShowsWhatMatricesOfItsCamerasSay();
@@ -270,6 +273,20 @@ void TestSceneDescription::aModelBehindALinkStaysTheSame()
         QVERIFY(std::filesystem::equivalent(read, scene.objects[0].file));
     else
         QVERIFY(!std::filesystem::exists(read));
+}
+
+/// A recovered scene names its models from the folder that it was saved in.
+void TestSceneDescription::theFolderOfTheSceneMayBeGone()
+{
+    const QTemporaryDir dir;
+    const std::filesystem::path root(dir.path().toStdU16String());
+    std::ofstream(root / "model.obj") << "v 0 0 0";
+    SceneFileObject object;
+    object.file = "../../model.obj";
+    const std::filesystem::path sceneFile = root / "gone" / "deeper" / "scene.json";
+    QVERIFY(std::filesystem::equivalent(objectFile(object, sceneFile), root / "model.obj"));
+    object.file = "../../missing.obj";
+    QVERIFY(objectFile(object, sceneFile) == root / "gone" / "deeper" / object.file);
 }
 
 /// A scene has the typed numbers, a click the numbers used for drawing. A depth that was read at
