@@ -8,12 +8,11 @@
 #include "gui/doctor/code_changes_view.h"
 #include "gui/doctor/diagnoser.h"
 #include "gui/doctor/diagnosis_view.h"
+#include "gui/doctor/space_choice.h"
 #include "gui/doctor/wrong_points_form.h"
 #include "gui/document/picks.h"
-#include "gui/text/bundled_names.h"
 #include "gui/text/error_text.h"
 
-#include <QComboBox>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -21,7 +20,6 @@
 
 #include <glm/matrix.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -31,26 +29,15 @@ using namespace geometry;
 using namespace scene;
 using namespace unproject;
 using namespace doctor;
-namespace {
-
-// The index in the combo box of spaces, after the world; then come the objects.
-constexpr int kEyeItem = 1;
-constexpr int kFirstObjectItem = 2;
-
-} // namespace
 
 DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
     : QWidget(parent), m_document(document), m_diagnoser(new Diagnoser(this)), m_camera(new CameraStep),
-      m_form(new WrongPointsForm), m_space(new QComboBox), m_answer(new DiagnosisView), m_code(new CodeChangesView),
-      m_candidates(new CandidatesTable)
+      m_form(new WrongPointsForm), m_space(new SpaceChoice(document)), m_answer(new DiagnosisView),
+      m_code(new CodeChangesView), m_candidates(new CandidatesTable)
 {
     auto *spaceLine = new QHBoxLayout;
     auto *spaceLabel = new QLabel(tr("&In the space:"));
     spaceLabel->setBuddy(m_space);
-    m_space->setAccessibleName(tr("Space of the points that the program got"));
-    m_space->setToolTip(tr("Space in which the program expresses its points"));
-    m_space->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_space->setMinimumContentsLength(8);
     spaceLine->addWidget(spaceLabel);
     spaceLine->addWidget(m_space, 1);
 
@@ -74,7 +61,6 @@ DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
     m_candidates->hide();
     connectSteps();
     connectDocument();
-    showSpaces();
     showSetup();
     ask();
 }
@@ -279,7 +265,7 @@ void DoctorPanel::refresh()
         m_setup = setupNow();
     if (const std::optional<Setup> own = setup())
         m_form->setSetup(*own);
-    showSpaces();
+    m_space->refresh();
     showSetup();
     ask();
 }
@@ -290,38 +276,22 @@ void DoctorPanel::showSetup()
     m_camera->showSetup(setup(), setupNow(), m_document.setup().surface);
 }
 
-void DoctorPanel::showSpaces()
-{
-    QStringList names{tr("World"), tr("Eye")};
-    for (const SceneObject &object : m_document.objects())
-        names << tr("Object: %1").arg(readName(object.name, m_document.objects()));
-    QStringList shown;
-    for (int i = 0; i < m_space->count(); ++i)
-        shown << m_space->itemText(i);
-    if (names == shown)
-        return;
-    const QString current = m_space->currentText();
-    m_space->clear();
-    m_space->addItems(names);
-    m_space->setCurrentIndex(std::max(0, static_cast<int>(names.indexOf(current))));
-}
-
 void DoctorPanel::ask()
 {
     m_asked = m_form->points();
-    const int space = m_space->currentIndex();
+    const std::optional<SpaceChoice::Space> space = m_space->space();
     for (WrongPoint &point : m_asked) {
-        point.space = space == kEyeItem           ? PointSpace::Eye
-                      : space >= kFirstObjectItem ? PointSpace::Object
-                                                  : PointSpace::World;
-        point.model = static_cast<std::size_t>(std::max(0, space - kFirstObjectItem));
+        point.space = space ? space->kind : PointSpace::World;
+        point.model = space ? space->object : 0;
     }
     const std::optional<Setup> own = setup();
-    if (m_asked.empty() || !own) {
+    if (m_asked.empty() || !own || !space) {
         m_diagnoser->cancel();
         showNothing(
             m_form->isEmpty()
                 ? tr("Click the pixel that you gave to your program, and type the wrong coordinate that it returned.")
+            : !space
+                ? tr("The object of this space is not in the scene. Choose the space of your program's coordinates.")
                 : tr("Enter the pixel and the three coordinates that your program returned for it."));
         return;
     }

@@ -11,8 +11,6 @@
 #include <optional>
 #include <vector>
 
-class QComboBox;
-
 namespace unprojector::gui {
 
 class CameraStep;
@@ -20,6 +18,7 @@ class CandidatesTable;
 class CodeChangesView;
 class Diagnoser;
 class DiagnosisView;
+class SpaceChoice;
 
 /// The doctor's panel: the program's camera, the clicks and the program's points for them, in three
 /// steps, and the mistake that explains them.
@@ -68,7 +67,6 @@ private:
     void goToPixel(const geometry::DevicePoint &pixel);
     void refresh();
     void showSetup();
-    void showSpaces();
     /// Lets the points belong to a camera that was given as matrices since the last call. Depths of
     /// clicks belong to the former one, and are dropped.
     void takeGivenCamera();
@@ -111,7 +109,7 @@ private:
 
     CameraStep *m_camera;
     WrongPointsForm *m_form;
-    QComboBox *m_space;
+    SpaceChoice *m_space;
     DiagnosisView *m_answer;
     CodeChangesView *m_code;
     CandidatesTable *m_candidates;

@@ -2083,28 +2083,8 @@ Both in the scene&apos;s units. The circle is the clicked point. A click&apos;s 
         <translation>所在空间(&amp;I)：</translation>
     </message>
     <message>
-        <source>Space of the points that the program got</source>
-        <translation>程序所得的点所在的空间</translation>
-    </message>
-    <message>
-        <source>Space in which the program expresses its points</source>
-        <translation>程序的点是哪个空间里的</translation>
-    </message>
-    <message>
         <source>The mistakes could not be tried: %1. Close other programs, then try again.</source>
         <translation>无法试遍所有错误：%1。请关闭其他程序，然后重试。</translation>
-    </message>
-    <message>
-        <source>World</source>
-        <translation>世界</translation>
-    </message>
-    <message>
-        <source>Eye</source>
-        <translation>观察</translation>
-    </message>
-    <message>
-        <source>Object: %1</source>
-        <translation>物体：%1</translation>
     </message>
     <message>
         <source>Click the pixel that you gave to your program, and type the wrong coordinate that it returned.</source>
@@ -2113,6 +2093,10 @@ Both in the scene&apos;s units. The circle is the clicked point. A click&apos;s 
     <message>
         <source>Enter the pixel and the three coordinates that your program returned for it.</source>
         <translation>请给出像素，以及您的程序为它得到的三个坐标。</translation>
+    </message>
+    <message>
+        <source>The object of this space is not in the scene. Choose the space of your program&apos;s coordinates.</source>
+        <translation>这个空间所属的物体不在场景中。请选择您的程序给出的坐标所在的空间。</translation>
     </message>
     <message>
         <source>a click on the background has no pixel in another setup.</source>
@@ -8637,6 +8621,33 @@ of a point that needs no division</source>
     <message>
         <source>Landmarks of %1 saved in %2.</source>
         <translation>%1 的标志点已保存到 %2。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::SpaceChoice</name>
+    <message>
+        <source>Space of the points that the program got</source>
+        <translation>程序所得的点所在的空间</translation>
+    </message>
+    <message>
+        <source>Space in which the program expresses its points</source>
+        <translation>程序的点是哪个空间里的</translation>
+    </message>
+    <message>
+        <source>World</source>
+        <translation>世界</translation>
+    </message>
+    <message>
+        <source>Eye</source>
+        <translation>观察</translation>
+    </message>
+    <message>
+        <source>Object: %1</source>
+        <translation>物体：%1</translation>
+    </message>
+    <message>
+        <source>Object: %1 (removed)</source>
+        <translation>物体：%1（已移除）</translation>
     </message>
 </context>
 <context>

@@ -10,8 +10,10 @@
 #include "gui/doctor/code_changes_view.h"
 #include "gui/doctor/diagnoser.h"
 #include "gui/doctor/diagnosis_view.h"
+#include "gui/doctor/space_choice.h"
 #include "gui/doctor/wrong_points_form.h"
 #include "gui/document/camera_looks.h"
+#include "gui/document/scene_edits.h"
 #include "gui/outside/observer_panel.h"
 #include "gui/outside/observer_view.h"
 #include "gui/text/doctor_text.h"
@@ -75,6 +77,7 @@ private slots:
     void aClickMadeBeforeIsTaken();
     void aClickMadeElsewhereIsAddedToThePoints();
     void anEarlierPickTakesNothingBack();
+    void theSpaceOfAnObjectStays();
     void theMarksGoWithThePlace();
     void theWrongPointIsFoundFromOutside();
 };
@@ -586,6 +589,55 @@ void TestDoctorPlace::anEarlierPickTakesNothingBack()
     window->workspaces().enter(Workspace::Doctor);
     settle();
     QCOMPARE(fieldsOf(*window, QStringLiteral("Pixel")).size(), 2);
+}
+
+/// The chosen space stays the object's when it is renamed, and becomes no other one when it is
+/// removed.
+void TestDoctorPlace::theSpaceOfAnObjectStays()
+{
+    const auto window = doctorWindow();
+    SceneDocument &document = window->document();
+    clickedAndWrong(*window);
+    type(gotOf(*window), pointText(document.picks().pick()->point.world[Method::Formula]->coordinates() - kCubeCenter));
+    auto *space = panelOf(*window).findChild<SpaceChoice *>();
+    const auto choose = [&](int item) {
+        space->setCurrentIndex(item);
+        emit space->activated(item);
+    };
+    const auto isRight = [&] {
+        return verdictOf(*window) == QStringLiteral("The point is right to the digits given.");
+    };
+    const std::string name = document.objects()[0].name;
+    const QString text = QStringLiteral("Object: ") + QString::fromStdString(name);
+    QCOMPARE(space->itemText(2), text);
+    choose(2);
+    QTRY_VERIFY_WITH_TIMEOUT(isRight(), kPatienceMilliseconds);
+    QVERIFY(renameObject(document, 0, QStringLiteral("box")) == NameFault::None);
+    QCOMPARE(space->currentText(), QStringLiteral("Object: box"));
+    document.undoStack().undo();
+    QCOMPARE(space->currentText(), text);
+
+    // Another one before it.
+    std::vector<SceneObject> more{document.objects()[0]};
+    more[0].name = "other";
+    QVERIFY(addObjects(document, more));
+    QVERIFY(moveObject(document, 1, 0));
+    QCOMPARE(space->currentText(), text);
+    QTRY_VERIFY_WITH_TIMEOUT(isRight(), kPatienceMilliseconds);
+
+    QVERIFY(removeObject(document, 1));
+    QCOMPARE(space->currentText(), text + QStringLiteral(" (removed)"));
+    QTRY_VERIFY2_WITH_TIMEOUT(panelOf(*window).answer().text().startsWith(QStringLiteral("The object of this space")),
+                              qPrintable(panelOf(*window).answer().text()), kPatienceMilliseconds);
+    document.undoStack().undo();
+    QCOMPARE(space->currentText(), text);
+    QTRY_VERIFY_WITH_TIMEOUT(isRight(), kPatienceMilliseconds);
+
+    QVERIFY(removeObject(document, 1));
+    choose(0);
+    QCOMPARE(space->count(), 3);
+    document.undoStack().undo();
+    QCOMPARE(space->currentText(), QStringLiteral("World"));
 }
 
 void TestDoctorPlace::theMarksGoWithThePlace()
