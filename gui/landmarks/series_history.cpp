@@ -219,7 +219,7 @@ bool SeriesHistory::run(const std::shared_ptr<const ScanStep> &step, bool isRedo
     if (!index || stack.index() != (isRedo ? *index : *index + 1))
         return false;
     isRedo ? stack.redo() : stack.undo();
-    return true;
+    return indexOf(step.get()).has_value(); // a refused one is not kept
 }
 
 } // namespace unprojector::gui

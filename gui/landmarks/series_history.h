@@ -61,7 +61,7 @@ public:
     /// Forgets all changes, also on the document's stack.
     void forget();
     /// Undoes or redoes a change, now that its scan is shown.
-    /// @return whether it was the next one
+    /// @return whether it was the next one, and was not refused
     bool run(const std::shared_ptr<const ScanStep> &step, bool isRedo);
 
 signals:

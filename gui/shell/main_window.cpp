@@ -191,7 +191,7 @@ void MainWindow::setViewSize(const QSize &wanted)
 
 void MainWindow::showMessage(const QString &text)
 {
-    m_message->showMessage(text);
+    m_message->addMessage(text);
 }
 
 void MainWindow::showFailure(const QString &reason)

@@ -18,6 +18,7 @@
 #include <QVBoxLayout>
 
 #include <cmath>
+#include <utility>
 
 namespace unprojector::gui {
 namespace {
@@ -116,6 +117,17 @@ void MessageBar::showMessage(const QString &text)
     unfold(false);
     show();
     raise();
+}
+
+void MessageBar::addMessage(const QString &text)
+{
+    const bool joins = m_isOfThisMoment && !isHidden();
+    if (!std::exchange(m_isOfThisMoment, true))
+        QTimer::singleShot(0, this, [this] { m_isOfThisMoment = false; });
+    if (!joins)
+        showMessage(text);
+    else if (!m_full.split(u'\n').contains(text))
+        showMessage(m_full + u'\n' + text);
 }
 
 void MessageBar::unfold(bool isUnfolded)

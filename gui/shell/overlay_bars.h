@@ -30,6 +30,9 @@ class MessageBar : public QFrame {
 public:
     explicit MessageBar(QWidget *parent = nullptr);
     void showMessage(const QString &text);
+    /// Adds a message to those of the same moment: opening a scan may report its mesh and its
+    /// landmarks. Messages of an earlier moment go.
+    void addMessage(const QString &text);
     /// The whole text.
     QString text() const { return m_full; }
 
@@ -37,6 +40,7 @@ private:
     void unfold(bool isUnfolded);
 
     QString m_full;
+    bool m_isOfThisMoment = false; ///< whether the shown message was added since the last event
     QLabel *m_text;
     PlainTextBox *m_all; ///< scrolls; shows all lines on demand
     QToolButton *m_more;

@@ -54,6 +54,7 @@ private slots:
     void droppedPointsComeToTheTable();
     void aDroppedTemplateHasItsNamesPlaced();
     void keysGoThroughASeries();
+    void aScanReportsItsMeshAndItsLandmarks();
     void longMessagesAreFolded();
     void whatIsBeingTypedIsKeptWithItsScan();
     void theTypedSuffixSelectsTheFormat();
@@ -191,6 +192,25 @@ void TestLandmarksWindow::aDroppedTemplateHasItsNamesPlaced()
     write(QStringLiteral("t.PPTPL"), "<PickedPoints/>");
     emit window->view().filesDropped({QUrl::fromLocalFile(path(QStringLiteral("t.PPTPL")))});
     QVERIFY2(window->message().contains(QStringLiteral("t.PPTPL")), qPrintable(window->message()));
+}
+
+/// What is reported in one moment stands together; the next report replaces it.
+void TestLandmarksWindow::aScanReportsItsMeshAndItsLandmarks()
+{
+    const std::unique_ptr<MainWindow> window = windowOfSize({1280, 800});
+    QVERIFY(QDir(path({})).mkdir(QStringLiteral("scans")));
+    write(QStringLiteral("scans/a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2\n");
+    write(QStringLiteral("scans/a.obj.points.csv"), "name,x,y,z\nfirst,1,two,0\n");
+    QVERIFY(window->findChild<ScanSeries *>()->open(path(QStringLiteral("scans")).toStdU16String()));
+    QTRY_VERIFY2_WITH_TIMEOUT(window->message().contains(QStringLiteral("Not drawn: 1 triangle"))
+                                  && window->message().contains(QStringLiteral("a.obj.points.csv:2:")),
+                              qPrintable(window->message()), kPatienceMilliseconds);
+    settle();
+    window->showMessage(QStringLiteral("another"));
+    QCOMPARE(window->message(), QStringLiteral("another"));
+    window->showMessage(QStringLiteral("one more"));
+    window->showMessage(QStringLiteral("another")); // said already
+    QCOMPARE(window->message(), QStringLiteral("another\none more"));
 }
 
 void TestLandmarksWindow::longMessagesAreFolded()

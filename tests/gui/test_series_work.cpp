@@ -158,7 +158,9 @@ void TestSeriesWork::undoKeepsToScansThatHaveNotChanged()
     placeOne("first", 1.0);
     nextScan();
     write(QStringLiteral("a.obj.points.csv"), "name,x,y,z\nfirst,8,8,0\n"); // by another program
+    m_notices.clear();
     undo();
+    QVERIFY2(m_notices.isEmpty(), qPrintable(m_notices.join(u'\n'))); // nothing was undone
     QCOMPARE(shownScan(), std::string("a.obj"));
     QCOMPARE(points()[0].world->x, 8.0);
     QCOMPARE(m_warnings.size(), 1);
