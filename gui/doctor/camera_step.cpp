@@ -128,13 +128,15 @@ std::optional<Surface> CameraStep::otherSize() const
     return typedSize(m_otherSize->text());
 }
 
-void CameraStep::showCamera(const scene::Scene &scene, const Setup &setup)
+void CameraStep::showCamera(const scene::Scene &scene, const Setup &setup, bool isPast)
 {
     const bool hasProjection = scene::givenLens(scene).has_value(), hasView = scene.camera.matrix();
-    const QString which = hasProjection && hasView ? tr("The camera that you gave counts: its projection and its view.")
-                          : hasProjection          ? tr("The projection that you gave counts, with this scene's view.")
-                          : hasView                ? tr("The view that you gave counts, with this scene's projection.")
-                                                   : tr("This scene's camera counts.");
+    const QString which = isPast ? tr("The camera with which the points were entered counts.")
+                          : hasProjection && hasView
+                              ? tr("The camera that you gave counts: its projection and its view.")
+                          : hasProjection ? tr("The projection that you gave counts, with this scene's view.")
+                          : hasView       ? tr("The view that you gave counts, with this scene's projection.")
+                                          : tr("This scene's camera counts.");
     const ProjectionWindow planes = projectionWindow(setup.projection());
     const QString kind = isPerspective(setup.projection()) ? tr("Perspective") : tr("Orthographic");
     m_camera->setText(which + u' '

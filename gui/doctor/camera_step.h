@@ -25,8 +25,9 @@ public:
     /// Another size that the program may use by mistake.
     std::optional<geometry::Surface> otherSize() const;
 
-    /// Says which camera counts: the scene's own, or one given as matrices.
-    void showCamera(const scene::Scene &scene, const geometry::Setup &setup);
+    /// Says which camera counts: the scene's own, one given as matrices, or that of an earlier view.
+    /// @param setup  that counts
+    void showCamera(const scene::Scene &scene, const geometry::Setup &setup, bool isPast);
     /// Says which setup the pixels belong to.
     /// @param own   of the points; none: the scene cannot be drawn in the program's window
     /// @param now   of the present scene in the program's window

@@ -155,9 +155,10 @@ void DoctorPanel::takeGivenCamera()
     const bool isNew = (given.projection && given.projection != m_given.projection)
                        || (given.eyeFromWorld && given.eyeFromWorld != m_given.eyeFromWorld);
     m_given = given;
-    if (!isNew || m_form->isEmpty())
+    const std::optional<Setup> now = setupNow();
+    if (!isNew || m_form->isEmpty() || setup() == now)
         return;
-    m_setup = setupNow();
+    m_setup = now;
     m_form->forgetClickedDepths();
     refresh();
 }
@@ -244,8 +245,8 @@ void DoctorPanel::goToPixel(const DevicePoint &pixel)
 void DoctorPanel::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);
-    takeGivenCamera();
-    takePick(); // the last click, wherever it was made
+    takePick();        // the last click, wherever it was made
+    takeGivenCamera(); // maybe after that click
     refresh();
 }
 
@@ -272,8 +273,9 @@ void DoctorPanel::refresh()
 
 void DoctorPanel::showSetup()
 {
-    m_camera->showCamera(m_document.scene(), m_document.setup());
-    m_camera->showSetup(setup(), setupNow(), m_document.setup().surface);
+    const std::optional<Setup> own = setup(), now = setupNow();
+    m_camera->showCamera(m_document.scene(), own.value_or(m_document.setup()), own && now && *own != *now);
+    m_camera->showSetup(own, now, m_document.setup().surface);
 }
 
 void DoctorPanel::ask()

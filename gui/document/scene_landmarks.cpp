@@ -1,5 +1,6 @@
 #include "gui/document/scene_landmarks.h"
 
+#include "core/landmarks/name_key.h"
 #include "core/landmarks/protocol.h"
 #include "core/ray/placed_landmark.h"
 #include "gui/document/scene_document.h"
@@ -257,7 +258,8 @@ Changes SceneLandmarks::follow(const std::vector<Landmark> &before, const std::v
 std::string SceneLandmarks::freeName() const
 {
     const auto isTaken = [this](const std::string &name) {
-        return std::any_of(all().begin(), all().end(), [&](const Landmark &landmark) { return landmark.name == name; });
+        return std::any_of(all().begin(), all().end(),
+                           [&](const Landmark &landmark) { return landmarks::isSameName(landmark.name, name); });
     };
     for (std::size_t number = all().size() + 1;; ++number) {
         if (std::string name = tr("Landmark %1").arg(number).toStdString(); !isTaken(name))

@@ -973,6 +973,10 @@ Grey digits are smaller than the uncertainty.</source>
         <translation>以您给出的观察为准，投影取自此场景。</translation>
     </message>
     <message>
+        <source>The camera with which the points were entered counts.</source>
+        <translation>以录入这些点时的相机为准。</translation>
+    </message>
+    <message>
         <source>This scene&apos;s camera counts.</source>
         <translation>以此场景的相机为准。</translation>
     </message>

@@ -90,6 +90,8 @@ private slots:
 
     void theStepsComeInTheirOrder();
     void theCameraThatCountsIsNamed();
+    void theCameraOfThePointsIsNamed();
+    void aCameraGivenAfterTheClickCounts();
     void theWholeTaskIsDone();
     void depthsOfClicksGoWithTheirCamera();
     void clicksGoWithTheirScene();
@@ -145,6 +147,46 @@ void TestDoctorSteps::theCameraThatCountsIsNamed()
     QVERIFY(editMatrices(window->document(), std::nullopt, view, {"view"}));
     QVERIFY2(cameraOf(*window).startsWith(QStringLiteral("The view that you gave counts")),
              qPrintable(cameraOf(*window)));
+}
+
+/// The near and far planes are those of the answer, not those of the present view.
+void TestDoctorSteps::theCameraOfThePointsIsNamed()
+{
+    const auto window = doctorWindow();
+    type(gotOf(*window), pointText(clickedAndWrong(*window)));
+    const QString planes = cameraOf(*window).section(u'.', 1);
+    setCamera(window->document(),
+              {WorldPoint(kCubeCenter + glm::dvec3(-2.5, 2.0, 26.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
+    settle();
+    QCOMPARE(cameraOf(*window), QStringLiteral("The camera with which the points were entered counts.") + planes);
+    QTest::mouseClick(buttonOf(*window, QStringLiteral("Use current view")), Qt::LeftButton);
+    QVERIFY2(cameraOf(*window).startsWith(QStringLiteral("This scene's camera counts.")),
+             qPrintable(cameraOf(*window)));
+    QVERIFY2(!cameraOf(*window).endsWith(planes), qPrintable(planes));
+}
+
+/// A camera that was given elsewhere counts for a click before it, as one that is given here.
+void TestDoctorSteps::aCameraGivenAfterTheClickCounts()
+{
+    const auto window = doctorWindow();
+    window->workspaces().enter(Workspace::Click);
+    clickedAndWrong(*window);
+    const MatrixProjection lens{glm::frustum(-1.0, 1.0, -0.75, 0.75, 2.0, 50.0), std::nullopt};
+    const glm::dmat4 view = glm::lookAt(glm::dvec3(9, 4, 5), kCubeCenter, glm::dvec3(0, 1, 0));
+    QVERIFY(editMatrices(window->document(), lens, view, {"camera"}));
+    window->workspaces().enter(Workspace::Doctor);
+    settle();
+    QCOMPARE(
+        cameraOf(*window),
+        QStringLiteral("The camera that you gave counts: its projection and its view. Perspective, near 2, far 50."));
+    QVERIFY(fieldsOf(*window, QStringLiteral("Depth")).value(0)->text().isEmpty()); // it was the former camera's
+    // A click made with it keeps its depth.
+    window->workspaces().enter(Workspace::Click);
+    clickedAndWrong(*window);
+    const double depth = window->document().picks().pick()->window.z;
+    window->workspaces().enter(Workspace::Doctor);
+    settle();
+    QCOMPARE(fieldsOf(*window, QStringLiteral("Depth")).last()->text(), QString::number(depth, 'f', 7));
 }
 
 /// Pastes K, R, t from the Doctor, clicks, types the point of a program that forgets to flip y.

@@ -205,13 +205,13 @@ void TestDocumentLandmarks::whatWaitsIsPlacedFirst()
     Landmark missing;
     missing.note = "a hint";
     missing.name = "nasion";
-    std::vector<Landmark> landmarks{missing, pointAt(1, "there"), missing};
+    std::vector<Landmark> landmarks{missing, pointAt(1, "landmark_4"), missing};
     landmarks[2].name = "gnathion";
     QVERIFY(editLandmarks(document, landmarks, kLabel));
     SceneLandmarks &list = document.sceneLandmarks();
     QVERIFY(list.nextUnplaced() == 0u);
     QVERIFY(list.place(pointAt(5)));
-    QCOMPARE(pointNames(document), QStringList({"nasion", "there", "gnathion"}));
+    QCOMPARE(pointNames(document), QStringList({"nasion", "landmark_4", "gnathion"}));
     QCOMPARE(document.landmarks()[0].world->x, 5.0);
     QCOMPARE(document.landmarks()[0].note, std::string("a hint"));
     QVERIFY(list.selection() == Places{0});
@@ -227,7 +227,7 @@ void TestDocumentLandmarks::whatWaitsIsPlacedFirst()
     QVERIFY(!list.nextUnplaced());
     QVERIFY(list.place(pointAt(8)));
     QVERIFY(list.place(pointAt(9)));
-    QCOMPARE(pointNames(document), QStringList({"nasion", "there", "gnathion", "Landmark 4", "Landmark 5"}));
+    QCOMPARE(pointNames(document), QStringList({"nasion", "landmark_4", "gnathion", "Landmark 5", "Landmark 6"}));
     QVERIFY(list.current() == 4u);
     list.setNextUnplaced(1);
     QVERIFY(!list.nextUnplaced()); // it has its place
