@@ -345,6 +345,7 @@ void TestDocumentLandmarks::theOrderOfTheSelectionIsKept()
     SceneDocument document;
     openScene(document);
     std::vector<Landmark> landmarks;
+    landmarks.reserve(6);
     for (int i = 0; i < 6; ++i)
         landmarks.push_back(pointAt(i, QString::number(i).toUtf8().constData()));
     QVERIFY(editLandmarks(document, landmarks, kLabel));

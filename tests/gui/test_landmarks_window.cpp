@@ -139,7 +139,7 @@ void TestLandmarksWindow::aTemplateIsPlacedToItsEnd()
         const QPoint at = localOf(*window, glm::dvec3(x, 5.0, 0.0)).toPoint();
         QTest::mouseClick(&view, Qt::RightButton, {}, at);
         auto *menu = qobject_cast<QMenu *>(QApplication::activePopupWidget());
-        const QString name = menu ? menu->objectName() : QString();
+        QString name = menu ? menu->objectName() : QString();
         if (menu)
             menu->close();
         return name;
