@@ -270,6 +270,7 @@ void TestLanguage::theChoiceIsForTheNextStart()
         QCOMPARE(languagesOf(keptLanguage()), QStringList{QStringLiteral("zh_CN")});
         QCOMPARE(window->message(), QStringLiteral("程序下次启动时使用简体中文。")); // in the new language
         QCOMPARE(window->menuBar()->actions().constFirst()->text(), QStringLiteral("&File"));
+        settle(); // messages of one moment stand together
         actionOf(*window, QStringLiteral("English"))->trigger();
         QCOMPARE(languagesOf(keptLanguage()), QStringList{QStringLiteral("en")});
         QCOMPARE(window->message(), QStringLiteral("The program uses English when it starts next time."));
