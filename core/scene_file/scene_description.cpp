@@ -107,10 +107,12 @@ std::filesystem::path objectFile(const SceneFileObject &object, const std::files
     if (object.file.empty())
         return {};
     std::filesystem::path file = sceneFile.parent_path() / object.file;
-    // A recovered scene may name its models from a folder that is gone: no system follows its "..".
     std::error_code failed;
+    if (std::filesystem::exists(file, failed))
+        return file;
+    // A recovered scene may name its models from a folder that is gone: no system follows its "..".
     std::filesystem::path whole = absolutePath(file);
-    return !std::filesystem::exists(file, failed) && std::filesystem::exists(whole, failed) ? whole : file;
+    return std::filesystem::exists(whole, failed) ? whole : file;
 }
 
 Result<Scene, SceneFileError> sceneFromFile(const SceneFile &file, const std::filesystem::path &sceneFile,

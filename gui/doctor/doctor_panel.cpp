@@ -147,7 +147,7 @@ void DoctorPanel::followScene(const QString &lesson, bool isBack)
     }
 }
 
-void DoctorPanel::takeGivenCamera()
+bool DoctorPanel::takeGivenCamera()
 {
     const Scene &scene = m_document.scene();
     const glm::dmat4 *view = scene.camera.matrix();
@@ -155,10 +155,21 @@ void DoctorPanel::takeGivenCamera()
     const bool isNew = (given.projection && given.projection != m_given.projection)
                        || (given.eyeFromWorld && given.eyeFromWorld != m_given.eyeFromWorld);
     m_given = given;
+    if (isNew && !m_form->isEmpty())
+        moveToSetupNow();
+    return isNew;
+}
+
+bool DoctorPanel::hasGivenCamera(const Setup &setup) const
+{
     const std::optional<Setup> now = setupNow();
-    if (!isNew || m_form->isEmpty() || setup() == now)
-        return;
-    m_setup = now;
+    return now && (!m_given.projection || setup.lens == now->lens)
+           && (!m_given.eyeFromWorld || setup.pose == now->pose);
+}
+
+void DoctorPanel::moveToSetupNow()
+{
+    m_setup = setupNow();
     m_form->forgetClickedDepths();
     refresh();
 }
@@ -245,8 +256,10 @@ void DoctorPanel::goToPixel(const DevicePoint &pixel)
 void DoctorPanel::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);
-    takePick();        // the last click, wherever it was made
-    takeGivenCamera(); // maybe after that click
+    const bool isGiven = takeGivenCamera();
+    takePick(); // the last click, wherever it was made
+    if (isGiven && m_setup && !hasGivenCamera(*m_setup))
+        moveToSetupNow(); // the click was made before
     refresh();
 }
 

@@ -67,9 +67,14 @@ private:
     void goToPixel(const geometry::DevicePoint &pixel);
     void refresh();
     void showSetup();
-    /// Lets the points belong to a camera that was given as matrices since the last call. Depths of
-    /// clicks belong to the former one, and are dropped.
-    void takeGivenCamera();
+    /// Lets the points belong to a camera that was given as matrices since the last call.
+    /// @return whether there is one
+    bool takeGivenCamera();
+    /// Returns whether a setup has the given projection and the given view.
+    bool hasGivenCamera(const geometry::Setup &setup) const;
+    /// Lets the points belong to the present setup. Depths of clicks belong to the former one, and
+    /// are dropped.
+    void moveToSetupNow();
     /// Starts the diagnosis of the entered points.
     void ask();
     void showDiagnosis(const doctor::Diagnosis &diagnosis);

@@ -13,9 +13,9 @@ namespace unprojector::gui {
 class FollowedObject;
 class SceneDocument;
 
-/// The space in which a program expresses its points: the world, the eye or an object. The chosen
-/// object is tracked while objects are renamed, moved or removed: a choice never becomes another one
-/// by itself.
+/// The space in which a program expresses its points: the world, the eye or an object. The choice
+/// follows its object while objects are added, removed, renamed or moved. An object that was removed
+/// stays chosen until the user chooses again, or until the scene has one object of that name.
 class SpaceChoice : public QComboBox {
     Q_OBJECT
 public:

@@ -92,6 +92,8 @@ private slots:
     void theCameraThatCountsIsNamed();
     void theCameraOfThePointsIsNamed();
     void aCameraGivenAfterTheClickCounts();
+    void aClickWithAGivenCameraStays_data();
+    void aClickWithAGivenCameraStays();
     void theWholeTaskIsDone();
     void depthsOfClicksGoWithTheirCamera();
     void clicksGoWithTheirScene();
@@ -187,6 +189,37 @@ void TestDoctorSteps::aCameraGivenAfterTheClickCounts()
     window->workspaces().enter(Workspace::Doctor);
     settle();
     QCOMPARE(fieldsOf(*window, QStringLiteral("Depth")).last()->text(), QString::number(depth, 'f', 7));
+}
+
+/// A click made with a camera that was given elsewhere is used as it was made, whatever the form
+/// had, and whatever the view does afterwards.
+void TestDoctorSteps::aClickWithAGivenCameraStays_data()
+{
+    QTest::addColumn<bool>("hasPoint");
+    QTest::newRow("first point") << false;
+    QTest::newRow("another point") << true;
+}
+
+void TestDoctorSteps::aClickWithAGivenCameraStays()
+{
+    QFETCH(bool, hasPoint);
+    const auto window = doctorWindow();
+    if (hasPoint)
+        type(gotOf(*window), pointText(clickedAndWrong(*window)));
+    window->workspaces().enter(Workspace::Click);
+    const MatrixProjection lens{glm::frustum(-0.4, 0.4, -0.3, 0.3, 1.0, 50.0), std::nullopt};
+    QVERIFY(editMatrices(window->document(), lens, std::nullopt, {"projection"}));
+    clickedAndWrong(*window, {-0.7, 0.3, 1.0});
+    const Pick pick = *window->document().picks().pick();
+    if (!hasPoint)
+        setCamera(window->document(),
+                  {WorldPoint(kCubeCenter + glm::dvec3(-2.5, 2.0, 6.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
+    window->workspaces().enter(Workspace::Doctor);
+    settle();
+    QCOMPARE(fieldsOf(*window, QStringLiteral("Pixel")).value(hasPoint ? 1 : 0)->text(),
+             QStringLiteral("%1, %2").arg(pick.devicePixel.i + 0.5).arg(pick.devicePixel.j + 0.5));
+    QCOMPARE(fieldsOf(*window, QStringLiteral("Depth")).value(hasPoint ? 1 : 0)->text(),
+             QString::number(pick.window.z, 'f', 7));
 }
 
 /// Pastes K, R, t from the Doctor, clicks, types the point of a program that forgets to flip y.
