@@ -3,7 +3,7 @@
 
 #include "core/cameras/camera_reader.h"
 #include "core/cameras/named_values.h"
-#include "tests/core/foreign_camera_texts.h"
+#include "tests/support/data_files.h"
 
 #include <QRandomGenerator>
 #include <QRegularExpression>
@@ -19,16 +19,15 @@
 
 using namespace unprojector;
 using namespace unprojector::cameras;
-using foreign_cameras::CameraExample;
-using foreign_cameras::kExamples;
-using foreign_cameras::ProjectedPoint;
+using data_files::CameraExample;
+using data_files::cameraExamples;
 
 namespace {
 
 std::vector<NamedText> textsOf(const CameraExample &example)
 {
     std::vector<NamedText> texts;
-    for (const CameraExample::Text &text : example.texts)
+    for (const data_files::NamedText &text : example.texts)
         texts.push_back({text.name, text.text});
     return texts;
 }
@@ -37,15 +36,15 @@ CameraChoices choicesOf(const CameraExample &example)
 {
     CameraChoices choices;
     choices.image = example.image;
-    if (example.size.width > 0)
-        choices.size = ImageSize{example.size.width, example.size.height};
+    if (example.width > 0)
+        choices.size = ImageSize{example.width, example.height};
     return choices;
 }
 
 const CameraExample &exampleOf(const char *name)
 {
-    return *std::find_if(kExamples.begin(), kExamples.end(),
-                         [name](const CameraExample &one) { return std::string(one.name) == name; });
+    return *std::find_if(cameraExamples().begin(), cameraExamples().end(),
+                         [name](const CameraExample &one) { return one.name == name; });
 }
 
 /// An example's texts with a part replaced.
@@ -120,7 +119,7 @@ glm::dmat4 clipFromEyeOf(const SceneCamera &camera)
 }
 
 /// The pixel of a point, from the image's top-left corner.
-glm::dvec2 pixelOf(const SceneCamera &camera, const ProjectedPoint &point)
+glm::dvec2 pixelOf(const SceneCamera &camera, const CameraExample::Point &point)
 {
     const glm::dvec4 clip =
         clipFromEyeOf(camera) * camera.eyeFromWorld * glm::dvec4(point.world[0], point.world[1], point.world[2], 1.0);
@@ -133,6 +132,7 @@ class TestCameraReaders : public QObject {
     Q_OBJECT
 
 private slots:
+    void everyFileHasItsExpectation();
     void pixelsAreTheProgramsOwn_data();
     void pixelsAreTheProgramsOwn();
     void longNumbersAreRead();
@@ -158,16 +158,30 @@ private slots:
     void damagedTextsAreAnswered();
 };
 
+void TestCameraReaders::everyFileHasItsExpectation()
+{
+    for (const std::filesystem::path &folder : data_files::in("cameras")) {
+        QStringList files, expected{QStringLiteral("expected.json")};
+        for (const std::filesystem::path &file : data_files::in(folder))
+            files << QString::fromStdU16String(file.filename().u16string());
+        for (const data_files::NamedText &text : data_files::cameraExample(folder).texts)
+            expected << QString::fromStdString(text.name);
+        expected.sort();
+        files.sort();
+        QCOMPARE(files, expected);
+    }
+}
+
 void TestCameraReaders::pixelsAreTheProgramsOwn_data()
 {
     QTest::addColumn<int>("index");
     QTest::addColumn<int>("spelling");
-    for (int i = 0; i < int(kExamples.size()); ++i) {
-        const CameraExample &example = kExamples[std::size_t(i)];
-        QTest::newRow(example.name) << i << -1;
+    for (int i = 0; i < int(cameraExamples().size()); ++i) {
+        const CameraExample &example = cameraExamples()[std::size_t(i)];
+        QTest::newRow(example.name.c_str()) << i << -1;
         const bool isJson = std::string_view("{[\"").find(example.texts[0].text[0]) != std::string_view::npos;
         for (int k = 0; isJson && k < int(std::size(kSpellings)); ++k)
-            QTest::addRow("%s, %s", example.name, kSpellings[k].name) << i << k;
+            QTest::addRow("%s, %s", example.name.c_str(), kSpellings[k].name) << i << k;
     }
 }
 
@@ -175,18 +189,18 @@ void TestCameraReaders::pixelsAreTheProgramsOwn()
 {
     QFETCH(int, index);
     QFETCH(int, spelling);
-    const CameraExample &example = kExamples[std::size_t(index)];
+    const CameraExample &example = cameraExamples()[std::size_t(index)];
     std::vector<NamedText> texts = textsOf(example);
     if (spelling >= 0)
         texts[0].text = respelled(texts[0].text, kSpellings[spelling]);
     const auto read = readCamera(texts, choicesOf(example));
     QVERIFY(read);
     QVERIFY2(*read, *read ? "" : (*read).error().reason.c_str());
-    QVERIFY(QString(QLatin1String(example.name)).startsWith(QString::fromStdString((*read)->program)));
+    QVERIFY(QString::fromStdString(example.name).startsWith(QString::fromStdString((*read)->program)));
     const auto scene = sceneCamera(**read, choicesOf(example), std::nullopt);
     QVERIFY2(scene, scene ? "" : scene.error().reason.c_str());
     const double side = std::max(scene->size.width, scene->size.height);
-    for (const ProjectedPoint &point : example.points) {
+    for (const CameraExample::Point &point : example.points) {
         const glm::dvec2 pixel = pixelOf(*scene, point);
         for (int i = 0; i < 2; ++i) {
             const double off = std::abs(pixel[i] - point.pixel[i] - example.corner) / side;
@@ -548,7 +562,7 @@ void TestCameraReaders::damagedTextsAreAnswered()
     };
     int read = 0, refused = 0;
     for (int round = 0; round < 100; ++round) {
-        for (const CameraExample &example : kExamples) {
+        for (const CameraExample &example : cameraExamples()) {
             std::vector<NamedText> texts = textsOf(example);
             std::string &text = texts[random(texts.size())].text;
             const std::size_t at = random(text.size()), length = random(20);

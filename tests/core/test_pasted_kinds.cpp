@@ -3,7 +3,7 @@
 #include "core/matrices/matrix_paste.h"
 #include "core/matrices/paste_marks.h"
 #include "core/matrices/pasted_numbers.h"
-#include "tests/core/pasted_kinds.h"
+#include "tests/support/data_files.h"
 
 #include <QTest>
 
@@ -17,7 +17,6 @@
 using namespace unprojector;
 using namespace unprojector::geometry;
 using namespace unprojector::matrices;
-using pasted_kinds::kKinds;
 
 namespace {
 
@@ -69,17 +68,19 @@ private slots:
     void rowsAreCompleted();
 };
 
+/// Each file of tests/data/printed is one camera as a program or a debugger prints it: view,
+/// projection (or their product) and a viewport of 800 x 600 pixels.
 void TestPastedKinds::theCameraIsRead_data()
 {
-    QTest::addColumn<int>("index");
-    for (int i = 0; i < int(std::size(kKinds)); ++i)
-        QTest::newRow(kKinds[i].name) << i;
+    QTest::addColumn<QByteArray>("printed");
+    for (const std::filesystem::path &file : data_files::in("printed"))
+        QTest::newRow(file.stem().string().c_str()) << QByteArray::fromStdString(data_files::read(file));
 }
 
 void TestPastedKinds::theCameraIsRead()
 {
-    QFETCH(int, index);
-    const std::string text = kKinds[index].text;
+    QFETCH(QByteArray, printed);
+    const std::string text = printed.toStdString();
     constexpr double kPrinted = 2e-3; // four printed digits
     MatrixPaste paste;
     const bool isProductAlone = text.starts_with("perspective_matrix");

@@ -9,7 +9,7 @@
 #include "gui/pipeline/foreign_camera_box.h"
 #include "gui/pipeline/paste_camera_dialog.h"
 #include "gui/pipeline/pasted_matrix_box.h"
-#include "tests/core/foreign_camera_texts.h"
+#include "tests/support/data_files.h"
 #include "tests/support/patience.h"
 
 #include <QApplication>
@@ -363,26 +363,28 @@ void TestPasteCamera::faultsNameLineAndValue()
 void TestPasteCamera::everyProgramsFilesAreRead_data()
 {
     QTest::addColumn<int>("index");
-    for (std::size_t i = 0; i < foreign_cameras::kExamples.size(); ++i)
-        QTest::addRow("%zu %s", i, foreign_cameras::kExamples[i].name) << static_cast<int>(i);
+    for (std::size_t i = 0; i < data_files::cameraExamples().size(); ++i)
+        QTest::addRow("%zu %s", i, data_files::cameraExamples()[i].name.c_str()) << static_cast<int>(i);
 }
 
 /// Each program's own projection of its points, with a scene made by the dialog.
 void TestPasteCamera::everyProgramsFilesAreRead()
 {
     QFETCH(int, index);
-    const foreign_cameras::CameraExample &example = foreign_cameras::kExamples.at(std::size_t(index));
+    const data_files::CameraExample &example = data_files::cameraExamples().at(std::size_t(index));
     const QTemporaryDir folder;
     std::vector<std::filesystem::path> files;
     for (const auto &text : example.texts)
-        files.push_back(written(folder, QStringLiteral("%1 %2").arg(files.size()).arg(text.name), text.text));
+        files.push_back(written(folder,
+                                QStringLiteral("%1 %2").arg(files.size()).arg(QString::fromStdString(text.name)),
+                                text.text.c_str()));
     Pasting pasting;
     QVERIFY(removeObject(pasting.document, 0)); // the points are of another scene
     pasting.dialog.readFiles(files);
     QVERIFY2(pasting.foreign()->isVisible(), qPrintable(pasting.said()));
-    if (example.size.width > 0)
-        pasting.type("Image size", QStringLiteral("%1 x %2").arg(example.size.width).arg(example.size.height));
-    const QString wanted = QString::fromUtf8(example.image ? example.image : "");
+    if (example.width > 0)
+        pasting.type("Image size", QStringLiteral("%1 x %2").arg(example.width).arg(example.height));
+    const QString wanted = QString::fromStdString(example.image);
     auto *image = pasting.named<QComboBox>("Image");
     if (image && !wanted.isEmpty()) {
         bool isNumber = false;
@@ -393,7 +395,7 @@ void TestPasteCamera::everyProgramsFilesAreRead()
             ++at;
         if (at == image->count())
             at = wanted.toInt();
-        QVERIFY2(at < image->count(), example.image);
+        QVERIFY2(at < image->count(), example.image.c_str());
         pasting.choose("Image", at);
     }
     if (QCheckBox *undistorted = pasting.check("My pixels are of the undistorted image"))
@@ -402,7 +404,7 @@ void TestPasteCamera::everyProgramsFilesAreRead()
     pasting.ok()->click();
     const Surface &surface = pasting.document.setup().surface;
     const double tolerance = example.tolerance * std::max(surface.widthPixels, surface.heightPixels);
-    for (const foreign_cameras::ProjectedPoint &point : example.points) {
+    for (const data_files::CameraExample::Point &point : example.points) {
         const glm::dvec2 expected(point.pixel[0] + example.corner, point.pixel[1] + example.corner);
         QVERIFY(areClose(pasting.pixelOf({point.world[0], point.world[1], point.world[2]}), expected,
                          std::max(tolerance, 1e-9)));

@@ -1,0 +1,166 @@
+#!/usr/bin/env python3
+"""mutants.py FOLDER [COUNT [SEED]]: tells which of COUNT (60) small faults in the product the tests find.
+
+Copies the sources to FOLDER, puts all faults into the copy (the environment variable MUTANT chooses one),
+builds it, and runs every test once to learn which faults it reaches. Then it runs, for each fault, the
+tests that reach it, the fastest first, until one fails. Prints a table: a fault that "lives" is one that
+no test finds. The same SEED gives the same faults in the same sources. FOLDER is kept: MUTANT=7
+ctest --preset ci there runs all tests with fault 7."""
+import concurrent.futures
+import json
+import os
+import pathlib
+import random
+import re
+import shlex
+import subprocess
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROOMS = [*(f"core/{room}" for room in "geometry unproject ray mesh landmarks doctor scene_file cameras matrices".split()),
+         "gui/document", "gui/view"]
+HEADER = """#pragma once
+#include <array>
+#include <atomic>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+inline bool mutant(int number)
+{
+    static const int chosen = std::getenv("MUTANT") ? std::atoi(std::getenv("MUTANT")) : 0;
+    static const char *const folder = std::getenv("MUTANTS_REACHED");
+    static std::array<std::atomic<bool>, 1000> reached{};
+    if (folder && !reached[std::size_t(number)].exchange(true))
+        std::ofstream(std::string(folder) + "/" + std::to_string(number)) << number;
+    return number == chosen;
+}
+"""
+SWAPS = {"sign": {" + ": " - ", " - ": " + ", " * ": " / ", " / ": " * ", "(-": "("},
+         "comparison": {" < ": " <= ", " > ": " >= ", " <= ": " < ", " >= ": " > ", " == ": " != ", " != ": " == ",
+                        " && ": " || ", " || ": " && ", "(!": "("},
+         "index": {".x": ".y", ".y": ".z", ".z": ".x", "[0]": "[1]", "[1]": "[0]", "[2]": "[0]", "[i]": "[i + 1]"}}
+NUMBER = re.compile(r"(?<![\w.\"])\d+(?:\.\d+)?(?![\w.\"])")
+RETURN = re.compile(r"(\s+)return (.+);$")
+CONDITION = re.compile(r"(\s+(?:\} else )?(?:if|while) )(\([^;=]*(?:[=!<>]=[^;=]*)*\))( \{)?$")
+ASSIGNMENT = re.compile(r"(\s+)([^=()]+ [-+*/]?= )(.+);$")
+CALL = re.compile(r"(\s+)((?!return |delete |using |throw )[\w.:>\-\[\]]+\(.*\));$")
+
+
+def changes(text: str):
+    """(kind, the expression with one change), for every place in it."""
+    for kind, swaps in SWAPS.items():
+        for old, new in swaps.items():
+            for found in re.finditer(re.escape(old) + (r"\b" if old[-1].isalpha() else ""), text):
+                yield kind, text[:found.start()] + new + text[found.end():]
+    for found in NUMBER.finditer(text):
+        number = found.group()
+        other = str(float(number) * 1.5 + 0.25) if "." in number else str(int(number) + 1)
+        yield "constant", text[:found.start()] + other + text[found.end():]
+
+
+def mutated(line: str, number: int):
+    """(kind, the changed part, the line with the choice) for each possible change of a line."""
+    if '"' in line or "//" in line or "constexpr" in line or "mutant(" in line or line.count("(") != line.count(")"):
+        return
+    fault = f"mutant({number})"
+    if found := RETURN.match(line):
+        for kind, text in changes(found[2]):
+            yield kind, f"return {text};", f"{found[1]}{{ if ({fault}) return {text}; return {found[2]}; }}"
+    elif found := CONDITION.match(line):
+        for kind, text in changes(found[2]):
+            yield kind, text, f"{found[1]}({fault} ? bool{text} : bool{found[2]}){found[3] or ''}"
+    elif found := ASSIGNMENT.match(line):
+        for kind, text in changes(found[3]):
+            yield kind, found[2] + text, f"{found[1]}{found[2]}{fault} ? ({text}) : ({found[3]});"
+        if " " not in found[2].split(" = ")[0].strip(" +-*/="):
+            yield "dropped", "", f"{found[1]}{{ if (!{fault}) {line.strip()} }}"
+    elif found := CALL.match(line):
+        yield "dropped", "", f"{found[1]}{{ if (!{fault}) {line.strip()} }}"
+        for kind, text in changes(found[2]):
+            yield kind, text, f"{found[1]}{{ if ({fault}) {text}; else {found[2]}; }}"
+
+
+def draw(folder: pathlib.Path, count: int, dice: random.Random) -> list[dict]:
+    """Puts the faults into the copy, as many into each room. A fault that does not compile is not counted."""
+    commands = {entry["file"]: entry for entry in json.loads((folder / "build/ci/compile_commands.json").read_text())}
+    rooms = []
+    for room in ROOMS:
+        files = [file for file in sorted((folder / room).rglob("*.cpp")) if str(file) in commands]
+        rooms.append([(file, line) for file in files for line in range(len(file.read_text().splitlines()))])
+        dice.shuffle(rooms[-1])
+    faults: list[dict] = []
+    while len(faults) < count and any(rooms):
+        room = rooms[len(faults) % len(rooms)]
+        file, at = room.pop() if room else dice.choice([place for other in rooms for place in other])
+        original = file.read_text()
+        lines = original.splitlines()
+        at += lines[0].endswith('/mutant.h"')
+        options = list(mutated(lines[at], len(faults) + 1))
+        if not options:
+            continue
+        kind = dice.choice(sorted({option[0] for option in options}))
+        _, change, both = dice.choice([option for option in options if option[0] == kind])
+        was, lines[at] = lines[at].strip(), both
+        if "/mutant.h" not in lines[0]:
+            lines[0] = f'#include "{folder}/mutant.h"\n{lines[0]}'
+        file.write_text("\n".join(lines) + "\n")
+        command = [word for word in shlex.split(commands[str(file)]["command"]) if not word.endswith("ccache")]
+        if subprocess.run([*command, "-fsyntax-only", "-w"], cwd=commands[str(file)]["directory"], capture_output=True, check=False).returncode:
+            file.write_text(original)
+        else:
+            at += "mutant.h" not in original
+            faults.append({"place": f"{file.relative_to(folder)}:{at}", "kind": kind, "was": was, "is": change})
+    return faults
+
+
+def passes(folder: pathlib.Path, test: str, limit: float, **variables: str) -> bool:
+    return subprocess.run(["ctest", "--test-dir", "build/ci", "--timeout", str(int(limit)), "-R", f"^{re.escape(test)}$"], cwd=folder,
+                          env=os.environ | variables, capture_output=True, check=False).returncode == 0
+
+
+def finder(folder: pathlib.Path, number: int, tests: list[tuple[float, str]]) -> str:
+    """The test that finds a fault. @param tests  that reach it, with their seconds"""
+    for seconds, test in sorted(tests):
+        if not passes(folder, test, 5 * seconds + 60, MUTANT=str(number)):
+            return test
+    return "**lives**" if tests else "**lives: no test reaches it**"
+
+
+def main(folder: pathlib.Path, count: int, seed: int) -> None:
+    def shell(command: str) -> bytes:
+        return subprocess.run(["bash", "-c", f"source {ROOT}/.ci/common.sh && cd {folder} && {command}"], check=True, stdout=subprocess.PIPE).stdout
+
+    folder.mkdir(parents=True)
+    shell(f"git -C {ROOT} ls-files -z | (cd {ROOT} && xargs -0 cp --parents -t {folder})")
+    (folder / "mutant.h").write_text(HEADER)
+    launcher = folder / "tests/launch.sh" # runs a test without the variables that it does not know
+    launcher.write_text(launcher.read_text().replace("for name in ", "for name in MUTANT MUTANTS_REACHED ", 1))
+    shell("cmake --preset ci -DUNPROJECTOR_WARNINGS_AS_ERRORS=OFF")
+    faults = draw(folder, count, random.Random(seed))
+    shell("cmake --build --preset ci")
+    tests = [test["name"] for test in json.loads(shell("ctest --test-dir build/ci --show-only=json-v1"))["tests"]]
+    reaching: dict[int, list[tuple[float, str]]] = {number: [] for number in range(1, len(faults) + 1)}
+
+    def learn(test: str) -> None:
+        reached = folder / "reached" / test
+        reached.mkdir(parents=True)
+        reached.chmod(0o777) # some tests run as another user
+        start = time.monotonic()
+        if not passes(folder, test, 900, MUTANTS_REACHED=str(reached)):
+            print(f"{test} fails without a fault: it is left out", file=sys.stderr)
+        else:
+            for file in reached.iterdir():
+                reaching[int(file.name)].append((time.monotonic() - start, test))
+
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        list(pool.map(learn, tests))
+        results = list(pool.map(lambda number: finder(folder, number, reaching[number]), reaching))
+    print("| | place | kind | was | is | found by |\n|---|---|---|---|---|---|")
+    for number, (fault, result) in enumerate(zip(faults, results), 1):
+        print("| " + " | ".join([str(number), fault["place"], fault["kind"], f"`{fault['was']}`", f"`{fault['is']}`", result]) + " |")
+    print(f"\n{sum('lives' in result for result in results)} of {len(faults)} live.")
+
+
+if __name__ == "__main__":
+    main(pathlib.Path(sys.argv[1]).resolve(), int((sys.argv[2:] or [60])[0]), int((sys.argv[3:] or [1])[0]))
