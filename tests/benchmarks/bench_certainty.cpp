@@ -2,7 +2,7 @@
 // them here, against the hit of the exact ray of each pixel's centre:
 //   bench_certainty [clicks] [model …], 100000 in all without any, on meshes of its own
 #include "core/mesh/import/mesh_import.h"
-#include "tests/gui/drawn_clicks.h"
+#include "tests/gui/view/drawn_clicks.h"
 #include "tests/support/cube_sphere.h"
 
 #include <QGuiApplication>

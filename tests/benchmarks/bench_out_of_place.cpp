@@ -3,7 +3,7 @@
 // The goal for 12 scans: at least 95 % of the displaced landmarks, and below 2 % false reports.
 
 #include "core/landmarks/out_of_place.h"
-#include "tests/core/simulated_series.h"
+#include "tests/core/landmarks/simulated_series.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,5 +1,7 @@
 // Clicks as the window prints them, through the command: the same points, to the last digit.
 
+#include "tests/support/test.h"
+
 #include "core/scene_file/clicks.h"
 
 #include "tests/cli/command.h"
@@ -69,158 +71,150 @@ class TestClicksCommand : public QObject {
     Q_OBJECT
 
 private slots:
-    void theSamePointsToTheLastDigit_data();
-    void theSamePointsToTheLastDigit();
-    void aClickOnTheBackgroundHasEmptyCells();
-    void clicksOfDifferentScenes();
-    void otherCommandsTakeTheScene_data();
-    void otherCommandsTakeTheScene();
-    void aTableGoesThroughTheClicksScene();
-    void mistakesAreTold_data();
-    void mistakesAreTold();
+    void theSamePointsToTheLastDigit_data()
+    {
+        QTest::addColumn<QString>("space");
+        QTest::newRow("world") << "world";
+        QTest::newRow("eye") << "eye";
+        QTest::newRow("object") << "object:right";
+    }
+
+    void theSamePointsToTheLastDigit()
+    {
+        QFETCH(QString, space);
+        const std::vector<Click> clicks{clickAt(400, 300, 0.0123456789, true), clickAt(411.4, 222.2, 0.0191, true)};
+        QVERIFY(clicks[0].object && clicks[0].object->name == "right");
+        const QString file = m_folder.write("clicks.json", textOf(clicks));
+        const Run run = runCommand({"points", "--space", space, file});
+        VERIFY_SUCCEEDED(run);
+        const auto lines = run.lines();
+        QCOMPARE(lines.size(), 3);
+        QCOMPARE(lines[0],
+                 QByteArray("px,py,depth,formula_x,formula_y,formula_z,matrix_x,matrix_y,matrix_z,difference"));
+        for (int i = 0; i < 2; ++i) {
+            const Click &click = clicks[std::size_t(i)];
+            const ClickPoint &point = space == "eye"     ? click.eye.surface
+                                      : space == "world" ? click.world.surface
+                                                         : click.object->point;
+            const QList<double> row = numbersOf(lines[i + 1]);
+            QCOMPARE(row.size(), 10);
+            QCOMPARE(row[0], click.devicePixel.i + 0.5);
+            QCOMPARE(row[1], click.devicePixel.j + 0.5);
+            QCOMPARE(row[2], click.window.z);
+            verifyPoint(row, 3, point[kFormula]);
+            verifyPoint(row, 6, point[kMatrix]);
+        }
+        // Standard input gives one click alone, one method, as JSON.
+        QCOMPARE(runCommand({"points", "--space", space, "-"}, textOf(clicks)).output, run.output);
+        const QByteArray alone = textOf({clicks[1]}).trimmed().mid(1).chopped(1);
+        const Run one = runCommand({"points", "--no-header", "--method", "formula", "--space", space, "-"}, alone);
+        QCOMPARE(one.lines(), QList<QByteArray>{lines[2].split(',').mid(0, 6).join(',')});
+        const Run json = runCommand({"points", "--format", "jsonl", "--space", space, file});
+        QCOMPARE(json.lines().size(), 2);
+        QVERIFY(json.output.startsWith("{\"px\":500.5,\"py\":375.5,\"depth\":0.0123456789,\"formula_x\":"));
+    }
+
+    void aClickOnTheBackgroundHasEmptyCells()
+    {
+        const QString file =
+            m_folder.write("rays.json", textOf({clickAt(1, 2, 0.0, false), clickAt(400, 300, 0.01, true)}));
+        const Run run = runCommand({"points", "--no-header", file});
+        QCOMPARE(run.exitCode, 1);
+        QCOMPARE(run.errors,
+                 file.toUtf8() + ": [0]: background: nothing was drawn there, so the click has no point, only a ray\n");
+        QCOMPARE(run.lines().at(0), QByteArray("1.5,2.5,0,,,,,,,"));
+        QVERIFY(!run.lines().at(1).contains(",,"));
+    }
+
+    void clicksOfDifferentScenes()
+    {
+        const std::vector<Click> clicks{clickAt(400, 300, 0.01, true), clickAt(400, 300, 0.01, true, 7.5)};
+        const QString file = m_folder.write("different.json", textOf(clicks));
+        const Run run = runCommand({"points", "--no-header", file});
+        for (int i = 0; i < 2; ++i)
+            verifyPoint(numbersOf(run.lines().at(i)), 3, clicks[std::size_t(i)].world.surface[kFormula]);
+        const Run matrices = runCommand({"matrices", file});
+        QCOMPARE(matrices.exitCode, 2);
+        QCOMPARE(matrices.errors,
+                 file.toUtf8() + ": its clicks have different scenes; give one click, or the scene of one\n");
+    }
+
+    void otherCommandsTakeTheScene_data()
+    {
+        QTest::addColumn<QStringList>("command");
+        QTest::addColumn<QByteArray>("input");
+        QTest::newRow("matrices") << QStringList{"matrices"} << QByteArray();
+        QTest::newRow("project") << QStringList{"project"} << QByteArray("x,y,z\n0,0,0\n1,2,3\n");
+        QTest::newRow("project from an object")
+            << QStringList{"project", "--space", "object:right"} << QByteArray("x,y,z\n0,0,0\n");
+        QTest::newRow("compare") << QStringList{"compare", "--pixels", "3", "--depths", "3", "--json"} << QByteArray();
+    }
+
+    void otherCommandsTakeTheScene()
+    {
+        QFETCH(QStringList, command);
+        QFETCH(QByteArray, input);
+        const std::vector<Click> clicks{clickAt(400, 300, 0.01, true), clickAt(1, 1, 0.01, false)};
+        const QByteArray scene = QByteArray::fromStdString(sceneText(clicks[0].scene).value());
+        const Run byScene = runCommand(command + QStringList{m_folder.write("alone.json", scene)}, input);
+        QCOMPARE(byScene.exitCode, 0);
+        QVERIFY(!byScene.output.isEmpty());
+        const Run byClicks = runCommand(command + QStringList{m_folder.write("both.json", textOf(clicks))}, input);
+        QCOMPARE(byClicks.errors, QByteArray());
+        // Only the times of a comparison and the file's name differ.
+        if (command[0] != "compare")
+            QCOMPARE(byClicks.output, byScene.output);
+        QCOMPARE(byClicks.exitCode, 0);
+    }
+
+    void aTableGoesThroughTheClicksScene()
+    {
+        const Click click = clickAt(400, 300, 0.01, true);
+        const QString clicks = m_folder.write("scene-of.json", textOf({click}));
+        const QString table = m_folder.write("table.csv", "px,py,depth\n500.5,375.5,0.01\n");
+        const Run run = runCommand({"points", "--no-header", clicks, table});
+        QCOMPARE(run.exitCode, 0);
+        QCOMPARE(run.lines().size(), 1);
+        const QList<double> row = numbersOf(run.lines().at(0));
+        QVERIFY(std::abs(row[3] - (*click.world.surface[kFormula]).x) < 1e-12);
+        // Standard input works as well.
+        const Run piped = runCommand({"points", "--no-header", clicks, "-"}, "px,py,depth\n500.5,375.5,0.01\n");
+        QCOMPARE(piped.output, run.output);
+    }
+
+    void mistakesAreTold_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QByteArray>("input");
+        QTest::addColumn<QByteArray>("message");
+        const QByteArray click = textOf({clickAt(400, 300, 0.01, true)});
+        const auto row = [](const char *name, const QStringList &arguments, const QByteArray &input,
+                            const QByteArray &message) { QTest::newRow(name) << arguments << input << message + '\n'; };
+        row("no scene in no clicks", {"matrices", "-"}, "[]",
+            "stdin: it has no click and so no scene; give a scene file");
+        row("no such object", {"points", "--space", "object:none", "-"}, click,
+            "the scene has no object \"none\"; it has: left, right");
+        row("pixels", {"points", "--pixel", "-"}, click,
+            "--pixel is for tables of pixels; clicks already have the centres of their pixels");
+        row("a broken scene", {"points", "-"}, QByteArray(click).replace("\"unprojector\": 1", "\"unprojector\": 2"),
+            "stdin: [0].scene.unprojector: version 2 cannot be read, only version 1");
+        row("both from standard input", {"project", "-"}, kFrustumScene,
+            "the scene and the points cannot both come from standard input; give a file for one of them");
+    }
+
+    void mistakesAreTold()
+    {
+        QFETCH(QStringList, arguments);
+        QFETCH(QByteArray, input);
+        QFETCH(QByteArray, message);
+        const Run run = runCommand(arguments, input);
+        QCOMPARE(run.errors, message);
+        QCOMPARE(run.exitCode, 2);
+    }
 
 private:
     Folder m_folder;
 };
 
-void TestClicksCommand::theSamePointsToTheLastDigit_data()
-{
-    QTest::addColumn<QString>("space");
-    QTest::newRow("world") << "world";
-    QTest::newRow("eye") << "eye";
-    QTest::newRow("object") << "object:right";
-}
-
-void TestClicksCommand::theSamePointsToTheLastDigit()
-{
-    QFETCH(QString, space);
-    const std::vector<Click> clicks{clickAt(400, 300, 0.0123456789, true), clickAt(411.4, 222.2, 0.0191, true)};
-    QVERIFY(clicks[0].object && clicks[0].object->name == "right");
-    const QString file = m_folder.write("clicks.json", textOf(clicks));
-    const Run run = runCommand({"points", "--space", space, file});
-    VERIFY_SUCCEEDED(run);
-    const auto lines = run.lines();
-    QCOMPARE(lines.size(), 3);
-    QCOMPARE(lines[0], QByteArray("px,py,depth,formula_x,formula_y,formula_z,matrix_x,matrix_y,matrix_z,difference"));
-    for (int i = 0; i < 2; ++i) {
-        const Click &click = clicks[std::size_t(i)];
-        const ClickPoint &point = space == "eye"     ? click.eye.surface
-                                  : space == "world" ? click.world.surface
-                                                     : click.object->point;
-        const QList<double> row = numbersOf(lines[i + 1]);
-        QCOMPARE(row.size(), 10);
-        QCOMPARE(row[0], click.devicePixel.i + 0.5);
-        QCOMPARE(row[1], click.devicePixel.j + 0.5);
-        QCOMPARE(row[2], click.window.z);
-        verifyPoint(row, 3, point[kFormula]);
-        verifyPoint(row, 6, point[kMatrix]);
-    }
-    // Standard input gives one click alone, one method, as JSON.
-    QCOMPARE(runCommand({"points", "--space", space, "-"}, textOf(clicks)).output, run.output);
-    const QByteArray alone = textOf({clicks[1]}).trimmed().mid(1).chopped(1);
-    const Run one = runCommand({"points", "--no-header", "--method", "formula", "--space", space, "-"}, alone);
-    QCOMPARE(one.lines(), QList<QByteArray>{lines[2].split(',').mid(0, 6).join(',')});
-    const Run json = runCommand({"points", "--format", "jsonl", "--space", space, file});
-    QCOMPARE(json.lines().size(), 2);
-    QVERIFY(json.output.startsWith("{\"px\":500.5,\"py\":375.5,\"depth\":0.0123456789,\"formula_x\":"));
-}
-
-void TestClicksCommand::aClickOnTheBackgroundHasEmptyCells()
-{
-    const QString file =
-        m_folder.write("rays.json", textOf({clickAt(1, 2, 0.0, false), clickAt(400, 300, 0.01, true)}));
-    const Run run = runCommand({"points", "--no-header", file});
-    QCOMPARE(run.exitCode, 1);
-    QCOMPARE(run.errors,
-             file.toUtf8() + ": [0]: background: nothing was drawn there, so the click has no point, only a ray\n");
-    QCOMPARE(run.lines().at(0), QByteArray("1.5,2.5,0,,,,,,,"));
-    QVERIFY(!run.lines().at(1).contains(",,"));
-}
-
-void TestClicksCommand::clicksOfDifferentScenes()
-{
-    const std::vector<Click> clicks{clickAt(400, 300, 0.01, true), clickAt(400, 300, 0.01, true, 7.5)};
-    const QString file = m_folder.write("different.json", textOf(clicks));
-    const Run run = runCommand({"points", "--no-header", file});
-    for (int i = 0; i < 2; ++i)
-        verifyPoint(numbersOf(run.lines().at(i)), 3, clicks[std::size_t(i)].world.surface[kFormula]);
-    const Run matrices = runCommand({"matrices", file});
-    QCOMPARE(matrices.exitCode, 2);
-    QCOMPARE(matrices.errors,
-             file.toUtf8() + ": its clicks have different scenes; give one click, or the scene of one\n");
-}
-
-void TestClicksCommand::otherCommandsTakeTheScene_data()
-{
-    QTest::addColumn<QStringList>("command");
-    QTest::addColumn<QByteArray>("input");
-    QTest::newRow("matrices") << QStringList{"matrices"} << QByteArray();
-    QTest::newRow("project") << QStringList{"project"} << QByteArray("x,y,z\n0,0,0\n1,2,3\n");
-    QTest::newRow("project from an object")
-        << QStringList{"project", "--space", "object:right"} << QByteArray("x,y,z\n0,0,0\n");
-    QTest::newRow("compare") << QStringList{"compare", "--pixels", "3", "--depths", "3", "--json"} << QByteArray();
-}
-
-void TestClicksCommand::otherCommandsTakeTheScene()
-{
-    QFETCH(QStringList, command);
-    QFETCH(QByteArray, input);
-    const std::vector<Click> clicks{clickAt(400, 300, 0.01, true), clickAt(1, 1, 0.01, false)};
-    const QByteArray scene = QByteArray::fromStdString(sceneText(clicks[0].scene).value());
-    const Run byScene = runCommand(command + QStringList{m_folder.write("alone.json", scene)}, input);
-    QCOMPARE(byScene.exitCode, 0);
-    QVERIFY(!byScene.output.isEmpty());
-    const Run byClicks = runCommand(command + QStringList{m_folder.write("both.json", textOf(clicks))}, input);
-    QCOMPARE(byClicks.errors, QByteArray());
-    // Only the times of a comparison and the file's name differ.
-    if (command[0] != "compare")
-        QCOMPARE(byClicks.output, byScene.output);
-    QCOMPARE(byClicks.exitCode, 0);
-}
-
-void TestClicksCommand::aTableGoesThroughTheClicksScene()
-{
-    const Click click = clickAt(400, 300, 0.01, true);
-    const QString clicks = m_folder.write("scene-of.json", textOf({click}));
-    const QString table = m_folder.write("table.csv", "px,py,depth\n500.5,375.5,0.01\n");
-    const Run run = runCommand({"points", "--no-header", clicks, table});
-    QCOMPARE(run.exitCode, 0);
-    QCOMPARE(run.lines().size(), 1);
-    const QList<double> row = numbersOf(run.lines().at(0));
-    QVERIFY(std::abs(row[3] - (*click.world.surface[kFormula]).x) < 1e-12);
-    // Standard input works as well.
-    const Run piped = runCommand({"points", "--no-header", clicks, "-"}, "px,py,depth\n500.5,375.5,0.01\n");
-    QCOMPARE(piped.output, run.output);
-}
-
-void TestClicksCommand::mistakesAreTold_data()
-{
-    QTest::addColumn<QStringList>("arguments");
-    QTest::addColumn<QByteArray>("input");
-    QTest::addColumn<QByteArray>("message");
-    const QByteArray click = textOf({clickAt(400, 300, 0.01, true)});
-    const auto row = [](const char *name, const QStringList &arguments, const QByteArray &input,
-                        const QByteArray &message) { QTest::newRow(name) << arguments << input << message + '\n'; };
-    row("no scene in no clicks", {"matrices", "-"}, "[]", "stdin: it has no click and so no scene; give a scene file");
-    row("no such object", {"points", "--space", "object:none", "-"}, click,
-        "the scene has no object \"none\"; it has: left, right");
-    row("pixels", {"points", "--pixel", "-"}, click,
-        "--pixel is for tables of pixels; clicks already have the centres of their pixels");
-    row("a broken scene", {"points", "-"}, QByteArray(click).replace("\"unprojector\": 1", "\"unprojector\": 2"),
-        "stdin: [0].scene.unprojector: version 2 cannot be read, only version 1");
-    row("both from standard input", {"project", "-"}, kFrustumScene,
-        "the scene and the points cannot both come from standard input; give a file for one of them");
-}
-
-void TestClicksCommand::mistakesAreTold()
-{
-    QFETCH(QStringList, arguments);
-    QFETCH(QByteArray, input);
-    QFETCH(QByteArray, message);
-    const Run run = runCommand(arguments, input);
-    QCOMPARE(run.errors, message);
-    QCOMPARE(run.exitCode, 2);
-}
-
-QTEST_GUILESS_MAIN(TestClicksCommand)
+UNPROJECTOR_TEST(TestClicksCommand)
 #include "test_clicks_command.moc"

@@ -1,5 +1,7 @@
 // The words of the command line: the help of every command, and the errors for unknown words.
 
+#include "tests/support/test.h"
+
 #include "tests/cli/depth_files.h"
 #include "tests/support/patience.h"
 
@@ -9,185 +11,182 @@ class TestCommandLine : public QObject {
     Q_OBJECT
 
 private slots:
-    void helpHasExamplesThatWork_data();
-    void helpHasExamplesThatWork();
-    void helpNamesAllCommandsAndExitCodes();
-    void aFileIsNamedFromTheRoot();
-    void wordsAreChecked_data();
-    void wordsAreChecked();
-    void resultsThatCannotBeWritten_data();
-    void resultsThatCannotBeWritten();
+    void helpHasExamplesThatWork_data()
+    {
+        QTest::addColumn<QString>("command");
+        for (const char *command :
+             {"points", "project", "cloud", "code", "compare", "matrices", "scene", "landmarks", "doctor"})
+            QTest::newRow(command) << command;
+    }
+
+    /// The examples are extracted from the help and run unchanged.
+    void helpHasExamplesThatWork()
+    {
+        QFETCH(QString, command);
+        const Run help = runCommand({command, "--help"});
+        QCOMPARE(help.exitCode, 0);
+        QCOMPARE(help.errors, QByteArray());
+        const qsizetype at = help.output.indexOf("\nExample");
+        QVERIFY(at > 0);
+        QByteArray examples = help.output.mid(help.output.indexOf('\n', at + 1) + 1);
+        examples.truncate(examples.contains("\n\n") ? examples.indexOf("\n\n") : examples.size());
+        QVERIFY(examples.contains("unproject " + command.toUtf8()));
+#ifdef Q_OS_UNIX
+        m_folder.write("scene.json", kFrustumScene);
+        m_folder.write("clicks.csv", "px,py,depth\n1.5,2.5,0.5\n");
+        m_folder.write("pixels.csv", "px,py,depth\n1,2,0.5\n");
+        m_folder.write("many.csv", "px,py,depth\n1,2,0.5\n");
+        m_folder.write("points.csv", "x,y,z\n0,0,2\n");
+        m_folder.write("clicks.json", "[{\"window\": [400.5, 300.5, 0.5], \"scene\": " + kFrustumScene + "}]");
+        m_folder.write("depth.pfm", "Pf\n800 600\n-1\n" + QByteArray(qsizetype(800) * 600 * 4, '\0'));
+        m_folder.write("depth.npy", npy(npyHeader("<u2", "(600, 800)"), QByteArray("\xd0\x07").repeated(800 * 600)));
+        m_folder.write("depth.raw", QByteArray(qsizetype(1920) * 1080 * 4, '\0'));
+        m_folder.write("matrices.txt",
+                       "1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1  1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0  0 0 400 300");
+        m_folder.write("camera.yml",
+                       "%YAML:1.0\n---\nimage_width: 640\nimage_height: 480\nK: !!opencv-matrix\n   rows: 3\n"
+                       "   cols: 3\n   dt: d\n   data: [ 800., 0., 319.5, 0., 800., 239.5, 0., 0., 1. ]\n"
+                       "rvec: [ 0., 0., 0. ]\ntvec: [ 0., 0., 5. ]\n");
+        m_folder.write("wrong.csv", "px,py,depth,x,y,z\n400,300,0.5,0.1,0.2,3.4\n");
+        m_folder.write("scan.ply",
+                       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                       "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                       "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+        const QByteArray skull = "<PickedPoints><point x=\"1\" y=\"2\" z=\"3\" name=\"N\"/></PickedPoints>";
+        for (const char *file : {"skull.pp", "monday.pp", "tuesday.pp"})
+            m_folder.write(file, skull);
+        m_folder.write("points.fcsv",
+                       "# Markups fiducial file version = 5.8\n# CoordinateSystem = LPS\n0,1,2,3,0,0,0,1,1,1,0,N,,\n");
+        QVERIFY(QDir().mkpath(m_folder.path("skulls")));
+        m_folder.write("skulls/1.pp", skull);
+        m_folder.write("skulls/2.pts", "Version 1.0\n1\nN 1 2 3\n\n");
+        m_folder.write("protocol.csv", "name,kind,landmarks\nwidth,length,N,N\n");
+        QVERIFY(QDir().mkpath(m_folder.path("scans")));
+        for (const char *file : {"1.ply.points.csv", "1.ply.points-2.csv", "2.ply.points.csv", "2.ply.points-2.csv"})
+            m_folder.write(QStringLiteral("scans/") + QLatin1String(file), "name,x,y,z\na,0,0,0\nb,1,0,0\nc,0,1,0\n");
+        examples.replace("\n      ", " "); // a long one goes on in the next line
+        for (const QByteArray &line : examples.trimmed().split('\n')) {
+            const QByteArray example = line.trimmed();
+            if (example.startsWith("parallel ") || example.contains("1920x1080"))
+                continue; // another program's; another window's
+            QProcess shell;
+            shell.setWorkingDirectory(m_folder.path("."));
+            shell.start("sh", {"-c", "unproject() { '" UNPROJECT_COMMAND "' \"$@\"; }; " + QString::fromUtf8(example)});
+            QVERIFY(shell.waitForFinished(kPatienceMilliseconds));
+            const QByteArray errors = shell.readAllStandardError();
+            const bool saysWhatItWrote = command == "cloud" && errors == "cloud.ply: 480000 points of 480000 pixels\n";
+            QVERIFY2((errors.isEmpty() || saysWhatItWrote) && shell.exitCode() == 0,
+                     (example + '\n' + errors).constData());
+            // The examples of `scene` write the scene of the others.
+            m_folder.write("scene.json", kFrustumScene);
+        }
+#endif
+    }
+
+    void helpNamesAllCommandsAndExitCodes()
+    {
+        const Run run = runCommand({"--help"});
+        QCOMPARE(run.exitCode, 0);
+        for (const char *word : {"points", "project", "cloud", "code", "compare", "matrices", "scene", "landmarks",
+                                 "doctor", "0 done", "1 some rows bad", "2 unusable input"})
+            QVERIFY2(run.output.contains(word), word);
+        QVERIFY(runCommand({"--version"}).output.startsWith("unproject "));
+    }
+
+    /// Some Windows programs take options that begin with a slash; here none does, since a path may.
+    void aFileIsNamedFromTheRoot()
+    {
+        const Run run = runCommand({"info", "/there is none.json"});
+        QCOMPARE(run.exitCode, 2);
+        QVERIFY2(run.errors.contains("/there is none.json"), run.errors);
+    }
+
+    void wordsAreChecked_data()
+    {
+        QTest::addColumn<QStringList>("words");
+        QTest::addColumn<QByteArray>("message");
+        const auto row = [](const char *name, const QStringList &words, const char *message) {
+            QTest::newRow(name) << words << QByteArray(message);
+        };
+        row("not a command", {}, "A subcommand is required; see 'unproject --help'\n");
+        row("no such command", {"pionts", "scene.json"},
+            "\"pionts\" is not a command; give one of points, pick, project, info, scene, cloud, compare, map, "
+            "matrices, "
+            "code, landmarks, doctor\n");
+        row("an empty word", {""}, "\"\" is not a command");
+        row("no scene", {"points"}, "SCENE is required; see 'unproject points --help'\n");
+        row("an empty name", {"points", ""}, "SCENE: give the name of a file");
+        row("a file too many", {"points", "scene.json", "a.csv", "b.csv"},
+            "\"b.csv\" is one argument too many for 'unproject points'; see 'unproject points --help'\n");
+        row("no such option", {"project", "--pixel", "scene.json"},
+            "--pixel is not an option of 'unproject project'; 'unproject project --help' lists them\n");
+        row("no such option, and nothing else", {"points", "--nonsense"},
+            "--nonsense is not an option of 'unproject points'");
+        row("no such option of the program", {"--nonsense"}, "--nonsense is not an option of 'unproject'");
+        row("of two only one", {"pick", "a.ply", "--at", "1,2", "a.csv"},
+            "PIXELS a.csv and --at 1,2 exclude each other; leave one of them out\n");
+        row("what is for something else",
+            {"map", "a.json", "--what", "uncertainty", "--convention", "vtk", "-o", "a.pfm"},
+            "--convention vtk: is for --what displacement, not for --what uncertainty; leave one of them out\n");
+        row("no number", {"map", "a.json", "--what", "uncertainty", "--depth", "deep", "-o", "a.pfm"},
+            "--depth deep: give a number\n");
+        row("no threads", {"points", "--threads", "0", "scene.json"}, "--threads: Value 0 not in range 1 to 64\n");
+        row("a word for a number", {"compare", "--pixels", "many", "scene.json"},
+            "--pixels: Value many not in range 1 to 1000");
+        row("no such format", {"matrices", "--format", "xml", "scene.json"},
+            "--format: \"xml\" is not one of c, json, latex, numpy, text");
+        row("no output", {"cloud", "scene.json", "depth"}, "--output is required");
+        row("an option without its word", {"points", "scene.json", "--space"},
+            "--space needs a value, TEXT; see 'unproject points --help'\n");
+    }
+
+    void wordsAreChecked()
+    {
+        QFETCH(QStringList, words);
+        QFETCH(QByteArray, message);
+        const Run run = runCommand(words);
+        QVERIFY2(run.errors.startsWith(message), run.errors.constData());
+        QCOMPARE(run.output, QByteArray());
+        QCOMPARE(run.exitCode, 2);
+    }
+
+    void resultsThatCannotBeWritten_data()
+    {
+        QTest::addColumn<QStringList>("words");
+        const QString scene = m_folder.write("scene.json", kFrustumScene);
+        const QString rows = m_folder.write("rows.csv", "px,py,depth\n" + QByteArray("1,2,0.5\n").repeated(100000));
+        const QString places = m_folder.write("places.csv", "x,y,z\n1,2,0.5\n");
+        const QString depth = m_folder.write("depth.raw", QByteArray(qsizetype(800) * 600 * 4, '\0'));
+        const QString numbers = "1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1  1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0  0 0 400 300";
+        QTest::newRow("help") << QStringList{"--help"};
+        QTest::newRow("help of a command") << QStringList{"points", "--help"};
+        QTest::newRow("version") << QStringList{"--version"};
+        QTest::newRow("points") << QStringList{"points", scene, rows};
+        QTest::newRow("points, one thread") << QStringList{"points", "--threads", "1", scene, rows};
+        QTest::newRow("project") << QStringList{"project", scene, places};
+        QTest::newRow("matrices") << QStringList{"matrices", scene};
+        QTest::newRow("compare") << QStringList{"compare", "--pixels", "2", scene};
+        QTest::newRow("compare as JSON") << QStringList{"compare", "--json", "--pixels", "2", scene};
+        QTest::newRow("cloud") << QStringList{"cloud", "--size", "800x600", scene, depth, "-o", "-"};
+        QTest::newRow("scene") << QStringList{"scene", "--from-matrices", numbers};
+    }
+
+    void resultsThatCannotBeWritten()
+    {
+        QFETCH(QStringList, words);
+        if (!QFile::exists("/dev/full"))
+            QSKIP("no device that is always full");
+        QProcess process;
+        process.setStandardOutputFile("/dev/full");
+        process.start(QStringLiteral(UNPROJECT_COMMAND), words);
+        QVERIFY(process.waitForFinished(kPatienceMilliseconds));
+        QCOMPARE(process.readAllStandardError(), QByteArray("stdout: cannot be written: No space left on device\n"));
+        QCOMPARE(process.exitCode(), 2);
+    }
 
 private:
     Folder m_folder;
 };
 
-void TestCommandLine::helpHasExamplesThatWork_data()
-{
-    QTest::addColumn<QString>("command");
-    for (const char *command :
-         {"points", "project", "cloud", "code", "compare", "matrices", "scene", "landmarks", "doctor"})
-        QTest::newRow(command) << command;
-}
-
-/// The examples are extracted from the help and run unchanged.
-void TestCommandLine::helpHasExamplesThatWork()
-{
-    QFETCH(QString, command);
-    const Run help = runCommand({command, "--help"});
-    QCOMPARE(help.exitCode, 0);
-    QCOMPARE(help.errors, QByteArray());
-    const qsizetype at = help.output.indexOf("\nExample");
-    QVERIFY(at > 0);
-    QByteArray examples = help.output.mid(help.output.indexOf('\n', at + 1) + 1);
-    examples.truncate(examples.contains("\n\n") ? examples.indexOf("\n\n") : examples.size());
-    QVERIFY(examples.contains("unproject " + command.toUtf8()));
-#ifdef Q_OS_UNIX
-    m_folder.write("scene.json", kFrustumScene);
-    m_folder.write("clicks.csv", "px,py,depth\n1.5,2.5,0.5\n");
-    m_folder.write("pixels.csv", "px,py,depth\n1,2,0.5\n");
-    m_folder.write("many.csv", "px,py,depth\n1,2,0.5\n");
-    m_folder.write("points.csv", "x,y,z\n0,0,2\n");
-    m_folder.write("clicks.json", "[{\"window\": [400.5, 300.5, 0.5], \"scene\": " + kFrustumScene + "}]");
-    m_folder.write("depth.pfm", "Pf\n800 600\n-1\n" + QByteArray(qsizetype(800) * 600 * 4, '\0'));
-    m_folder.write("depth.npy", npy(npyHeader("<u2", "(600, 800)"), QByteArray("\xd0\x07").repeated(800 * 600)));
-    m_folder.write("depth.raw", QByteArray(qsizetype(1920) * 1080 * 4, '\0'));
-    m_folder.write("matrices.txt", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1  1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0  0 0 400 300");
-    m_folder.write("camera.yml", "%YAML:1.0\n---\nimage_width: 640\nimage_height: 480\nK: !!opencv-matrix\n   rows: 3\n"
-                                 "   cols: 3\n   dt: d\n   data: [ 800., 0., 319.5, 0., 800., 239.5, 0., 0., 1. ]\n"
-                                 "rvec: [ 0., 0., 0. ]\ntvec: [ 0., 0., 5. ]\n");
-    m_folder.write("wrong.csv", "px,py,depth,x,y,z\n400,300,0.5,0.1,0.2,3.4\n");
-    m_folder.write("scan.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
-                               "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
-                               "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-    const QByteArray skull = "<PickedPoints><point x=\"1\" y=\"2\" z=\"3\" name=\"N\"/></PickedPoints>";
-    for (const char *file : {"skull.pp", "monday.pp", "tuesday.pp"})
-        m_folder.write(file, skull);
-    m_folder.write("points.fcsv",
-                   "# Markups fiducial file version = 5.8\n# CoordinateSystem = LPS\n0,1,2,3,0,0,0,1,1,1,0,N,,\n");
-    QVERIFY(QDir().mkpath(m_folder.path("skulls")));
-    m_folder.write("skulls/1.pp", skull);
-    m_folder.write("skulls/2.pts", "Version 1.0\n1\nN 1 2 3\n\n");
-    m_folder.write("protocol.csv", "name,kind,landmarks\nwidth,length,N,N\n");
-    QVERIFY(QDir().mkpath(m_folder.path("scans")));
-    for (const char *file : {"1.ply.points.csv", "1.ply.points-2.csv", "2.ply.points.csv", "2.ply.points-2.csv"})
-        m_folder.write(QStringLiteral("scans/") + QLatin1String(file), "name,x,y,z\na,0,0,0\nb,1,0,0\nc,0,1,0\n");
-    examples.replace("\n      ", " "); // a long one goes on in the next line
-    for (const QByteArray &line : examples.trimmed().split('\n')) {
-        const QByteArray example = line.trimmed();
-        if (example.startsWith("parallel ") || example.contains("1920x1080"))
-            continue; // another program's; another window's
-        QProcess shell;
-        shell.setWorkingDirectory(m_folder.path("."));
-        shell.start("sh", {"-c", "unproject() { '" UNPROJECT_COMMAND "' \"$@\"; }; " + QString::fromUtf8(example)});
-        QVERIFY(shell.waitForFinished(kPatienceMilliseconds));
-        const QByteArray errors = shell.readAllStandardError();
-        const bool saysWhatItWrote = command == "cloud" && errors == "cloud.ply: 480000 points of 480000 pixels\n";
-        QVERIFY2((errors.isEmpty() || saysWhatItWrote) && shell.exitCode() == 0, (example + '\n' + errors).constData());
-        // The examples of `scene` write the scene of the others.
-        m_folder.write("scene.json", kFrustumScene);
-    }
-#endif
-}
-
-void TestCommandLine::helpNamesAllCommandsAndExitCodes()
-{
-    const Run run = runCommand({"--help"});
-    QCOMPARE(run.exitCode, 0);
-    for (const char *word : {"points", "project", "cloud", "code", "compare", "matrices", "scene", "landmarks",
-                             "doctor", "0 done", "1 some rows bad", "2 unusable input"})
-        QVERIFY2(run.output.contains(word), word);
-    QVERIFY(runCommand({"--version"}).output.startsWith("unproject "));
-}
-
-/// Some Windows programs take options that begin with a slash; here none does, since a path may.
-void TestCommandLine::aFileIsNamedFromTheRoot()
-{
-    const Run run = runCommand({"info", "/there is none.json"});
-    QCOMPARE(run.exitCode, 2);
-    QVERIFY2(run.errors.contains("/there is none.json"), run.errors);
-}
-
-void TestCommandLine::wordsAreChecked_data()
-{
-    QTest::addColumn<QStringList>("words");
-    QTest::addColumn<QByteArray>("message");
-    const auto row = [](const char *name, const QStringList &words, const char *message) {
-        QTest::newRow(name) << words << QByteArray(message);
-    };
-    row("not a command", {}, "A subcommand is required; see 'unproject --help'\n");
-    row("no such command", {"pionts", "scene.json"},
-        "\"pionts\" is not a command; give one of points, pick, project, info, scene, cloud, compare, map, matrices, "
-        "code, landmarks, doctor\n");
-    row("an empty word", {""}, "\"\" is not a command");
-    row("no scene", {"points"}, "SCENE is required; see 'unproject points --help'\n");
-    row("an empty name", {"points", ""}, "SCENE: give the name of a file");
-    row("a file too many", {"points", "scene.json", "a.csv", "b.csv"},
-        "\"b.csv\" is one argument too many for 'unproject points'; see 'unproject points --help'\n");
-    row("no such option", {"project", "--pixel", "scene.json"},
-        "--pixel is not an option of 'unproject project'; 'unproject project --help' lists them\n");
-    row("no such option, and nothing else", {"points", "--nonsense"},
-        "--nonsense is not an option of 'unproject points'");
-    row("no such option of the program", {"--nonsense"}, "--nonsense is not an option of 'unproject'");
-    row("of two only one", {"pick", "a.ply", "--at", "1,2", "a.csv"},
-        "PIXELS a.csv and --at 1,2 exclude each other; leave one of them out\n");
-    row("what is for something else", {"map", "a.json", "--what", "uncertainty", "--convention", "vtk", "-o", "a.pfm"},
-        "--convention vtk: is for --what displacement, not for --what uncertainty; leave one of them out\n");
-    row("no number", {"map", "a.json", "--what", "uncertainty", "--depth", "deep", "-o", "a.pfm"},
-        "--depth deep: give a number\n");
-    row("no threads", {"points", "--threads", "0", "scene.json"}, "--threads: Value 0 not in range 1 to 64\n");
-    row("a word for a number", {"compare", "--pixels", "many", "scene.json"},
-        "--pixels: Value many not in range 1 to 1000");
-    row("no such format", {"matrices", "--format", "xml", "scene.json"},
-        "--format: \"xml\" is not one of c, json, latex, numpy, text");
-    row("no output", {"cloud", "scene.json", "depth"}, "--output is required");
-    row("an option without its word", {"points", "scene.json", "--space"},
-        "--space needs a value, TEXT; see 'unproject points --help'\n");
-}
-
-void TestCommandLine::wordsAreChecked()
-{
-    QFETCH(QStringList, words);
-    QFETCH(QByteArray, message);
-    const Run run = runCommand(words);
-    QVERIFY2(run.errors.startsWith(message), run.errors.constData());
-    QCOMPARE(run.output, QByteArray());
-    QCOMPARE(run.exitCode, 2);
-}
-
-void TestCommandLine::resultsThatCannotBeWritten_data()
-{
-    QTest::addColumn<QStringList>("words");
-    const QString scene = m_folder.write("scene.json", kFrustumScene);
-    const QString rows = m_folder.write("rows.csv", "px,py,depth\n" + QByteArray("1,2,0.5\n").repeated(100000));
-    const QString places = m_folder.write("places.csv", "x,y,z\n1,2,0.5\n");
-    const QString depth = m_folder.write("depth.raw", QByteArray(qsizetype(800) * 600 * 4, '\0'));
-    const QString numbers = "1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1  1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0  0 0 400 300";
-    QTest::newRow("help") << QStringList{"--help"};
-    QTest::newRow("help of a command") << QStringList{"points", "--help"};
-    QTest::newRow("version") << QStringList{"--version"};
-    QTest::newRow("points") << QStringList{"points", scene, rows};
-    QTest::newRow("points, one thread") << QStringList{"points", "--threads", "1", scene, rows};
-    QTest::newRow("project") << QStringList{"project", scene, places};
-    QTest::newRow("matrices") << QStringList{"matrices", scene};
-    QTest::newRow("compare") << QStringList{"compare", "--pixels", "2", scene};
-    QTest::newRow("compare as JSON") << QStringList{"compare", "--json", "--pixels", "2", scene};
-    QTest::newRow("cloud") << QStringList{"cloud", "--size", "800x600", scene, depth, "-o", "-"};
-    QTest::newRow("scene") << QStringList{"scene", "--from-matrices", numbers};
-}
-
-void TestCommandLine::resultsThatCannotBeWritten()
-{
-    QFETCH(QStringList, words);
-    if (!QFile::exists("/dev/full"))
-        QSKIP("no device that is always full");
-    QProcess process;
-    process.setStandardOutputFile("/dev/full");
-    process.start(QStringLiteral(UNPROJECT_COMMAND), words);
-    QVERIFY(process.waitForFinished(kPatienceMilliseconds));
-    QCOMPARE(process.readAllStandardError(), QByteArray("stdout: cannot be written: No space left on device\n"));
-    QCOMPARE(process.exitCode(), 2);
-}
-
-QTEST_GUILESS_MAIN(TestCommandLine)
+UNPROJECTOR_TEST(TestCommandLine)
 #include "test_command_line.moc"

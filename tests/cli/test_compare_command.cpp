@@ -1,5 +1,7 @@
 // `unproject compare`, as a script runs it.
 
+#include "tests/support/test.h"
+
 #include "tests/cli/command.h"
 
 #include "core/cli/rows/distribution.h"
@@ -11,24 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-class TestCompareCommand : public QObject {
-    Q_OBJECT
-
-private slots:
-    void formulaHoldsItsPromise_data();
-    void formulaHoldsItsPromise();
-    void theGridIsAskedFor();
-    void aMatrixOfNoKnownFormHasOneAnswer();
-    void numbersBeyondFloatAreNoAnswer();
-    void thePercentileIsThatOfAllNumbers_data();
-    void thePercentileIsThatOfAllNumbers();
-    void theTableIsForPeople();
-    void unusableInput();
-
-private:
-    Folder m_folder;
-};
 
 namespace {
 
@@ -55,120 +39,131 @@ double largestUlps(const QJsonObject &way)
 
 } // namespace
 
-void TestCompareCommand::formulaHoldsItsPromise_data()
-{
-    QTest::addColumn<QByteArray>("projection");
-    QTest::addColumn<double>("matrixUlpsAtLeast");
-    QTest::newRow("5 : 80000") << QByteArray(R"({"type": "perspective", "fovy": 60, "near": 5, "far": 80000})") << 1e3;
-    QTest::newRow("0.1 : 10000") << QByteArray(R"({"type": "perspective", "fovy": 60, "near": 0.1, "far": 10000})")
-                                 << 1e4;
-    QTest::newRow("off-centre frustum") << QByteArray(
-        R"({"type": "frustum", "left": -1, "right": 2, "bottom": -0.5, "top": 1, "near": 1, "far": 100})")
-                                        << 10.0;
-    QTest::newRow("box") << QByteArray(
-        R"({"type": "ortho", "left": -1, "right": 2, "bottom": -5, "top": 1, "near": 1, "far": 100})")
-                         << 0.5;
-    QTest::newRow("oblique") << QByteArray(
-        R"({"type": "oblique", "left": -1, "right": 2, "bottom": -5, "top": 1, "near": 1, "far": 100,
-        "theta": 60, "phi": 70})")
+class TestCompareCommand : public QObject {
+    Q_OBJECT
+
+private slots:
+    void formulaHoldsItsPromise_data()
+    {
+        QTest::addColumn<QByteArray>("projection");
+        QTest::addColumn<double>("matrixUlpsAtLeast");
+        QTest::newRow("5 : 80000") << QByteArray(R"({"type": "perspective", "fovy": 60, "near": 5, "far": 80000})")
+                                   << 1e3;
+        QTest::newRow("0.1 : 10000") << QByteArray(R"({"type": "perspective", "fovy": 60, "near": 0.1, "far": 10000})")
+                                     << 1e4;
+        QTest::newRow("off-centre frustum") << QByteArray(
+            R"({"type": "frustum", "left": -1, "right": 2, "bottom": -0.5, "top": 1, "near": 1, "far": 100})")
+                                            << 10.0;
+        QTest::newRow("box") << QByteArray(
+            R"({"type": "ortho", "left": -1, "right": 2, "bottom": -5, "top": 1, "near": 1, "far": 100})")
                              << 0.5;
-}
-
-void TestCompareCommand::formulaHoldsItsPromise()
-{
-    QFETCH(QByteArray, projection);
-    QFETCH(double, matrixUlpsAtLeast);
-    const Run run = runCommand({"compare", "--json", m_folder.write("scene.json", sceneWith(projection))});
-    VERIFY_SUCCEEDED(run);
-    const QHash<QString, QJsonObject> found = ways(run.output);
-    QCOMPARE(found.size(), 4);
-    QVERIFY2(found["formula double"]["ulps"].toObject()["percentile99.99"].toDouble() <= 20.0, run.output.constData());
-    QVERIFY(largestUlps(found["formula double"]) > 0.0);
-    QVERIFY2(largestUlps(found["matrix double"]) >= matrixUlpsAtLeast, run.output.constData());
-    for (const char *axis : {"x", "y", "z"}) {
-        const double inDouble = found["formula double"][QLatin1String(axis)].toObject()["largest"].toDouble();
-        const double inFloat = found["formula float"][QLatin1String(axis)].toObject()["largest"].toDouble();
-        QVERIFY2(inFloat >= 1e6 * inDouble, run.output.constData());
+        QTest::newRow("oblique") << QByteArray(
+            R"({"type": "oblique", "left": -1, "right": 2, "bottom": -5, "top": 1, "near": 1, "far": 100,
+        "theta": 60, "phi": 70})")
+                                 << 0.5;
     }
-}
 
-void TestCompareCommand::theGridIsAskedFor()
-{
-    const QString scene = m_folder.write("scene.json", kFrustumScene);
-    const Run run = runCommand({"compare", "--json", "--pixels", "3", "--depths", "2", scene});
-    QCOMPARE(QJsonDocument::fromJson(run.output).object()["points"].toInt(), 18);
-}
+    void formulaHoldsItsPromise()
+    {
+        QFETCH(QByteArray, projection);
+        QFETCH(double, matrixUlpsAtLeast);
+        const Run run = runCommand({"compare", "--json", m_folder.write("scene.json", sceneWith(projection))});
+        VERIFY_SUCCEEDED(run);
+        const QHash<QString, QJsonObject> found = ways(run.output);
+        QCOMPARE(found.size(), 4);
+        QVERIFY2(found["formula double"]["ulps"].toObject()["percentile99.99"].toDouble() <= 20.0,
+                 run.output.constData());
+        QVERIFY(largestUlps(found["formula double"]) > 0.0);
+        QVERIFY2(largestUlps(found["matrix double"]) >= matrixUlpsAtLeast, run.output.constData());
+        for (const char *axis : {"x", "y", "z"}) {
+            const double inDouble = found["formula double"][QLatin1String(axis)].toObject()["largest"].toDouble();
+            const double inFloat = found["formula float"][QLatin1String(axis)].toObject()["largest"].toDouble();
+            QVERIFY2(inFloat >= 1e6 * inDouble, run.output.constData());
+        }
+    }
 
-void TestCompareCommand::aMatrixOfNoKnownFormHasOneAnswer()
-{
-    const QByteArray matrix(R"({"type": "matrix", "matrix": [1,0.5,0,0, 0.25,1,0,0, 0,0,-1.02,-1, 0,0,-2.02,0]})");
-    const Run run = runCommand({"compare", "--json", m_folder.write("scene.json", sceneWith(matrix))});
-    QCOMPARE(run.exitCode, 0);
-    const QHash<QString, QJsonObject> found = ways(run.output);
-    QVERIFY(found["formula double"]["ulps"].isNull());
-    QCOMPARE(found["formula double"]["withoutAnswer"].toInt(),
-             QJsonDocument::fromJson(run.output).object()["points"].toInt());
-    QVERIFY(largestUlps(found["matrix double"]) < 1e3);
-}
+    void theGridIsAskedFor()
+    {
+        const QString scene = m_folder.write("scene.json", kFrustumScene);
+        const Run run = runCommand({"compare", "--json", "--pixels", "3", "--depths", "2", scene});
+        QCOMPARE(QJsonDocument::fromJson(run.output).object()["points"].toInt(), 18);
+    }
 
-void TestCompareCommand::numbersBeyondFloatAreNoAnswer()
-{
-    const QByteArray scene = R"({"unprojector": 1, "window": {"width": 8, "height": 6},
+    void aMatrixOfNoKnownFormHasOneAnswer()
+    {
+        const QByteArray matrix(R"({"type": "matrix", "matrix": [1,0.5,0,0, 0.25,1,0,0, 0,0,-1.02,-1, 0,0,-2.02,0]})");
+        const Run run = runCommand({"compare", "--json", m_folder.write("scene.json", sceneWith(matrix))});
+        QCOMPARE(run.exitCode, 0);
+        const QHash<QString, QJsonObject> found = ways(run.output);
+        QVERIFY(found["formula double"]["ulps"].isNull());
+        QCOMPARE(found["formula double"]["withoutAnswer"].toInt(),
+                 QJsonDocument::fromJson(run.output).object()["points"].toInt());
+        QVERIFY(largestUlps(found["matrix double"]) < 1e3);
+    }
+
+    void numbersBeyondFloatAreNoAnswer()
+    {
+        const QByteArray scene = R"({"unprojector": 1, "window": {"width": 8, "height": 6},
         "projection": {"type": "ortho", "left": -1e60, "right": 1e60, "bottom": -1e60, "top": 1e60, "near": 1, "far": 9},
         "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]}})";
-    const Run run = runCommand({"compare", "--json", "--pixels", "4", m_folder.write("scene.json", scene)});
-    QCOMPARE(run.exitCode, 0);
-    const QHash<QString, QJsonObject> found = ways(run.output);
-    QCOMPARE(found.size(), 4); // JSON has no infinity: it would be none
-    QCOMPARE(found["formula float"]["withoutAnswer"].toInt(), 16 * 17);
-    QVERIFY(found["formula float"]["ulps"].isNull());
-    QVERIFY(largestUlps(found["formula double"]) < 10.0);
-}
-
-void TestCompareCommand::thePercentileIsThatOfAllNumbers_data()
-{
-    QTest::addColumn<int>("count");
-    QTest::addColumn<int>("most");
-    QTest::newRow("one") << 1 << 1;
-    QTest::newRow("one of many") << 1 << 100000;
-    QTest::newRow("fewer than a share") << 99 << 99;
-    QTest::newRow("many") << 100000 << 100000;
-    QTest::newRow("fewer than there might be") << 54321 << 100000;
-}
-
-/// The command keeps only the largest numbers; its percentiles are the same as with all numbers.
-void TestCompareCommand::thePercentileIsThatOfAllNumbers()
-{
-    QFETCH(int, count);
-    QFETCH(int, most);
-    unprojector::cli::Distribution distribution(0.999, std::size_t(most));
-    QVERIFY(distribution.isEmpty());
-    std::vector<double> all;
-    double sum = 0.0;
-    for (int i = 0; i < count; ++i) {
-        all.push_back(std::fmod(i * 0.6180339887498949, 1.0));
-        sum += all.back();
-        distribution.add(all.back());
+        const Run run = runCommand({"compare", "--json", "--pixels", "4", m_folder.write("scene.json", scene)});
+        QCOMPARE(run.exitCode, 0);
+        const QHash<QString, QJsonObject> found = ways(run.output);
+        QCOMPARE(found.size(), 4); // JSON has no infinity: it would be none
+        QCOMPARE(found["formula float"]["withoutAnswer"].toInt(), 16 * 17);
+        QVERIFY(found["formula float"]["ulps"].isNull());
+        QVERIFY(largestUlps(found["formula double"]) < 10.0);
     }
-    std::sort(all.begin(), all.end());
-    QCOMPARE(distribution.largest(), all.back());
-    QCOMPARE(distribution.mean(), sum / count);
-    QCOMPARE(distribution.percentile(), all[std::min(std::size_t(0.999 * count), all.size() - 1)]);
-}
 
-void TestCompareCommand::theTableIsForPeople()
-{
-    const Run run = runCommand({"compare", m_folder.write("scene.json", kFrustumScene)});
-    QCOMPARE(run.exitCode, 0);
-    QVERIFY(run.output.contains("formula") && run.output.contains("99.99 %") && run.output.contains("17408 points"));
-}
+    void thePercentileIsThatOfAllNumbers_data()
+    {
+        QTest::addColumn<int>("count");
+        QTest::addColumn<int>("most");
+        QTest::newRow("one") << 1 << 1;
+        QTest::newRow("one of many") << 1 << 100000;
+        QTest::newRow("fewer than a share") << 99 << 99;
+        QTest::newRow("many") << 100000 << 100000;
+        QTest::newRow("fewer than there might be") << 54321 << 100000;
+    }
 
-void TestCompareCommand::unusableInput()
-{
-    const QString scene = m_folder.write("scene.json", kFrustumScene);
-    QCOMPARE(runCommand({"compare", m_folder.path("missing")}).exitCode, 2);
-    QCOMPARE(runCommand({"compare", "--pixels", "0", scene}).exitCode, 2);
-}
+    /// The command keeps only the largest numbers; its percentiles are the same as with all numbers.
+    void thePercentileIsThatOfAllNumbers()
+    {
+        QFETCH(int, count);
+        QFETCH(int, most);
+        unprojector::cli::Distribution distribution(0.999, std::size_t(most));
+        QVERIFY(distribution.isEmpty());
+        std::vector<double> all;
+        double sum = 0.0;
+        for (int i = 0; i < count; ++i) {
+            all.push_back(std::fmod(i * 0.6180339887498949, 1.0));
+            sum += all.back();
+            distribution.add(all.back());
+        }
+        std::sort(all.begin(), all.end());
+        QCOMPARE(distribution.largest(), all.back());
+        QCOMPARE(distribution.mean(), sum / count);
+        QCOMPARE(distribution.percentile(), all[std::min(std::size_t(0.999 * count), all.size() - 1)]);
+    }
 
-QTEST_GUILESS_MAIN(TestCompareCommand)
+    void theTableIsForPeople()
+    {
+        const Run run = runCommand({"compare", m_folder.write("scene.json", kFrustumScene)});
+        QCOMPARE(run.exitCode, 0);
+        QVERIFY(run.output.contains("formula") && run.output.contains("99.99 %")
+                && run.output.contains("17408 points"));
+    }
+
+    void unusableInput()
+    {
+        const QString scene = m_folder.write("scene.json", kFrustumScene);
+        QCOMPARE(runCommand({"compare", m_folder.path("missing")}).exitCode, 2);
+        QCOMPARE(runCommand({"compare", "--pixels", "0", scene}).exitCode, 2);
+    }
+
+private:
+    Folder m_folder;
+};
+
+UNPROJECTOR_TEST(TestCompareCommand, threads)
 #include "test_compare_command.moc"

@@ -1,5 +1,7 @@
 // `unproject map`: a number for each pixel.
 
+#include "tests/support/test.h"
+
 #include "tests/cli/command.h"
 #include "tests/cli/peak_memory.h"
 
@@ -31,184 +33,177 @@ class TestMapCommand : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase();
-    void aMapOfADisplacement();
-    void whatIsNotSeenHasNoNumber();
-    void theStatistics();
-    void aDepthInsteadOfObjects();
-    void theDepthBufferCounts();
-    void aLargePictureTakesLittleMemory_data();
-    void aLargePictureTakesLittleMemory();
-    void unusable_data();
-    void unusable();
+    void initTestCase()
+    {
+        m_model = m_folder.write("face.obj", kFace);
+        m_scene = m_folder.write("scene.json", kFrustumScene);
+        m_map = m_folder.path("map.pfm");
+    }
+
+    void aMapOfADisplacement()
+    {
+        const Run run = runCommand({"map", m_scene, "--what", "displacement", "--convention", "open3d", "-o", "-"});
+        QCOMPARE(run.exitCode, 0);
+        const QByteArray header = "Pf\n800 600\n-1.0\n";
+        QVERIFY(run.output.startsWith(header));
+        QCOMPARE(run.output.size(), header.size() + 4 * 800 * 600);
+        // Half a pixel left and up; the square's height takes the middle 400 rows.
+        const double half = std::sqrt(0.5) / 200;
+        QVERIFY(std::abs(double(valueAt(run.output, header, 800, 600, 123, 300)) - half) < 1e-6);
+        QVERIFY(std::isnan(valueAt(run.output, header, 800, 600, 123, 99)));
+        QVERIFY(!std::isnan(valueAt(run.output, header, 800, 600, 123, 100)));
+        QVERIFY(run.errors.startsWith("displacement of open3d, world units: 320000 of 480000 pixels; least 0.00354"));
+        const Run small = runCommand({"map", m_model, "--what", "formula-matrix", "--size", "30x20", "-o", "-"});
+        QVERIFY(small.output.startsWith("Pf\n30 20\n"));
+    }
+
+    /// MeshLab reads the depth of the row above: at the upper edge of the square that is the far
+    /// plane's, 4 in front of the eye.
+    void whatIsNotSeenHasNoNumber()
+    {
+        const Run run = runCommand({"map", m_scene, "--what", "displacement", "--convention", "meshlab", "-o", "-"});
+        const QByteArray header = "Pf\n800 600\n-1.0\n";
+        QVERIFY(double(valueAt(run.output, header, 800, 600, 400, 100)) > 1.99);
+        QVERIFY(double(valueAt(run.output, header, 800, 600, 400, 101)) < 0.01);
+    }
+
+    void theStatistics()
+    {
+        const Run run = runCommand({"map", "--json", m_scene, "--what", "formula-ray", "--unit", "ulp", "-o", m_map});
+        VERIFY_SUCCEEDED(run);
+        const QJsonObject said = QJsonDocument::fromJson(run.output).object();
+        QCOMPARE(said.keys(), QStringList({"count", "max", "median", "min", "p99", "size", "unit", "what"}));
+        QCOMPARE(said["what"].toString(), QString("formula-ray"));
+        QCOMPARE(said["unit"].toString(), QString("ulp"));
+        QCOMPARE(said["size"].toArray(), QJsonArray({800, 600}));
+        QCOMPARE(said["count"].toInt(), 320000);
+        QVERIFY(said["min"].toDouble() <= said["median"].toDouble());
+        QVERIFY(said["median"].toDouble() <= said["p99"].toDouble());
+        QVERIFY(said["p99"].toDouble() <= said["max"].toDouble() && said["max"].toDouble() > 1.0);
+        QFile file(m_map);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.size(), qint64(16 + 4 * 800 * 600));
+    }
+
+    void aDepthInsteadOfObjects()
+    {
+        const QString empty = m_folder.write(
+            "empty.json", QByteArray(kFrustumScene)
+                              .replace(kFrustumScene.mid(kFrustumScene.indexOf("\"objects\"")), "\"objects\": []\n}"));
+        const Run refused = runCommand({"map", empty, "--what", "formula-matrix", "-o", m_map});
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY2(refused.errors.contains("--depth gives a depth to every pixel, from 0 on the near plane to 1"),
+                 refused.errors);
+        const Run run = runCommand({"map", "--json", empty, "--what", "displacement", "--convention", "pixel-corner",
+                                    "--depth", "0.6666666666666666", "-o", m_map});
+        VERIFY_SUCCEEDED(run);
+        const QJsonObject said = QJsonDocument::fromJson(run.output).object();
+        QCOMPARE(said["count"].toInt(), 480000);
+        QCOMPARE(said["convention"].toString(), QString("pixel-corner"));
+        QVERIFY(std::abs(said["max"].toDouble() - std::sqrt(0.5) / 200) < 1e-6);
+    }
+
+    void theDepthBufferCounts()
+    {
+        // Not at the depth 2/3, which whole steps hit.
+        const QString scene =
+            m_folder.write("nearer.json", QByteArray(kFrustumScene).replace("[0, 0, 3]", "[0, 0, 2.9]"));
+        const auto greatest = [this, &scene](const QString &buffer) {
+            const Run run =
+                runCommand({"map", "--json", scene, "--what", "formula-ray", "--depth-buffer", buffer, "-o", m_map});
+            return QJsonDocument::fromJson(run.output).object()["max"].toDouble();
+        };
+        // Half a step at most, at a slant: z^2 (f - n) / (f n) / 65535 with z = 2.1.
+        const double step = 2.1 * 2.1 * 0.75 / 65535;
+        QVERIFY(greatest("16") < 0.5 * step * std::sqrt(1.0 + 1.0 + 0.5625));
+        QVERIFY(greatest("24") < 0.5 * step / 250);
+        QVERIFY(greatest("16") > 50.0 * greatest("24"));
+    }
+
+    void aLargePictureTakesLittleMemory_data()
+    {
+        QTest::addColumn<QStringList>("what");
+        QTest::newRow("uncertainty") << QStringList{"uncertainty"};
+        QTest::newRow("displacement") << QStringList{"displacement", "--convention", "screen2world"};
+    }
+
+    /// The memory is the one of a small picture, plus a float a pixel, which the statistics need.
+    void aLargePictureTakesLittleMemory()
+    {
+#ifdef UNPROJECTOR_IS_SANITIZED
+        QSKIP("sanitizers take memory of their own");
+#endif
+        QFETCH(QStringList, what);
+        constexpr int kPixels = 2500;
+        QProcess process;
+        process.start(QStringLiteral(UNPROJECT_COMMAND),
+                      QStringList{"map", m_scene, "--size", QStringLiteral("%1x%1").arg(kPixels), "-o", "-", "--what"}
+                          + what);
+        // The first output is complete: the numbers are written when all are there, and are more than a
+        // pipe holds.
+        QVERIFY(process.waitForReadyRead(2 * kPatienceMilliseconds));
+        const qint64 peak = peakMemory(process.processId());
+        QByteArray map = process.readAllStandardOutput();
+        while (process.waitForReadyRead(kPatienceMilliseconds))
+            map += process.readAllStandardOutput();
+        QVERIFY(process.state() == QProcess::NotRunning || process.waitForFinished(kPatienceMilliseconds));
+        QCOMPARE(process.exitCode(), 0);
+        map += process.readAllStandardOutput();
+        QCOMPARE(map.size(), qsizetype(std::strlen("Pf\n2500 2500\n-1.0\n")) + 4 * kPixels * kPixels);
+        if (peak == 0)
+            QSKIP("how much memory it took is not known here");
+        constexpr qint64 kMapKiB = 4 * kPixels * kPixels / 1024, kOtherKiB = 48 * 1024;
+        QVERIFY2(peak < kMapKiB + kOtherKiB, QByteArray::number(peak) + " KiB");
+        qInfo("%lld KiB at most", static_cast<long long>(peak));
+    }
+
+    void unusable_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QByteArray>("error");
+        const QStringList displacement{m_scene, "--what", "displacement"};
+        QTest::newRow("no convention") << displacement + QStringList{"-o", m_map}
+                                       << QByteArray("--convention (with --what displacement)");
+        QTest::newRow("unknown") << displacement + QStringList{"--convention", "blender", "-o", m_map}
+                                 << QByteArray("\"blender\" is not one of paper, screen2world, meshlab");
+        QTest::newRow("convention of nothing")
+            << QStringList{m_scene, "--what", "formula-ray", "--convention", "paper", "-o", m_map}
+            << QByteArray("--convention paper: is for --what displacement, not for --what formula-ray");
+        QTest::newRow("picture") << QStringList{m_scene, "--what", "formula-ray", "-o", m_folder.path("map.PNG")}
+                                 << QByteArray("give a name that ends in .pfm");
+        QTest::newRow("both to stdout") << QStringList{m_scene, "--what", "formula-ray", "--json", "-o", "-"}
+                                        << QByteArray("cannot both go to standard output");
+        QTest::newRow("over the scene") << QStringList{m_scene, "--what", "formula-ray", "-o", m_scene}
+                                        << QByteArray("scene.json");
+        QTest::newRow("over a model") << QStringList{m_scene, "--what", "formula-ray", "-o", m_model}
+                                      << QByteArray("face.obj");
+        QTest::newRow("depth of a ray") << QStringList{m_scene, "--what", "formula-ray", "--depth", "0.5", "-o", m_map}
+                                        << QByteArray("formula-ray needs surfaces");
+        QTest::newRow("depth outside") << QStringList{m_scene, "--what", "formula-matrix", "--depth", "1.5",
+                                                      "-o",    m_map}
+                                       << QByteArray("--depth 1.5: ");
+        QTest::newRow("too large") << QStringList{m_scene, "--what", "formula-matrix", "--size", "16384x16384",
+                                                  "-o",    m_map}
+                                   << QByteArray("16384x16384 is too large for a map");
+        QTest::newRow("no folder") << QStringList{m_scene, "--what", "formula-matrix", "-o",
+                                                  m_folder.path("none/map.pfm")}
+                                   << QByteArray("none/map.pfm");
+    }
+
+    void unusable()
+    {
+        QFETCH(QStringList, arguments);
+        QFETCH(QByteArray, error);
+        const Run run = runCommand(QStringList{"map"} + arguments);
+        QCOMPARE(run.exitCode, 2);
+        QVERIFY2(run.errors.contains(error), run.errors);
+        QVERIFY(run.output.isEmpty());
+    }
 
 private:
     Folder m_folder;
     QString m_scene, m_model, m_map;
 };
 
-void TestMapCommand::initTestCase()
-{
-    m_model = m_folder.write("face.obj", kFace);
-    m_scene = m_folder.write("scene.json", kFrustumScene);
-    m_map = m_folder.path("map.pfm");
-}
-
-void TestMapCommand::aMapOfADisplacement()
-{
-    const Run run = runCommand({"map", m_scene, "--what", "displacement", "--convention", "open3d", "-o", "-"});
-    QCOMPARE(run.exitCode, 0);
-    const QByteArray header = "Pf\n800 600\n-1.0\n";
-    QVERIFY(run.output.startsWith(header));
-    QCOMPARE(run.output.size(), header.size() + 4 * 800 * 600);
-    // Half a pixel left and up; the square's height takes the middle 400 rows.
-    const double half = std::sqrt(0.5) / 200;
-    QVERIFY(std::abs(double(valueAt(run.output, header, 800, 600, 123, 300)) - half) < 1e-6);
-    QVERIFY(std::isnan(valueAt(run.output, header, 800, 600, 123, 99)));
-    QVERIFY(!std::isnan(valueAt(run.output, header, 800, 600, 123, 100)));
-    QVERIFY(run.errors.startsWith("displacement of open3d, world units: 320000 of 480000 pixels; least 0.00354"));
-    const Run small = runCommand({"map", m_model, "--what", "formula-matrix", "--size", "30x20", "-o", "-"});
-    QVERIFY(small.output.startsWith("Pf\n30 20\n"));
-}
-
-/// MeshLab reads the depth of the row above: at the upper edge of the square that is the far
-/// plane's, 4 in front of the eye.
-void TestMapCommand::whatIsNotSeenHasNoNumber()
-{
-    const Run run = runCommand({"map", m_scene, "--what", "displacement", "--convention", "meshlab", "-o", "-"});
-    const QByteArray header = "Pf\n800 600\n-1.0\n";
-    QVERIFY(double(valueAt(run.output, header, 800, 600, 400, 100)) > 1.99);
-    QVERIFY(double(valueAt(run.output, header, 800, 600, 400, 101)) < 0.01);
-}
-
-void TestMapCommand::theStatistics()
-{
-    const Run run = runCommand({"map", "--json", m_scene, "--what", "formula-ray", "--unit", "ulp", "-o", m_map});
-    VERIFY_SUCCEEDED(run);
-    const QJsonObject said = QJsonDocument::fromJson(run.output).object();
-    QCOMPARE(said.keys(), QStringList({"count", "max", "median", "min", "p99", "size", "unit", "what"}));
-    QCOMPARE(said["what"].toString(), QString("formula-ray"));
-    QCOMPARE(said["unit"].toString(), QString("ulp"));
-    QCOMPARE(said["size"].toArray(), QJsonArray({800, 600}));
-    QCOMPARE(said["count"].toInt(), 320000);
-    QVERIFY(said["min"].toDouble() <= said["median"].toDouble());
-    QVERIFY(said["median"].toDouble() <= said["p99"].toDouble());
-    QVERIFY(said["p99"].toDouble() <= said["max"].toDouble() && said["max"].toDouble() > 1.0);
-    QFile file(m_map);
-    QVERIFY(file.open(QIODevice::ReadOnly));
-    QCOMPARE(file.size(), qint64(16 + 4 * 800 * 600));
-}
-
-void TestMapCommand::aDepthInsteadOfObjects()
-{
-    const QString empty = m_folder.write(
-        "empty.json", QByteArray(kFrustumScene)
-                          .replace(kFrustumScene.mid(kFrustumScene.indexOf("\"objects\"")), "\"objects\": []\n}"));
-    const Run refused = runCommand({"map", empty, "--what", "formula-matrix", "-o", m_map});
-    QCOMPARE(refused.exitCode, 2);
-    QVERIFY2(refused.errors.contains("--depth gives a depth to every pixel, from 0 on the near plane to 1"),
-             refused.errors);
-    const Run run = runCommand({"map", "--json", empty, "--what", "displacement", "--convention", "pixel-corner",
-                                "--depth", "0.6666666666666666", "-o", m_map});
-    VERIFY_SUCCEEDED(run);
-    const QJsonObject said = QJsonDocument::fromJson(run.output).object();
-    QCOMPARE(said["count"].toInt(), 480000);
-    QCOMPARE(said["convention"].toString(), QString("pixel-corner"));
-    QVERIFY(std::abs(said["max"].toDouble() - std::sqrt(0.5) / 200) < 1e-6);
-}
-
-void TestMapCommand::theDepthBufferCounts()
-{
-    // Not at the depth 2/3, which whole steps hit.
-    const QString scene = m_folder.write("nearer.json", QByteArray(kFrustumScene).replace("[0, 0, 3]", "[0, 0, 2.9]"));
-    const auto greatest = [this, &scene](const QString &buffer) {
-        const Run run =
-            runCommand({"map", "--json", scene, "--what", "formula-ray", "--depth-buffer", buffer, "-o", m_map});
-        return QJsonDocument::fromJson(run.output).object()["max"].toDouble();
-    };
-    // Half a step at most, at a slant: z^2 (f - n) / (f n) / 65535 with z = 2.1.
-    const double step = 2.1 * 2.1 * 0.75 / 65535;
-    QVERIFY(greatest("16") < 0.5 * step * std::sqrt(1.0 + 1.0 + 0.5625));
-    QVERIFY(greatest("24") < 0.5 * step / 250);
-    QVERIFY(greatest("16") > 50.0 * greatest("24"));
-}
-
-void TestMapCommand::aLargePictureTakesLittleMemory_data()
-{
-    QTest::addColumn<QStringList>("what");
-    QTest::newRow("uncertainty") << QStringList{"uncertainty"};
-    QTest::newRow("displacement") << QStringList{"displacement", "--convention", "screen2world"};
-}
-
-/// The memory is the one of a small picture, plus a float a pixel, which the statistics need.
-void TestMapCommand::aLargePictureTakesLittleMemory()
-{
-#ifdef UNPROJECTOR_IS_SANITIZED
-    QSKIP("sanitizers take memory of their own");
-#endif
-    QFETCH(QStringList, what);
-    constexpr int kPixels = 2500;
-    QProcess process;
-    process.start(QStringLiteral(UNPROJECT_COMMAND),
-                  QStringList{"map", m_scene, "--size", QStringLiteral("%1x%1").arg(kPixels), "-o", "-", "--what"}
-                      + what);
-    // The first output is complete: the numbers are written when all are there, and are more than a
-    // pipe holds.
-    QVERIFY(process.waitForReadyRead(2 * kPatienceMilliseconds));
-    const qint64 peak = peakMemory(process.processId());
-    QByteArray map = process.readAllStandardOutput();
-    while (process.waitForReadyRead(kPatienceMilliseconds))
-        map += process.readAllStandardOutput();
-    QVERIFY(process.state() == QProcess::NotRunning || process.waitForFinished(kPatienceMilliseconds));
-    QCOMPARE(process.exitCode(), 0);
-    map += process.readAllStandardOutput();
-    QCOMPARE(map.size(), qsizetype(std::strlen("Pf\n2500 2500\n-1.0\n")) + 4 * kPixels * kPixels);
-    if (peak == 0)
-        QSKIP("how much memory it took is not known here");
-    constexpr qint64 kMapKiB = 4 * kPixels * kPixels / 1024, kOtherKiB = 48 * 1024;
-    QVERIFY2(peak < kMapKiB + kOtherKiB, QByteArray::number(peak) + " KiB");
-    qInfo("%lld KiB at most", static_cast<long long>(peak));
-}
-
-void TestMapCommand::unusable_data()
-{
-    QTest::addColumn<QStringList>("arguments");
-    QTest::addColumn<QByteArray>("error");
-    const QStringList displacement{m_scene, "--what", "displacement"};
-    QTest::newRow("no convention") << displacement + QStringList{"-o", m_map}
-                                   << QByteArray("--convention (with --what displacement)");
-    QTest::newRow("unknown") << displacement + QStringList{"--convention", "blender", "-o", m_map}
-                             << QByteArray("\"blender\" is not one of paper, screen2world, meshlab");
-    QTest::newRow("convention of nothing")
-        << QStringList{m_scene, "--what", "formula-ray", "--convention", "paper", "-o", m_map}
-        << QByteArray("--convention paper: is for --what displacement, not for --what formula-ray");
-    QTest::newRow("picture") << QStringList{m_scene, "--what", "formula-ray", "-o", m_folder.path("map.PNG")}
-                             << QByteArray("give a name that ends in .pfm");
-    QTest::newRow("both to stdout") << QStringList{m_scene, "--what", "formula-ray", "--json", "-o", "-"}
-                                    << QByteArray("cannot both go to standard output");
-    QTest::newRow("over the scene") << QStringList{m_scene, "--what", "formula-ray", "-o", m_scene}
-                                    << QByteArray("scene.json");
-    QTest::newRow("over a model") << QStringList{m_scene, "--what", "formula-ray", "-o", m_model}
-                                  << QByteArray("face.obj");
-    QTest::newRow("depth of a ray") << QStringList{m_scene, "--what", "formula-ray", "--depth", "0.5", "-o", m_map}
-                                    << QByteArray("formula-ray needs surfaces");
-    QTest::newRow("depth outside") << QStringList{m_scene, "--what", "formula-matrix", "--depth", "1.5", "-o", m_map}
-                                   << QByteArray("--depth 1.5: ");
-    QTest::newRow("too large") << QStringList{m_scene, "--what", "formula-matrix", "--size", "16384x16384", "-o", m_map}
-                               << QByteArray("16384x16384 is too large for a map");
-    QTest::newRow("no folder") << QStringList{m_scene, "--what", "formula-matrix", "-o", m_folder.path("none/map.pfm")}
-                               << QByteArray("none/map.pfm");
-}
-
-void TestMapCommand::unusable()
-{
-    QFETCH(QStringList, arguments);
-    QFETCH(QByteArray, error);
-    const Run run = runCommand(QStringList{"map"} + arguments);
-    QCOMPARE(run.exitCode, 2);
-    QVERIFY2(run.errors.contains(error), run.errors);
-    QVERIFY(run.output.isEmpty());
-}
-
-QTEST_GUILESS_MAIN(TestMapCommand)
+UNPROJECTOR_TEST(TestMapCommand, threads)
 #include "test_map_command.moc"

@@ -1,6 +1,8 @@
 // Files that are not scenes, through the executable: a message with the file and the position, exit
 // code 2, never a crash.
 
+#include "tests/support/test.h"
+
 #include "tests/cli/command.h"
 
 #ifndef Q_OS_WIN
@@ -104,23 +106,243 @@ class TestSceneInput : public QObject {
     Q_OBJECT
 
 private slots:
-    void theScenesThemselvesAreRead();
-    void noTruncationIsRead();
-    void everyValueHasItsType_data();
-    void everyValueHasItsType();
-    void noKeyStandsTwice_data();
-    void noKeyStandsTwice();
-    void noNumberIsTooLarge_data();
-    void noNumberIsTooLarge();
-    void brokenFiles_data();
-    void brokenFiles();
-    void aHugeFile();
-    void noSuchFile();
-    void aNamedPipeIsNotWaitedFor();
-    void aPipeOfTheShellIsRead();
-    void otherEncodingsOfTheSameScene_data();
-    void otherEncodingsOfTheSameScene();
-    void everyCommandSaysTheSame();
+    void theScenesThemselvesAreRead()
+    {
+        for (const QByteArray &scene : {kScene, kMatrixScene, kPerspectiveScene}) {
+            const Run run = with(scene);
+            QCOMPARE(run.errors, QByteArray());
+            QCOMPARE(run.exitCode, 0);
+            QCOMPARE(run.lines().size(), 2);
+        }
+    }
+
+    void noTruncationIsRead()
+    {
+        for (qsizetype length = 0; length < kPerspectiveScene.size(); ++length) {
+            verifyRefused(kPerspectiveScene.left(length), length == 0 ? ": the file is empty" : ":");
+            if (QTest::currentTestFailed())
+                return;
+        }
+    }
+
+    void everyValueHasItsType_data()
+    {
+        QTest::addColumn<QByteArray>("scene");
+        QTest::addColumn<QByteArray>("message");
+        const QList<std::pair<const char *, QJsonValue>> values{{"null", QJsonValue()},   {"true", true},
+                                                                {"a number", 7},          {"a text", "seven"},
+                                                                {"a list", QJsonArray{}}, {"an object", QJsonObject{}}};
+        QSet<QByteArray> known; // keys of one scene are not tried with the next
+        for (const QByteArray &scene : {kScene, kMatrixScene, kPerspectiveScene}) {
+            const QJsonValue root = QJsonDocument::fromJson(scene).object();
+            QList<Steps> all;
+            collect(root, {}, all);
+            for (const Steps &steps : std::as_const(all)) {
+                const QByteArray path = pathOf(steps).toUtf8();
+                // A matrix's last number stands for all of them.
+                const bool isOneOfMany =
+                    valueAt(root, steps.mid(0, steps.size() - 1)).toArray().size() == 16 && steps.last() != 15;
+                if (isOneOfMany || known.contains(path))
+                    continue;
+                known.insert(path);
+                for (const auto &[name, value] : values) {
+                    if (valueAt(root, steps).type() == value.type())
+                        continue;
+                    QTest::addRow("%s: %s", path.constData(), name)
+                        << QJsonDocument(replaced(root, steps, value).toObject()).toJson()
+                        << ": " + path + ": expected ";
+                }
+            }
+        }
+    }
+
+    void everyValueHasItsType()
+    {
+        QFETCH(QByteArray, scene);
+        QFETCH(QByteArray, message);
+        verifyRefused(scene, message);
+    }
+
+    void noKeyStandsTwice_data()
+    {
+        QTest::addColumn<QByteArray>("scene");
+        QTest::addColumn<QByteArray>("message");
+        QRegularExpressionMatchIterator keys = QRegularExpression("\"(\\w+)\":").globalMatch(QString::fromUtf8(kScene));
+        while (keys.hasNext()) {
+            const QRegularExpressionMatch key = keys.next();
+            const QByteArray name = key.captured(1).toUtf8(), once = '"' + name + "\": [], ";
+            const QByteArray scene = QByteArray(kScene).insert(key.capturedStart(), once);
+            QTest::addRow("%s at %d", name.constData(), int(key.capturedStart()))
+                << scene
+                << ':' + lineAndColumn(scene, key.capturedStart() + once.size()) + ": the key \"" + name
+                       + "\" is here for the second time\n";
+        }
+    }
+
+    void noKeyStandsTwice()
+    {
+        QFETCH(QByteArray, scene);
+        QFETCH(QByteArray, message);
+        verifyRefused(scene, message);
+    }
+
+    void noNumberIsTooLarge_data()
+    {
+        QTest::addColumn<QByteArray>("scene");
+        QTest::addColumn<QByteArray>("message");
+        QRegularExpressionMatchIterator numbers =
+            QRegularExpression("(?<=[ \\[,])-?[0-9.]+(?=[,\\]}])").globalMatch(QString::fromUtf8(kScene));
+        while (numbers.hasNext()) {
+            const QRegularExpressionMatch number = numbers.next();
+            const QByteArray scene =
+                QByteArray(kScene).replace(number.capturedStart(), number.capturedLength(), "-1e400");
+            QTest::addRow("at %d", int(number.capturedStart()))
+                << scene << ':' + lineAndColumn(scene, number.capturedStart()) + ": -1e400 is too large for a number\n";
+        }
+    }
+
+    void noNumberIsTooLarge()
+    {
+        QFETCH(QByteArray, scene);
+        QFETCH(QByteArray, message);
+        verifyRefused(scene, message);
+    }
+
+    void brokenFiles_data()
+    {
+        QTest::addColumn<QByteArray>("scene");
+        QTest::addColumn<QByteArray>("message");
+        const auto row = [](const char *name, const QByteArray &scene, const char *message) {
+            QTest::newRow(name) << scene << QByteArray(message);
+        };
+        const auto changed = [](const char *from, const char *to) { return QByteArray(kScene).replace(from, to); };
+        row("empty", "", ": the file is empty");
+        row("blanks", " \t\r\n\n", ": the file is empty");
+        row("byte order mark alone", "\xEF\xBB\xBF", ": the file is empty");
+        row("UTF-16, little-endian", "\xFF\xFE" + utf16(kScene, true), ":1:1: the file is UTF-16; save it as UTF-8");
+        row("UTF-16, big-endian", "\xFE\xFF" + utf16(kScene, false), ":1:1: the file is UTF-16; save it as UTF-8");
+        row("UTF-16 without a mark", utf16(kScene, true), ":1:2: unexpected zero byte");
+        row("Latin-1", changed("face", "Gr\xFCn"), ":7:26: a byte here is not UTF-8; save the file as UTF-8");
+        row("a picture", QByteArray("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16), ":");
+        row("a CSV", "px,py,depth\n1,2,3\n", ":1:1: ");
+        row("10 000 brackets", QByteArray(10000, '['), ":1:65: brackets are nested deeper than 64 levels");
+        row("10 000 brackets, closed", QByteArray(10000, '[') + QByteArray(10000, ']'),
+            ":1:65: brackets are nested deeper");
+        row("10 000 objects", QByteArray("{\"a\":").repeated(10000),
+            ":1:321: brackets are nested deeper than 64 levels");
+        row("10 000 brackets under an unknown key",
+            changed("\"window\"", "\"x\": " + QByteArray(10000, '[') + ", \"window\""), ":2:");
+        row("projection of an unknown type", changed("oblique", "fisheye"),
+            ": projection.type: \"fisheye\" must be frustum, ortho, perspective, oblique, pinhole or matrix\n");
+        row("a step of an unknown type", changed("rotate", "shear"),
+            ": objects[0].transform[1]: must have exactly one of translate, rotate or scale\n");
+        row("near 0", QByteArray(kPerspectiveScene).replace("\"near\": 1", "\"near\": 0"),
+            ": projection.near: near is 0; it must be greater than 0 and smaller than far (4)\n");
+        row("an angle of 200.1 degrees", changed("45", "200.1"),
+            ": projection.theta: the angle is 200.1 degrees; it must lie between 0 and 180, both excluded\n");
+        row("comment", "// a scene\n" + kScene, ":1:1: ");
+        row("comma at the end", changed("[0, 1],", "[0, 1,],"), ":4:");
+        row("two scenes", kScene + kScene, ":8:31: ");
+    }
+
+    void brokenFiles()
+    {
+        QFETCH(QByteArray, scene);
+        QFETCH(QByteArray, message);
+        verifyRefused(scene, message);
+    }
+
+    void aHugeFile()
+    {
+        const QString path = m_folder.path("huge.json");
+        {
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            QVERIFY(file.resize((qint64{256} << 20) + 1)); // zeros, which take no room on most disks
+        }
+        const Run run = runCommand({"points", path}, "px,py,depth\n4,3,0.5\n");
+        QFile::remove(path);
+        QCOMPARE(run.errors,
+                 path.toUtf8()
+                     + ": a scene may have at most 256 MiB; keep the landmarks in a file of their own (File > Export "
+                       "Landmarks), then remove them from the scene\n");
+        QCOMPARE(run.output, QByteArray());
+        QCOMPARE(run.exitCode, 2);
+    }
+
+    void noSuchFile()
+    {
+        for (const QString &path : {m_folder.path("none.json"), m_folder.path("none/scene.json")}) {
+            const Run run = runCommand({"points", path});
+            QCOMPARE(run.errors, path.toUtf8() + ": there is no such file\n");
+            QCOMPARE(run.exitCode, 2);
+        }
+        const Run folder = runCommand({"points", m_folder.path(".")});
+        QCOMPARE(folder.errors, m_folder.path(".").toUtf8() + ": this is a folder, not a scene file\n");
+        QCOMPARE(folder.exitCode, 2);
+    }
+
+    void aNamedPipeIsNotWaitedFor()
+    {
+#ifdef Q_OS_WIN
+        QSKIP("no named pipes among the files");
+#else
+        const QString pipe = m_folder.path("pipe.json");
+        QCOMPARE(mkfifo(qPrintable(pipe), 0600), 0);
+        for (const QString &path : {pipe, QStringLiteral("/dev/zero")}) {
+            const Run run = runCommand({"matrices", path});
+            QCOMPARE(run.errors, path.toUtf8() + ": this is a pipe or a device, not a scene file\n");
+            QCOMPARE(run.exitCode, 2);
+        }
+#endif
+    }
+
+    /// The pipe is open already, and its writer exists.
+    void aPipeOfTheShellIsRead()
+    {
+        if (!QFile::exists("/dev/stdin"))
+            QSKIP("stdin has no name here");
+        const Run run = runCommand({"matrices", "/dev/stdin"}, kScene);
+        QCOMPARE(run.errors, QByteArray());
+        QCOMPARE(run.output, runCommand({"matrices", m_folder.write("plain", kScene)}).output);
+        QCOMPARE(run.exitCode, 0);
+    }
+
+    void otherEncodingsOfTheSameScene_data()
+    {
+        QTest::addColumn<QByteArray>("scene");
+        QTest::newRow("byte order mark") << "\xEF\xBB\xBF" + kScene;
+        QTest::newRow("CRLF") << QByteArray(kScene).replace("\n", "\r\n");
+        QTest::newRow("on one line") << QByteArray(kScene).replace("\n", "");
+        QTest::newRow("tabs and blanks around") << "\n\t " + QByteArray(kScene).replace(" ", "\t \t") + "\n\n";
+        QTest::newRow("exponents")
+            << QByteArray(kScene).replace("45", "4.5e+1").replace("60", "0.6E2").replace("[0, 1]", "[0e0, 100e-2]");
+    }
+
+    void otherEncodingsOfTheSameScene()
+    {
+        QFETCH(QByteArray, scene);
+        const Run run = with(scene);
+        VERIFY_SUCCEEDED(run);
+        QCOMPARE(run.output, with(kScene).output);
+    }
+
+    void everyCommandSaysTheSame()
+    {
+        const QString scene = m_folder.write("scene.json", QByteArray(kScene).replace("\"near\": 1", "\"near\": null"));
+        const QString depth = m_folder.write("depth", QByteArray(qsizetype(8) * 6 * 4, '\0'));
+        const QList<QStringList> commands{{"points", scene},
+                                          {"project", scene},
+                                          {"matrices", scene},
+                                          {"compare", scene},
+                                          {"cloud", "--size", "8x6", scene, depth, "-o", "-"}};
+        for (const QStringList &command : commands) {
+            const Run run = runCommand(command, "px,py,depth,x,y,z\n");
+            QCOMPARE(run.errors, scene.toUtf8() + ": projection.near: expected a number, found null\n");
+            QCOMPARE(run.output, QByteArray());
+            QCOMPARE(run.exitCode, 2);
+        }
+    }
 
 private:
     /// Runs a command that reads the scene; its points are in order.
@@ -142,240 +364,5 @@ private:
     Folder m_folder;
 };
 
-void TestSceneInput::theScenesThemselvesAreRead()
-{
-    for (const QByteArray &scene : {kScene, kMatrixScene, kPerspectiveScene}) {
-        const Run run = with(scene);
-        QCOMPARE(run.errors, QByteArray());
-        QCOMPARE(run.exitCode, 0);
-        QCOMPARE(run.lines().size(), 2);
-    }
-}
-
-void TestSceneInput::noTruncationIsRead()
-{
-    for (qsizetype length = 0; length < kPerspectiveScene.size(); ++length) {
-        verifyRefused(kPerspectiveScene.left(length), length == 0 ? ": the file is empty" : ":");
-        if (QTest::currentTestFailed())
-            return;
-    }
-}
-
-void TestSceneInput::everyValueHasItsType_data()
-{
-    QTest::addColumn<QByteArray>("scene");
-    QTest::addColumn<QByteArray>("message");
-    const QList<std::pair<const char *, QJsonValue>> values{{"null", QJsonValue()},   {"true", true},
-                                                            {"a number", 7},          {"a text", "seven"},
-                                                            {"a list", QJsonArray{}}, {"an object", QJsonObject{}}};
-    QSet<QByteArray> known; // keys of one scene are not tried with the next
-    for (const QByteArray &scene : {kScene, kMatrixScene, kPerspectiveScene}) {
-        const QJsonValue root = QJsonDocument::fromJson(scene).object();
-        QList<Steps> all;
-        collect(root, {}, all);
-        for (const Steps &steps : std::as_const(all)) {
-            const QByteArray path = pathOf(steps).toUtf8();
-            // A matrix's last number stands for all of them.
-            const bool isOneOfMany =
-                valueAt(root, steps.mid(0, steps.size() - 1)).toArray().size() == 16 && steps.last() != 15;
-            if (isOneOfMany || known.contains(path))
-                continue;
-            known.insert(path);
-            for (const auto &[name, value] : values) {
-                if (valueAt(root, steps).type() == value.type())
-                    continue;
-                QTest::addRow("%s: %s", path.constData(), name)
-                    << QJsonDocument(replaced(root, steps, value).toObject()).toJson() << ": " + path + ": expected ";
-            }
-        }
-    }
-}
-
-void TestSceneInput::everyValueHasItsType()
-{
-    QFETCH(QByteArray, scene);
-    QFETCH(QByteArray, message);
-    verifyRefused(scene, message);
-}
-
-void TestSceneInput::noKeyStandsTwice_data()
-{
-    QTest::addColumn<QByteArray>("scene");
-    QTest::addColumn<QByteArray>("message");
-    QRegularExpressionMatchIterator keys = QRegularExpression("\"(\\w+)\":").globalMatch(QString::fromUtf8(kScene));
-    while (keys.hasNext()) {
-        const QRegularExpressionMatch key = keys.next();
-        const QByteArray name = key.captured(1).toUtf8(), once = '"' + name + "\": [], ";
-        const QByteArray scene = QByteArray(kScene).insert(key.capturedStart(), once);
-        QTest::addRow("%s at %d", name.constData(), int(key.capturedStart()))
-            << scene
-            << ':' + lineAndColumn(scene, key.capturedStart() + once.size()) + ": the key \"" + name
-                   + "\" is here for the second time\n";
-    }
-}
-
-void TestSceneInput::noKeyStandsTwice()
-{
-    QFETCH(QByteArray, scene);
-    QFETCH(QByteArray, message);
-    verifyRefused(scene, message);
-}
-
-void TestSceneInput::noNumberIsTooLarge_data()
-{
-    QTest::addColumn<QByteArray>("scene");
-    QTest::addColumn<QByteArray>("message");
-    QRegularExpressionMatchIterator numbers =
-        QRegularExpression("(?<=[ \\[,])-?[0-9.]+(?=[,\\]}])").globalMatch(QString::fromUtf8(kScene));
-    while (numbers.hasNext()) {
-        const QRegularExpressionMatch number = numbers.next();
-        const QByteArray scene = QByteArray(kScene).replace(number.capturedStart(), number.capturedLength(), "-1e400");
-        QTest::addRow("at %d", int(number.capturedStart()))
-            << scene << ':' + lineAndColumn(scene, number.capturedStart()) + ": -1e400 is too large for a number\n";
-    }
-}
-
-void TestSceneInput::noNumberIsTooLarge()
-{
-    QFETCH(QByteArray, scene);
-    QFETCH(QByteArray, message);
-    verifyRefused(scene, message);
-}
-
-void TestSceneInput::brokenFiles_data()
-{
-    QTest::addColumn<QByteArray>("scene");
-    QTest::addColumn<QByteArray>("message");
-    const auto row = [](const char *name, const QByteArray &scene, const char *message) {
-        QTest::newRow(name) << scene << QByteArray(message);
-    };
-    const auto changed = [](const char *from, const char *to) { return QByteArray(kScene).replace(from, to); };
-    row("empty", "", ": the file is empty");
-    row("blanks", " \t\r\n\n", ": the file is empty");
-    row("byte order mark alone", "\xEF\xBB\xBF", ": the file is empty");
-    row("UTF-16, little-endian", "\xFF\xFE" + utf16(kScene, true), ":1:1: the file is UTF-16; save it as UTF-8");
-    row("UTF-16, big-endian", "\xFE\xFF" + utf16(kScene, false), ":1:1: the file is UTF-16; save it as UTF-8");
-    row("UTF-16 without a mark", utf16(kScene, true), ":1:2: unexpected zero byte");
-    row("Latin-1", changed("face", "Gr\xFCn"), ":7:26: a byte here is not UTF-8; save the file as UTF-8");
-    row("a picture", QByteArray("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16), ":");
-    row("a CSV", "px,py,depth\n1,2,3\n", ":1:1: ");
-    row("10 000 brackets", QByteArray(10000, '['), ":1:65: brackets are nested deeper than 64 levels");
-    row("10 000 brackets, closed", QByteArray(10000, '[') + QByteArray(10000, ']'),
-        ":1:65: brackets are nested deeper");
-    row("10 000 objects", QByteArray("{\"a\":").repeated(10000), ":1:321: brackets are nested deeper than 64 levels");
-    row("10 000 brackets under an unknown key",
-        changed("\"window\"", "\"x\": " + QByteArray(10000, '[') + ", \"window\""), ":2:");
-    row("projection of an unknown type", changed("oblique", "fisheye"),
-        ": projection.type: \"fisheye\" must be frustum, ortho, perspective, oblique, pinhole or matrix\n");
-    row("a step of an unknown type", changed("rotate", "shear"),
-        ": objects[0].transform[1]: must have exactly one of translate, rotate or scale\n");
-    row("near 0", QByteArray(kPerspectiveScene).replace("\"near\": 1", "\"near\": 0"),
-        ": projection.near: near is 0; it must be greater than 0 and smaller than far (4)\n");
-    row("an angle of 200.1 degrees", changed("45", "200.1"),
-        ": projection.theta: the angle is 200.1 degrees; it must lie between 0 and 180, both excluded\n");
-    row("comment", "// a scene\n" + kScene, ":1:1: ");
-    row("comma at the end", changed("[0, 1],", "[0, 1,],"), ":4:");
-    row("two scenes", kScene + kScene, ":8:31: ");
-}
-
-void TestSceneInput::brokenFiles()
-{
-    QFETCH(QByteArray, scene);
-    QFETCH(QByteArray, message);
-    verifyRefused(scene, message);
-}
-
-void TestSceneInput::aHugeFile()
-{
-    const QString path = m_folder.path("huge.json");
-    {
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        QVERIFY(file.resize((qint64{256} << 20) + 1)); // zeros, which take no room on most disks
-    }
-    const Run run = runCommand({"points", path}, "px,py,depth\n4,3,0.5\n");
-    QFile::remove(path);
-    QCOMPARE(run.errors,
-             path.toUtf8()
-                 + ": a scene may have at most 256 MiB; keep the landmarks in a file of their own (File > Export "
-                   "Landmarks), then remove them from the scene\n");
-    QCOMPARE(run.output, QByteArray());
-    QCOMPARE(run.exitCode, 2);
-}
-
-void TestSceneInput::noSuchFile()
-{
-    for (const QString &path : {m_folder.path("none.json"), m_folder.path("none/scene.json")}) {
-        const Run run = runCommand({"points", path});
-        QCOMPARE(run.errors, path.toUtf8() + ": there is no such file\n");
-        QCOMPARE(run.exitCode, 2);
-    }
-    const Run folder = runCommand({"points", m_folder.path(".")});
-    QCOMPARE(folder.errors, m_folder.path(".").toUtf8() + ": this is a folder, not a scene file\n");
-    QCOMPARE(folder.exitCode, 2);
-}
-
-void TestSceneInput::aNamedPipeIsNotWaitedFor()
-{
-#ifdef Q_OS_WIN
-    QSKIP("no named pipes among the files");
-#else
-    const QString pipe = m_folder.path("pipe.json");
-    QCOMPARE(mkfifo(qPrintable(pipe), 0600), 0);
-    for (const QString &path : {pipe, QStringLiteral("/dev/zero")}) {
-        const Run run = runCommand({"matrices", path});
-        QCOMPARE(run.errors, path.toUtf8() + ": this is a pipe or a device, not a scene file\n");
-        QCOMPARE(run.exitCode, 2);
-    }
-#endif
-}
-
-/// The pipe is open already, and its writer exists.
-void TestSceneInput::aPipeOfTheShellIsRead()
-{
-    if (!QFile::exists("/dev/stdin"))
-        QSKIP("stdin has no name here");
-    const Run run = runCommand({"matrices", "/dev/stdin"}, kScene);
-    QCOMPARE(run.errors, QByteArray());
-    QCOMPARE(run.output, runCommand({"matrices", m_folder.write("plain", kScene)}).output);
-    QCOMPARE(run.exitCode, 0);
-}
-
-void TestSceneInput::otherEncodingsOfTheSameScene_data()
-{
-    QTest::addColumn<QByteArray>("scene");
-    QTest::newRow("byte order mark") << "\xEF\xBB\xBF" + kScene;
-    QTest::newRow("CRLF") << QByteArray(kScene).replace("\n", "\r\n");
-    QTest::newRow("on one line") << QByteArray(kScene).replace("\n", "");
-    QTest::newRow("tabs and blanks around") << "\n\t " + QByteArray(kScene).replace(" ", "\t \t") + "\n\n";
-    QTest::newRow("exponents")
-        << QByteArray(kScene).replace("45", "4.5e+1").replace("60", "0.6E2").replace("[0, 1]", "[0e0, 100e-2]");
-}
-
-void TestSceneInput::otherEncodingsOfTheSameScene()
-{
-    QFETCH(QByteArray, scene);
-    const Run run = with(scene);
-    VERIFY_SUCCEEDED(run);
-    QCOMPARE(run.output, with(kScene).output);
-}
-
-void TestSceneInput::everyCommandSaysTheSame()
-{
-    const QString scene = m_folder.write("scene.json", QByteArray(kScene).replace("\"near\": 1", "\"near\": null"));
-    const QString depth = m_folder.write("depth", QByteArray(qsizetype(8) * 6 * 4, '\0'));
-    const QList<QStringList> commands{{"points", scene},
-                                      {"project", scene},
-                                      {"matrices", scene},
-                                      {"compare", scene},
-                                      {"cloud", "--size", "8x6", scene, depth, "-o", "-"}};
-    for (const QStringList &command : commands) {
-        const Run run = runCommand(command, "px,py,depth,x,y,z\n");
-        QCOMPARE(run.errors, scene.toUtf8() + ": projection.near: expected a number, found null\n");
-        QCOMPARE(run.output, QByteArray());
-        QCOMPARE(run.exitCode, 2);
-    }
-}
-
-QTEST_GUILESS_MAIN(TestSceneInput)
+UNPROJECTOR_TEST(TestSceneInput)
 #include "test_scene_input.moc"

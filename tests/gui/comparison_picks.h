@@ -1,6 +1,6 @@
 #pragma once
 
-#include "document_edits.h"
+#include "tests/gui/document_edits.h"
 
 #include "core/unproject/pick.h"
 #include "gui/click/comparison_model.h"

@@ -1,4 +1,4 @@
-#include "cut_texts.h"
+#include "tests/gui/cut_texts.h"
 
 #include <QAbstractButton>
 #include <QAbstractScrollArea>

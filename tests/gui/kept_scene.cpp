@@ -3,7 +3,7 @@
 
 #include "gui/document/scene_document.h"
 
-#include "document_edits.h"
+#include "tests/gui/document_edits.h"
 
 using namespace std::chrono_literals;
 using namespace unprojector::gui;

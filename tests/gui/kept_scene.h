@@ -3,7 +3,7 @@
 #include "gui/document/autosave.h"
 #include "gui/shell/main_window.h"
 
-#include "gui_scene.h"
+#include "tests/gui/gui_scene.h"
 
 #include <QDir>
 #include <QFile>

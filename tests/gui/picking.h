@@ -2,7 +2,7 @@
 
 #include "gui/click/answer_view.h"
 #include "gui/document/picks.h"
-#include "gui_scene.h"
+#include "tests/gui/gui_scene.h"
 
 #include <QLabel>
 

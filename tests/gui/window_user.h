@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gui_scene.h"
+#include "tests/gui/gui_scene.h"
 
 #include "gui/window/workspaces.h"
 

@@ -1,6 +1,8 @@
 // The code for OpenGL with GLU, compiled and run on OpenGL: its matrices and its unprojection equal
 // core's.
 
+#include "tests/support/test.h"
+
 #include "tests/scene_code/core_clicks.h"
 #include "tests/scene_code/mfc_stand_ins.h"
 
@@ -90,128 +92,8 @@ constexpr double kInFloat = 1e-6;
 
 Q_DECLARE_METATYPE(Compiled)
 
-class TestGluCode : public QObject {
-    Q_OBJECT
-
-private slots:
-    void initTestCase();
-    void matricesAreCores_data() { compiledRows(); }
-    void matricesAreCores();
-    void objectsAreWhereCoreHasThem();
-    void aHundredPointsAreCores_data() { compiledRows(); }
-    void aHundredPointsAreCores();
-    void theDepthOfThePixelsOwnRowIsRead_data() { compiledRows(); }
-    void theDepthOfThePixelsOwnRowIsRead();
-    void thePapersHandlersAnswerAClick(); // declared on each system: moc does not know _WIN32
-
-private:
-    static void compiledRows();
-
-    QOffscreenSurface m_surface;
-    QOpenGLContext m_context;
-};
-
-void TestGluCode::initTestCase()
-{
-    QSurfaceFormat format;
-    format.setVersion(2, 1);
-    format.setProfile(QSurfaceFormat::NoProfile);
-    m_context.setFormat(format);
-    m_surface.setFormat(format);
-    m_surface.create();
-    QVERIFY(m_context.create());
-    QVERIFY(m_context.makeCurrent(&m_surface));
-}
-
-void TestGluCode::compiledRows()
-{
-    QTest::addColumn<Compiled>("code");
-    QTest::newRow("frustum") << COMPILED(frustum);
-    QTest::newRow("matrices") << COMPILED(matrices);
-    QTest::newRow("oblique") << COMPILED(oblique);
-    QTest::newRow("off-centre") << COMPILED(off_centre);
-    QTest::newRow("ortho") << COMPILED(ortho);
-    QTest::newRow("perspective") << COMPILED(perspective);
-}
-
-void TestGluCode::matricesAreCores()
-{
-    QFETCH(Compiled, code);
-    const Setup setup = setupOf(core_clicks::sceneNamed(code.scene));
-    code.setUp();
-    code.setViewport();
-    code.setProjection();
-    code.setCamera();
-    core_clicks::compareMatrices(current(GL_PROJECTION_MATRIX), *clipFromEye(setup), kInFloat);
-    core_clicks::compareMatrices(current(GL_MODELVIEW_MATRIX), *eyeFromWorld(setup), kInFloat);
-    QCOMPARE(glGetError(), GLenum(GL_NO_ERROR));
-}
-
-void TestGluCode::objectsAreWhereCoreHasThem()
-{
-    const SceneFile scene = core_clicks::sceneNamed("frustum");
-    glMatrixMode(GL_MODELVIEW);
-    int place = 0;
-    for (void (*const put)() : {frustum::place_face, frustum::place_2}) {
-        glLoadIdentity();
-        put();
-        core_clicks::compareMatrices(current(GL_MODELVIEW_MATRIX), worldFromObject(scene.objects[place++].transform),
-                                     kInFloat);
-    }
-    frustum::drawScene();
-    QCOMPARE(frustum::facesDrawn, 1);
-    GLdouble plane[4];
-    glGetClipPlane(GL_CLIP_PLANE0, plane);
-    // The planes are in eye space: the inverse of the camera's matrix gives them.
-    const glm::dmat4 view = *eyeFromWorld(setupOf(scene));
-    const glm::dvec4 expected = scene.clipPlanes[0] * glm::inverse(view);
-    for (int k = 0; k < 4; ++k)
-        QVERIFY(std::abs(plane[k] - expected[k]) < 1e-5);
-    QCOMPARE(glGetError(), GLenum(GL_NO_ERROR));
-}
-
-void TestGluCode::aHundredPointsAreCores()
-{
-    QFETCH(Compiled, code);
-    code.setViewport();
-    code.setProjection();
-    const auto screen2world = [&code](int i, int j, double depth) {
-        GLdouble world[3];
-        return code.screen2world(i, j, depth, world) ? glm::dvec3(world[0], world[1], world[2]) : glm::dvec3(NAN);
-    };
-    core_clicks::compareClicks(core_clicks::sceneNamed(code.scene), screen2world, 20.0 * kInFloat);
-}
-
-void TestGluCode::theDepthOfThePixelsOwnRowIsRead()
-{
-    QFETCH(Compiled, code);
-    const Setup setup = setupOf(core_clicks::sceneNamed(code.scene));
-    const int height = setup.surface.heightPixels;
-    QOpenGLFramebufferObject frame(setup.surface.widthPixels, height, QOpenGLFramebufferObject::Depth);
-    QVERIFY(frame.bind());
-    code.setUp();
-    code.setViewport();
-    code.setProjection();
-    glClear(GL_DEPTH_BUFFER_BIT);
-    const double clicked = 0.25 * setup.depthRange.atNear + 0.75 * setup.depthRange.atFar;
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(123, height - 1 - 100, 1, 1);
-    glClearDepth(clicked);
-    glClear(GL_DEPTH_BUFFER_BIT);
-    glDisable(GL_SCISSOR_TEST);
-
-    GLdouble read[3], expected[3];
-    QVERIFY(code.screen2worldRead(123, 100, read));
-    QVERIFY(code.screen2world(123, 100, clicked, expected));
-    for (int axis = 0; axis < 3; ++axis)
-        QVERIFY(std::abs(read[axis] - expected[axis]) < 1e-4);
-    for (const auto &[i, j] : {std::pair{123, 99}, {123, 101}, {122, 100}, {124, 100}})
-        QVERIFY(!code.screen2worldRead(i, j, read)); // nothing was drawn there
-    QVERIFY(frame.release());
-    QCOMPARE(glGetError(), GLenum(GL_NO_ERROR));
-}
-
 #ifndef _WIN32
+
 namespace {
 
 class View : public frustum::SceneView {
@@ -228,39 +110,155 @@ public:
 
 #endif
 
-void TestGluCode::thePapersHandlersAnswerAClick()
-{
+class TestGluCode : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QSurfaceFormat format;
+        format.setVersion(2, 1);
+        format.setProfile(QSurfaceFormat::NoProfile);
+        m_context.setFormat(format);
+        m_surface.setFormat(format);
+        m_surface.create();
+        QVERIFY(m_context.create());
+        QVERIFY(m_context.makeCurrent(&m_surface));
+    }
+
+    void matricesAreCores_data() { compiledRows(); }
+
+    void matricesAreCores()
+    {
+        QFETCH(Compiled, code);
+        const Setup setup = setupOf(core_clicks::sceneNamed(code.scene));
+        code.setUp();
+        code.setViewport();
+        code.setProjection();
+        code.setCamera();
+        core_clicks::compareMatrices(current(GL_PROJECTION_MATRIX), *clipFromEye(setup), kInFloat);
+        core_clicks::compareMatrices(current(GL_MODELVIEW_MATRIX), *eyeFromWorld(setup), kInFloat);
+        QCOMPARE(glGetError(), GLenum(GL_NO_ERROR));
+    }
+
+    void objectsAreWhereCoreHasThem()
+    {
+        const SceneFile scene = core_clicks::sceneNamed("frustum");
+        glMatrixMode(GL_MODELVIEW);
+        int place = 0;
+        for (void (*const put)() : {frustum::place_face, frustum::place_2}) {
+            glLoadIdentity();
+            put();
+            core_clicks::compareMatrices(current(GL_MODELVIEW_MATRIX),
+                                         worldFromObject(scene.objects[place++].transform), kInFloat);
+        }
+        frustum::drawScene();
+        QCOMPARE(frustum::facesDrawn, 1);
+        GLdouble plane[4];
+        glGetClipPlane(GL_CLIP_PLANE0, plane);
+        // The planes are in eye space: the inverse of the camera's matrix gives them.
+        const glm::dmat4 view = *eyeFromWorld(setupOf(scene));
+        const glm::dvec4 expected = scene.clipPlanes[0] * glm::inverse(view);
+        for (int k = 0; k < 4; ++k)
+            QVERIFY(std::abs(plane[k] - expected[k]) < 1e-5);
+        QCOMPARE(glGetError(), GLenum(GL_NO_ERROR));
+    }
+
+    void aHundredPointsAreCores_data() { compiledRows(); }
+
+    void aHundredPointsAreCores()
+    {
+        QFETCH(Compiled, code);
+        code.setViewport();
+        code.setProjection();
+        const auto screen2world = [&code](int i, int j, double depth) {
+            GLdouble world[3];
+            return code.screen2world(i, j, depth, world) ? glm::dvec3(world[0], world[1], world[2]) : glm::dvec3(NAN);
+        };
+        core_clicks::compareClicks(core_clicks::sceneNamed(code.scene), screen2world, 20.0 * kInFloat);
+    }
+
+    void theDepthOfThePixelsOwnRowIsRead_data() { compiledRows(); }
+
+    void theDepthOfThePixelsOwnRowIsRead()
+    {
+        QFETCH(Compiled, code);
+        const Setup setup = setupOf(core_clicks::sceneNamed(code.scene));
+        const int height = setup.surface.heightPixels;
+        QOpenGLFramebufferObject frame(setup.surface.widthPixels, height, QOpenGLFramebufferObject::Depth);
+        QVERIFY(frame.bind());
+        code.setUp();
+        code.setViewport();
+        code.setProjection();
+        glClear(GL_DEPTH_BUFFER_BIT);
+        const double clicked = 0.25 * setup.depthRange.atNear + 0.75 * setup.depthRange.atFar;
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(123, height - 1 - 100, 1, 1);
+        glClearDepth(clicked);
+        glClear(GL_DEPTH_BUFFER_BIT);
+        glDisable(GL_SCISSOR_TEST);
+
+        GLdouble read[3], expected[3];
+        QVERIFY(code.screen2worldRead(123, 100, read));
+        QVERIFY(code.screen2world(123, 100, clicked, expected));
+        for (int axis = 0; axis < 3; ++axis)
+            QVERIFY(std::abs(read[axis] - expected[axis]) < 1e-4);
+        for (const auto &[i, j] : {std::pair{123, 99}, {123, 101}, {122, 100}, {124, 100}})
+            QVERIFY(!code.screen2worldRead(i, j, read)); // nothing was drawn there
+        QVERIFY(frame.release());
+        QCOMPARE(glGetError(), GLenum(GL_NO_ERROR));
+    }
+
+    /// declared on each system: moc does not know _WIN32
+    void thePapersHandlersAnswerAClick()
+    {
 #ifdef _WIN32
-    QSKIP("the stand-ins for MFC would meet the real names of windows.h");
+        QSKIP("the stand-ins for MFC would meet the real names of windows.h");
 #else
-    QOpenGLFramebufferObject frame(800, 600, QOpenGLFramebufferObject::Depth);
-    QVERIFY(frame.bind());
-    View view;
-    CREATESTRUCT asked;
-    QVERIFY(view.PreCreateWindow(asked));
-    QVERIFY(asked.style & WS_CLIPCHILDREN);
-    QCOMPARE(view.OnCreate(&asked), 0);
-    view.OnSize(0, 800, 600);
-    frustum::faceDepth = 0.8; // of NDC
-    const int before = swaps;
-    view.OnDraw(nullptr);
-    QCOMPARE(swaps, before + 1);
-    view.OnLButtonDown(0, {200, 100});
-    const QStringList shown = QString::fromStdString(mainWindow.title.text()).split(QStringLiteral(", "));
-    GLdouble expected[3];
-    QVERIFY(frustum::screen2world(200, 100, 0.9, expected));
-    QCOMPARE(shown.size(), 3);
-    for (int axis = 0; axis < 3; ++axis)
-        QVERIFY(std::abs(shown[axis].toDouble() - expected[axis]) < 1e-4);
+        QOpenGLFramebufferObject frame(800, 600, QOpenGLFramebufferObject::Depth);
+        QVERIFY(frame.bind());
+        View view;
+        CREATESTRUCT asked;
+        QVERIFY(view.PreCreateWindow(asked));
+        QVERIFY(asked.style & WS_CLIPCHILDREN);
+        QCOMPARE(view.OnCreate(&asked), 0);
+        view.OnSize(0, 800, 600);
+        frustum::faceDepth = 0.8; // of NDC
+        const int before = swaps;
+        view.OnDraw(nullptr);
+        QCOMPARE(swaps, before + 1);
+        view.OnLButtonDown(0, {200, 100});
+        const QStringList shown = QString::fromStdString(mainWindow.title.text()).split(QStringLiteral(", "));
+        GLdouble expected[3];
+        QVERIFY(frustum::screen2world(200, 100, 0.9, expected));
+        QCOMPARE(shown.size(), 3);
+        for (int axis = 0; axis < 3; ++axis)
+            QVERIFY(std::abs(shown[axis].toDouble() - expected[axis]) < 1e-4);
 
-    frustum::faceDepth = 2.0; // behind the far plane
-    view.OnLButtonDown(0, {200, 100});
-    QCOMPARE(mainWindow.title.text(), std::string("Background: no surface here"));
-    view.OnDestroy();
-    QVERIFY(frame.release());
-    QCOMPARE(glGetError(), GLenum(GL_NO_ERROR));
+        frustum::faceDepth = 2.0; // behind the far plane
+        view.OnLButtonDown(0, {200, 100});
+        QCOMPARE(mainWindow.title.text(), std::string("Background: no surface here"));
+        view.OnDestroy();
+        QVERIFY(frame.release());
+        QCOMPARE(glGetError(), GLenum(GL_NO_ERROR));
 #endif
-}
+    }
 
-QTEST_MAIN(TestGluCode)
+private:
+    static void compiledRows()
+    {
+        QTest::addColumn<Compiled>("code");
+        QTest::newRow("frustum") << COMPILED(frustum);
+        QTest::newRow("matrices") << COMPILED(matrices);
+        QTest::newRow("oblique") << COMPILED(oblique);
+        QTest::newRow("off-centre") << COMPILED(off_centre);
+        QTest::newRow("ortho") << COMPILED(ortho);
+        QTest::newRow("perspective") << COMPILED(perspective);
+    }
+
+    QOffscreenSurface m_surface;
+    QOpenGLContext m_context;
+};
+
+UNPROJECTOR_TEST(TestGluCode, display)
 #include "test_glu_code.moc"

@@ -1,0 +1,568 @@
+// The cameras of other programs: each camera projects points to the pixels to which its program
+// projects them.
+
+#include "tests/support/test.h"
+
+#include "core/cameras/camera_reader.h"
+#include "core/cameras/named_values.h"
+#include "tests/support/data_files.h"
+
+#include <QRandomGenerator>
+#include <QRegularExpression>
+
+#include <glm/vec4.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <string_view>
+
+using namespace unprojector;
+using namespace unprojector::cameras;
+using data_files::CameraExample;
+using data_files::cameraExamples;
+
+namespace {
+
+std::vector<NamedText> textsOf(const CameraExample &example)
+{
+    std::vector<NamedText> texts;
+    for (const data_files::NamedText &text : example.texts)
+        texts.push_back({text.name, text.text});
+    return texts;
+}
+
+CameraChoices choicesOf(const CameraExample &example)
+{
+    CameraChoices choices;
+    choices.image = example.image;
+    if (example.width > 0)
+        choices.size = ImageSize{example.width, example.height};
+    return choices;
+}
+
+const CameraExample &exampleOf(const char *name)
+{
+    return *std::find_if(cameraExamples().begin(), cameraExamples().end(),
+                         [name](const CameraExample &one) { return one.name == name; });
+}
+
+/// An example's texts with a part replaced.
+std::vector<NamedText> changed(const char *name, const std::string &from, const std::string &to)
+{
+    std::vector<NamedText> texts = textsOf(exampleOf(name));
+    for (NamedText &text : texts) {
+        if (const std::size_t at = text.text.find(from); at != text.text.npos)
+            text.text.replace(at, from.size(), to);
+    }
+    return texts;
+}
+
+QString reasonOf(const std::vector<NamedText> &texts, const CameraChoices &choices)
+{
+    const auto read = readCamera(texts, choices);
+    if (!read)
+        return QStringLiteral("not recognised");
+    return *read ? QStringLiteral("read") : QString::fromStdString(read->error().reason);
+}
+
+QString assumedOf(const std::vector<NamedText> &texts, const CameraChoices &choices)
+{
+    QStringList said;
+    const auto read = readCamera(texts, choices);
+    if (read && *read) {
+        for (const std::string &one : (*read)->assumed)
+            said << QString::fromStdString(one);
+    }
+    return said.join(QLatin1Char('\n'));
+}
+
+/// How programs spell numbers with more digits than the shortest that give a double back.
+struct Spelling {
+    const char *name, *format;
+    bool isExponentShort; ///< as of JavaScript: e-7, not e-07
+};
+constexpr Spelling kSpellings[]{
+    {"%.17g", "%.17g", false}, {"%.16e", "%.16e", false}, {"%.15f", "%.15f", false}, {"JavaScript", "%.16e", true}};
+
+QByteArray spelled(double value, const Spelling &spelling)
+{
+    QByteArray text = QString::asprintf(spelling.format, value).toLatin1();
+    if (const qsizetype e = text.indexOf('e'); spelling.isExponentShort && e >= 0)
+        text = text.left(e + 1) + QByteArray::number(text.mid(e + 1).toInt());
+    return text;
+}
+
+/// A JSON text with its fractions spelled anew.
+std::string respelled(const std::string &json, const Spelling &spelling)
+{
+    static const QRegularExpression parts(QStringLiteral(R"("[^"]*"|-?\d+(?:\.\d+)?(?:[eE][+-]?\d+)?)"));
+    const QString text = QString::fromStdString(json);
+    QString result;
+    qsizetype at = 0;
+    for (auto it = parts.globalMatch(text); it.hasNext();) {
+        const QRegularExpressionMatch part = it.next();
+        const QString word = part.captured();
+        result += QStringView(text).mid(at, part.capturedStart() - at);
+        result += word.startsWith('"') || !word.contains('.') ? word
+                                                              : QString::fromLatin1(spelled(word.toDouble(), spelling));
+        at = part.capturedEnd();
+    }
+    return (result + text.mid(at)).toStdString();
+}
+
+glm::dmat4 clipFromEyeOf(const SceneCamera &camera)
+{
+    geometry::Setup setup;
+    setup.lens = camera.projection;
+    return clipFromEye(setup).value();
+}
+
+/// The pixel of a point, from the image's top-left corner.
+glm::dvec2 pixelOf(const SceneCamera &camera, const CameraExample::Point &point)
+{
+    const glm::dvec4 clip =
+        clipFromEyeOf(camera) * camera.eyeFromWorld * glm::dvec4(point.world[0], point.world[1], point.world[2], 1.0);
+    return {(clip.x / clip.w + 1.0) / 2.0 * camera.size.width, (1.0 - clip.y / clip.w) / 2.0 * camera.size.height};
+}
+
+} // namespace
+
+class TestCameraReaders : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyFileHasItsExpectation()
+    {
+        for (const std::filesystem::path &folder : data_files::in("cameras")) {
+            QStringList files, expected{QStringLiteral("expected.json")};
+            for (const std::filesystem::path &file : data_files::in(folder))
+                files << QString::fromStdU16String(file.filename().u16string());
+            for (const data_files::NamedText &text : data_files::cameraExample(folder).texts)
+                expected << QString::fromStdString(text.name);
+            expected.sort();
+            files.sort();
+            QCOMPARE(files, expected);
+        }
+    }
+
+    void pixelsAreTheProgramsOwn_data()
+    {
+        QTest::addColumn<int>("index");
+        QTest::addColumn<int>("spelling");
+        for (int i = 0; i < int(cameraExamples().size()); ++i) {
+            const CameraExample &example = cameraExamples()[std::size_t(i)];
+            QTest::newRow(example.name.c_str()) << i << -1;
+            const bool isJson = std::string_view("{[\"").find(example.texts[0].text[0]) != std::string_view::npos;
+            for (int k = 0; isJson && k < int(std::size(kSpellings)); ++k)
+                QTest::addRow("%s, %s", example.name.c_str(), kSpellings[k].name) << i << k;
+        }
+    }
+
+    void pixelsAreTheProgramsOwn()
+    {
+        QFETCH(int, index);
+        QFETCH(int, spelling);
+        const CameraExample &example = cameraExamples()[std::size_t(index)];
+        std::vector<NamedText> texts = textsOf(example);
+        if (spelling >= 0)
+            texts[0].text = respelled(texts[0].text, kSpellings[spelling]);
+        const auto read = readCamera(texts, choicesOf(example));
+        QVERIFY(read);
+        QVERIFY2(*read, *read ? "" : (*read).error().reason.c_str());
+        QVERIFY(QString::fromStdString(example.name).startsWith(QString::fromStdString((*read)->program)));
+        const auto scene = sceneCamera(**read, choicesOf(example), std::nullopt);
+        QVERIFY2(scene, scene ? "" : scene.error().reason.c_str());
+        const double side = std::max(scene->size.width, scene->size.height);
+        for (const CameraExample::Point &point : example.points) {
+            const glm::dvec2 pixel = pixelOf(*scene, point);
+            for (int i = 0; i < 2; ++i) {
+                const double off = std::abs(pixel[i] - point.pixel[i] - example.corner) / side;
+                QVERIFY2(off <= example.tolerance, qPrintable(QString::number(off)));
+            }
+        }
+    }
+
+    /// Each number as the standard library reads it, in a key of its own and in a list.
+    void longNumbersAreRead()
+    {
+        QRandomGenerator random(300);
+        for (int i = 0; i < 300; ++i) {
+            const Spelling &spelling = kSpellings[i % int(std::size(kSpellings))];
+            const QByteArray fx = spelled((5000 + random.bounded(5000)) / 10.0, spelling),
+                             fy = spelled(500 + 500 * random.generateDouble(), spelling),
+                             k1 = spelled(-random.generateDouble(), spelling), x = spelled(1e-7 * (i + 1), spelling);
+            const NamedText nerf{"transforms.json",
+                                 ("{\"fl_x\": " + fx + ", \"fl_y\": " + fy + ", \"k1\": " + k1
+                                  + ", \"w\": 640.0000000000000000, \"h\": 480, \"frames\": [{\"transform_matrix\": "
+                                    "[[1,0,0,"
+                                  + x + "],[0,1,0,0],[0,0,1,0],[0,0,0,1]]}]}")
+                                     .toStdString()};
+            const auto read = readCamera({{nerf}}, {});
+            QVERIFY2(read && *read, nerf.text.c_str());
+            const ForeignCamera &camera = **read;
+            QVERIFY2(camera.intrinsics->fx == fx.toDouble() && camera.intrinsics->fy == fy.toDouble(),
+                     nerf.text.c_str());
+            QVERIFY(camera.size == (ImageSize{640, 480}));
+            QCOMPARE((*camera.pose)[3][0], x.toDouble());
+            QVERIFY(camera.distortion);
+        }
+        // A message has the number as the file has it.
+        const NamedText part{"transforms.json", R"({"fl_x": 500, "w": 640.50000000000000, "h": 480, "transform_matrix":
+        [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]})"};
+        QVERIFY2(reasonOf({part}, {}).startsWith("w is 640.50000000000000;"), qPrintable(reasonOf({part}, {})));
+    }
+
+    void otherTextsAreNotTaken_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::newRow("matrices of OpenGL")
+            << "view: 1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1\nprojection: 1 0 0 0 0 1 0 0 0 0 -1 "
+               "-1 0 0 -2 0\nviewport 0 0 800 600";
+        QTest::newRow("three.js") << "{\"matrixWorld\":{\"elements\":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,5,1]},\"fov\":50}";
+        QTest::newRow("calls") << "gluLookAt(0, 0, 5, 0, 0, 0, 0, 1, 0);\ngluPerspective(45, 1.33, 0.1, 100);";
+        QTest::newRow("a glTF model without camera") << "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}]}";
+        QTest::newRow("an angle in a text") << "The fov = 60 and the position (1, 2, 3) are given.";
+        QTest::newRow("nothing") << "";
+        QTest::newRow("points with names") << "pitch 3, yaw 4, roll 5\nx 1 y 2 z 3";
+    }
+
+    void otherTextsAreNotTaken()
+    {
+        QFETCH(QString, text);
+        const NamedText given{"paste", text.toStdString()};
+        QCOMPARE(reasonOf({given}, {}), QStringLiteral("not recognised"));
+    }
+
+    /// The reader looks at the character before each mark. Where the standard library checks indices, a
+    /// wrong one ends the program.
+    void anyCharacterMayBeFirst()
+    {
+        for (int code = 0; code < 256; ++code) {
+            const std::string first(1, char(code));
+            for (const std::string &text : {first, first + first, first + "\n", first + "fov = 60"})
+                QCOMPARE(reasonOf({{"paste", text}}, {}), QStringLiteral("not recognised"));
+        }
+    }
+
+    void faultsAreNamed_data()
+    {
+        QTest::addColumn<QString>("program");
+        QTest::addColumn<QString>("from");
+        QTest::addColumn<QString>("to");
+        QTest::addColumn<QString>("reason");
+        const auto row = [](const char *name, const char *program, const char *from, const char *to,
+                            const char *reason) { QTest::newRow(name) << program << from << to << reason; };
+        row("fisheye", "COLMAP", "2 PINHOLE 3072 2304 2559.81 2561.25 1536.5 1151.75",
+            "2 OPENCV_FISHEYE 3072 2304 2559.81 2561.25 1536.5 1151.75 0 0 0 0",
+            "the camera model OPENCV_FISHEYE is not");
+        row("too few parameters", "COLMAP", "2559.81 2561.25 1536.5 1151.75", "2559.81 1536.5 1151.75",
+            "PINHOLE has 3 parameters; it needs 4");
+        row("no such camera", "COLMAP", "4.75 2 left", "4.75 5 left", "there is no camera 5 in cameras.txt");
+        row("a short matrix", "NeRF", "[0.0, 0.0, 0.0, 1.0]", "[0.0, 0.0, 1.0]",
+            "transform_matrix needs 16 numbers; it has 15");
+        row("no angle", "NeRF, made with Blender", "camera_angle_x", "angle",
+            "there is neither fl_x nor camera_angle_x");
+        row("a fisheye of Nerfstudio", "NeRF", "\"k1\"", "\"camera_model\": \"OPENCV_FISHEYE\", \"k1\"",
+            "the camera model OPENCV_FISHEYE is not read");
+        row("k4", "NeRF", "\"k1\": 0.0", "\"k4\": 0.1", "k4 is of a distortion that is not read");
+        row("a short extrinsic", "Open3D, parameters", "\"extrinsic\": [", "\"extrinsic\": [0.5, ",
+            "extrinsic needs 16 numbers; it has 17");
+        row("an angle of 180", "MuJoCo, data", "45.5", "180", "the field of view is 180 degrees");
+        row("16 numbers", "Unity, matrices", "worldToCameraMatrix", "cam.worldToCameraMatrix = 1\nrest",
+            "cam.worldToCameraMatrix needs 16 numbers; it has 1");
+        row("no position", "Unity, transform", "position: (1.50, 2.25, -6.00)", "position: (1.50, 2.25)",
+            "the camera's position is missing");
+        row("no lens", "Blender", "lens = 50.0", "", "the focal length is missing");
+        row("a focal length below 0", "Blender", "lens = 50.0", "lens = -50.0",
+            "lens is -50; it must be greater than 0");
+        row("a panorama", "Blender", "lens = 50.0", "type = 'PANO'\nlens = 50.0",
+            "a panoramic camera has no projection");
+        row("cx alone", "NeRF", "\"cy\"", "\"y\"", "cx is given without cy; give both");
+        row("another order", "Blender", "matrix_world",
+            "rotation_euler = Euler((1, 2, 3), 'ZXY')\nlocation = 1, 2, 3\nm",
+            "Euler angles in the order ZXY are not read");
+        row("a node in itself", "glTF", "\"children\":[0,2]", "\"children\":[0,1]", "is its own parent");
+        row("no yfov", "pyrender", "np.pi / 3.0", "fov", "yfov has no number");
+    }
+
+    void faultsAreNamed()
+    {
+        QFETCH(QString, program);
+        QFETCH(QString, from);
+        QFETCH(QString, to);
+        QFETCH(QString, reason);
+        const QByteArray name = program.toUtf8();
+        const auto texts = changed(name.constData(), from.toStdString(), to.toStdString());
+        const QString found = reasonOf(texts, choicesOf(exampleOf(name.constData())));
+        QVERIFY2(found.contains(reason), qPrintable(found));
+    }
+
+    void assumptionsAreSaid_data()
+    {
+        QTest::addColumn<QString>("program");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("NeRF's centre") << "NeRF, made with Blender"
+                                       << "in the image's centre, because cx and cy";
+        QTest::newRow("NeRF's halves") << "NeRF"
+                                       << "Pixel centres are read at halves";
+        QTest::newRow("what Instant-NGP adds") << "NeRF"
+                                               << "aabb_scale: not applied";
+        QTest::newRow("another angle") << "NeRF"
+                                       << "fl_x is 1375.52, but camera_angle_x gives 1479.34";
+        QTest::newRow("Unity's world") << "Unity, transform"
+                                       << "(x, y, -z) here";
+        QTest::newRow("Unreal's world") << "Unreal"
+                                        << "(x, -y, z) here, in centimetres";
+        QTest::newRow("Unreal's angle") << "Unreal, BugItGo"
+                                        << "assumed to be 90 degrees";
+        QTest::newRow("pixels not square") << "trimesh"
+                                           << "pixels are not square";
+    }
+
+    void assumptionsAreSaid()
+    {
+        QFETCH(QString, program);
+        QFETCH(QString, said);
+        const CameraExample &example = exampleOf(program.toUtf8().constData());
+        const QString all = assumedOf(textsOf(example), choicesOf(example));
+        QVERIFY2(all.contains(said), qPrintable(all));
+    }
+
+    void imagesAreChosen()
+    {
+        const auto texts = textsOf(exampleOf("COLMAP"));
+        CameraChoices choices;
+        const auto imageOf = [&](const char *image) {
+            choices.image = image;
+            const auto read = readCamera(texts, choices);
+            return read && *read ? int((*read)->image) : -1;
+        };
+        QCOMPARE(imageOf(""), 0);
+        QCOMPARE(imageOf("left/P1180141.JPG"), 1);
+        QCOMPARE(imageOf("P1180141.JPG"), 1);
+        QCOMPARE(imageOf("P1180141"), 1);
+        QCOMPARE(imageOf("without points.jpg"), 2);
+        QCOMPARE(imageOf("2"), 2);
+        QCOMPARE(imageOf("3"), -1);
+        QCOMPARE(imageOf("P118"), -1);
+        QVERIFY(assumedOf(texts, {}).contains("The first of 3 images is read, first.jpg"));
+        choices.image = "P118";
+        QVERIFY(
+            reasonOf(texts, choices).contains("there is no image \"P118\" among 3 (first.jpg, left/P1180141.JPG, "));
+        // A file alone names the other.
+        QVERIFY(reasonOf({texts[0]}, {}).contains("give images.txt too"));
+        QVERIFY(reasonOf({texts[1]}, {}).contains("give cameras.txt too"));
+        // The order of the files and their line ends do not count.
+        std::vector<NamedText> turned{texts[1], texts[0]};
+        for (NamedText &text : turned)
+            text.text = QString::fromStdString(text.text).replace("\n", "\r\n").toStdString();
+        choices.image = "without points.jpg";
+        QCOMPARE(reasonOf(turned, choices), QStringLiteral("read"));
+        const NamedText binary{"sparse/0/cameras.bin", std::string("\1\0\0\0", 4)};
+        QVERIFY(reasonOf({binary}, {}).contains("--output_type TXT"));
+    }
+
+    /// The last image has no line of points; the line below is a camera's.
+    void imagesMayStandBeforeTheirCameras()
+    {
+        const NamedText both{"paste", "1 1 0 0 0 0 0 0 1 a.png\n1 PINHOLE 640 480 500 510 320 240\n"};
+        QCOMPARE(reasonOf({both}, {}), QStringLiteral("read"));
+    }
+
+    /// An image with a damaged quaternion keeps its position.
+    void everyImageCounts()
+    {
+        const auto with = [](const char *quaternion) {
+            return std::vector<NamedText>{
+                {"cameras.txt", "1 PINHOLE 640 480 500 510 320 240\n"},
+                {"images.txt", std::string("1 1 0 0 0 0 0 0 1 a.png\n\n2 ") + quaternion
+                                   + " 0 0 0 1 b.png\n10.5 20.5 -1 1 2 3 4 5 6 7 8 9\n3 1 0 0 0 0 0 0 1 c.png\n\n"}};
+        };
+        CameraChoices second;
+        second.image = "1";
+        const auto read = readCamera(with("0.7 0 0.7 0"), second);
+        QVERIFY(read && *read);
+        QCOMPARE((*read)->images.size(), std::size_t{3});
+        QVERIFY(assumedOf(with("0.7 0 0.7 0"), second).contains("The quaternion of b.png has the length 0.9899"));
+        QVERIFY(reasonOf(with("0 0 0 0"), second).contains("the image's quaternion is 0"));
+        QVERIFY(reasonOf(with("nan 0 0 0"), second).contains("\"nan\" is not a finite number"));
+        second.image = "c.png";
+        QCOMPARE(reasonOf(with("nan 0 0 0"), second), QStringLiteral("read"));
+    }
+
+    void filesOfSeveralProgramsAreRefused()
+    {
+        std::vector<NamedText> texts = textsOf(exampleOf("COLMAP"));
+        texts.push_back({"k.txt", "K = 800 0 320 0 800 240 0 0 1\n"});
+        const QString reason = reasonOf(texts, {});
+        QVERIFY2(reason.contains("the files are of several programs: ") && reason.contains("k.txt (OpenCV)"),
+                 qPrintable(reason));
+        const std::vector<NamedText> parts{{"k.txt", "K = 800 0 320 0 800 240 0 0 1\n"},
+                                           {"pose.txt", "R = 1 0 0 0 1 0 0 0 1\nt = 0 0 5\n"}};
+        QCOMPARE(reasonOf(parts, {}), QStringLiteral("read"));
+    }
+
+    void nerfsSizeIsNamed()
+    {
+        const auto reasonWith = [](const char *w) {
+            return reasonOf(
+                {{"transforms.json", std::string("{\"fl_x\": 500, \"cx\": 320, \"cy\": 240, \"h\": 480, \"w\": ") + w
+                                         + ", \"frames\": [{\"transform_matrix\": [[1,0,0,0],[0,1,0,0],"
+                                           "[0,0,1,0],[0,0,0,1]]}]}"}},
+                {});
+        };
+        QCOMPARE(reasonWith("640"), QStringLiteral("read"));
+        for (const char *w : {"1080.5", "0", "\"1080\"", "1e9"})
+            QVERIFY2(reasonWith(w).contains("w is ") && reasonWith(w).contains("whole number from 1 to 1000000"),
+                     qPrintable(reasonWith(w)));
+        QVERIFY(reasonOf({{"transforms.json", "{\"fl_x\": 500, \"w\": 640}"}}, {}).contains("there are no poses"));
+    }
+
+    void colmapsModelsAreRead()
+    {
+        const auto read = [](const char *camera) {
+            const std::vector<NamedText> texts{{"cameras.txt", std::string("1 ") + camera + "\n"},
+                                               {"images.txt", "1 1 0 0 0 0 0 0 1 a.png\n\n"}};
+            return readCamera(texts, {})->value();
+        };
+        const ForeignCamera radial = read("RADIAL 640 480 500 320 240 -0.1 0.02");
+        QCOMPARE(radial.intrinsics->fx, 500.0);
+        QCOMPARE(radial.intrinsics->fy, 500.0);
+        QCOMPARE(radial.intrinsics->cy, 240.0);
+        QVERIFY(radial.distortion == (Distortion{-0.1, 0.02, 0.0, 0.0, 0.0}));
+        QVERIFY(read("SIMPLE_RADIAL 640 480 500 320 240 0.3").distortion == (Distortion{0.3, 0.0, 0.0, 0.0, 0.0}));
+        const ForeignCamera opencv = read("OPENCV 640 480 500 510 320 240 0.1 0.2 0.3 0.4");
+        QCOMPARE(opencv.intrinsics->fy, 510.0);
+        QVERIFY(opencv.distortion == (Distortion{0.1, 0.2, 0.3, 0.4, 0.0}));
+        QVERIFY(read("FULL_OPENCV 640 480 500 510 320 240 0.1 0.2 0.3 0.4 0.5 0 0 0").distortion
+                == (Distortion{0.1, 0.2, 0.3, 0.4, 0.5}));
+        QVERIFY(!read("PINHOLE 640 480 500 510 320 240").distortion);
+    }
+
+    void posesInAParentAreSaid()
+    {
+        const NamedText unity{"Main.unity", "m_LocalRotation: {x: 0, y: 0, z: 0, w: 1}\n"
+                                            "m_LocalPosition: {x: 1, y: 2, z: 3}\nfield of view: 60\n"};
+        const NamedText unreal{"paste", "RelativeLocation=(X=1.0,Y=2.0,Z=3.0)\n"
+                                        "RelativeRotation=(Pitch=0.0,Yaw=90.0,Roll=0.0)\nFieldOfView=90.0\n"};
+        CameraChoices choices;
+        choices.size = ImageSize{640, 480};
+        const QString inUnity = assumedOf({unity}, choices), inUnreal = assumedOf({unreal}, choices);
+        QVERIFY2(inUnity.contains("m_LocalPosition and m_LocalRotation count as the camera's pose in the world"),
+                 qPrintable(inUnity));
+        QVERIFY2(inUnreal.contains("RelativeLocation and RelativeRotation count as the camera's pose in the world"),
+                 qPrintable(inUnreal));
+        const NamedText blender{"paste", "rotation_euler = Euler((1, 2, 3), 'XYZ')\nlocation = 1, 2, 3\nlens = 50\n"};
+        const QString inBlender = assumedOf({blender}, choices);
+        QVERIFY2(inBlender.contains("location and rotation_euler count as the camera's pose in the world"),
+                 qPrintable(inBlender));
+        QVERIFY(!assumedOf(textsOf(exampleOf("Unity, transform")), {}).contains("without parent"));
+        QVERIFY(!assumedOf(textsOf(exampleOf("Unreal")), {}).contains("without parent"));
+    }
+
+    /// Blender divides whole numbers: 720 * 70 / 100 is 504.
+    void blendersSizeIsAWholePercentage()
+    {
+        const auto texts = changed("Blender", "resolution_x = 800\nresolution_y = 600",
+                                   "resolution_x = 1280\nresolution_y = 720\nresolution_percentage = 70");
+        const auto read = readCamera(texts, {});
+        QVERIFY(read && *read);
+        QVERIFY((*read)->size == (ImageSize{896, 504}));
+    }
+
+    /// The object's type, CAMERA, may stand before that of its data.
+    void blendersCameraTypeIsFound()
+    {
+        const auto texts = changed("Blender", "lens = 50.0",
+                                   "camera.type = 'CAMERA'\ndata.type = 'ORTHO'\northo_scale = 7.0\nclip_start = 0.1\n"
+                                   "clip_end = 100.0");
+        const auto read = readCamera(texts, {});
+        QVERIFY(read);
+        QVERIFY2(*read, *read ? "" : (*read).error().reason.c_str());
+        QVERIFY((*read)->projection && (*read)->projection->clipFromEye[2][3] == 0.0);
+    }
+
+    void computedCentresStayInTheMiddle_data()
+    {
+        QTest::addColumn<QString>("program");
+        for (const char *name : {"Unity, transform", "Unreal", "Unity, matrices", "NeRF, made with Blender", "Blender",
+                                 "Gaussian splatting, cameras.json"})
+            QTest::newRow(name) << name;
+    }
+
+    /// No pixel's coordinates are in the text, so the first pixel's centre does not count.
+    void computedCentresStayInTheMiddle()
+    {
+        QFETCH(QString, program);
+        const CameraExample &example = exampleOf(program.toUtf8().constData());
+        CameraChoices choices = choicesOf(example);
+        const auto read = readCamera(textsOf(example), choices);
+        QVERIFY(read && *read);
+        QVERIFY(!hasCentres(**read));
+        const auto plainly = sceneCamera(**read, choices, std::nullopt);
+        choices.centres = PixelCentres::AtIntegers;
+        const auto scene = sceneCamera(**read, choices, std::nullopt);
+        QVERIFY(plainly && scene);
+        QCOMPARE(clipFromEyeOf(*scene), clipFromEyeOf(*plainly));
+        const std::vector<std::string> &said = scene->assumed;
+        QVERIFY(std::find(said.begin(), said.end(), "The file has no pixel coordinates, so --pixel-centers is ignored.")
+                != said.end());
+    }
+
+    void namesAndValuesAreFound()
+    {
+        const NamedValues values("near clip plane: 0.3\n\"far\": 50,\nsize 800 x 600\nLocation X=1 Y=-2.5 Z=3\n"
+                                 "rotation:\n  x: 0.1\n  w: 0.9\ncam.data.lens = 35.0 mm\nfit = 'AUTO'\n"
+                                 "m = np.array([[1., 2.],\n [3e1, 4]], dtype=float32)\nyfov=np.pi / 3.0, n=2\n"
+                                 "angle = math.radians(90)\n# fov = 12\npose\n[[1 2]\n [3 4]]\n");
+        QCOMPARE(values.number({"nearclipplane"}).value_or(0), 0.3);
+        QCOMPARE(values.number({"clipplane"}).value_or(0), 0.3);
+        QCOMPARE(values.number({"far"}).value_or(0), 50.0);
+        QCOMPARE(values.numbers({"size"}, 2), (std::vector<double>{800, 600}));
+        QCOMPARE(values.numbers({"location"}, 3, {"x", "y", "z"}), (std::vector<double>{1, -2.5, 3}));
+        QCOMPARE(values.numbers({"rotation"}, 2, {"x", "w"}), (std::vector<double>{0.1, 0.9}));
+        QCOMPARE(values.number({"lens"}).value_or(0), 35.0);
+        QCOMPARE(QByteArray::fromStdString(values.find({"fit"})->word), QByteArray("AUTO"));
+        QCOMPARE(values.numbers({"m"}, 4), (std::vector<double>{1, 2, 30, 4}));
+        QCOMPARE(values.number({"yfov"}).value_or(0), std::acos(-1.0) / 3.0);
+        QCOMPARE(values.number({"n"}).value_or(0), 2.0);
+        QCOMPARE(values.number({"angle"}).value_or(0), std::acos(-1.0) / 2.0);
+        QVERIFY(!values.has({"fov"}));
+        QCOMPARE(values.numbers({"pose"}, 4), (std::vector<double>{1, 2, 3, 4}));
+        QCOMPARE(values.find({"lens"})->line, std::size_t(8));
+    }
+
+    /// Parts of the texts are cut out, doubled, or replaced. Any answer is right, if there is one.
+    void damagedTextsAreAnswered()
+    {
+        std::uint32_t state = 1;
+        const auto random = [&state](std::size_t below) {
+            state = state * 1664525U + 1013904223U;
+            return std::size_t(state >> 8U) % std::max<std::size_t>(below, 1);
+        };
+        int read = 0, refused = 0;
+        for (int round = 0; round < 100; ++round) {
+            for (const CameraExample &example : cameraExamples()) {
+                std::vector<NamedText> texts = textsOf(example);
+                std::string &text = texts[random(texts.size())].text;
+                const std::size_t at = random(text.size()), length = random(20);
+                constexpr std::string_view kParts[] = {"", "nan", "1e999", "[", "]]]", "\"", "-", "0 0 0", "\n", "{}"};
+                if (round % 3 == 0)
+                    text.insert(at, text.substr(at, length));
+                else
+                    text.replace(at, length, kParts[random(std::size(kParts))]);
+                const auto camera = readCamera(texts, choicesOf(example));
+                if (camera && *camera)
+                    ++(sceneCamera(**camera, choicesOf(example), std::nullopt) ? read : refused);
+                else
+                    ++refused;
+            }
+        }
+        QVERIFY(read > 100 && refused > 100);
+    }
+};
+
+UNPROJECTOR_TEST(TestCameraReaders)
+#include "test_camera_readers.moc"

@@ -1,0 +1,123 @@
+// Textures of models: decoded by the loader, scaled down if too large, and never left out silently.
+
+#include "tests/support/test.h"
+
+#include "gui/document/texture_decoding.h"
+#include "gui/text/note_text.h"
+
+#include <QBuffer>
+#include <QImage>
+
+using namespace unprojector;
+using namespace unprojector::gui;
+using namespace unprojector::mesh;
+
+namespace {
+
+std::vector<std::uint8_t> encoded(const QImage &image, const char *format)
+{
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, format);
+    return {bytes.begin(), bytes.end()};
+}
+
+Model modelWith(std::vector<std::uint8_t> bytes)
+{
+    Model model;
+    model.textures.push_back({"skin.png", std::move(bytes), nullptr, true});
+    return model;
+}
+
+QImage picture(int width, int height)
+{
+    QImage image(width, height, QImage::Format_RGB32);
+    image.fill(Qt::red);
+    image.setPixelColor(0, height - 1, Qt::blue);
+    return image;
+}
+
+} // namespace
+
+class TestTextures : public QObject {
+    Q_OBJECT
+
+private slots:
+    void picturesAreDecoded_data()
+    {
+        QTest::addColumn<QByteArray>("format");
+        QTest::newRow("PNG") << QByteArray("PNG");
+        QTest::newRow("BMP") << QByteArray("BMP");
+        QTest::newRow("PPM, as embedded texels come") << QByteArray("PPM");
+    }
+
+    void picturesAreDecoded()
+    {
+        QFETCH(QByteArray, format);
+        Model model = modelWith(encoded(picture(3, 2), format));
+        decodeTextures(model, [] { return true; });
+        QVERIFY(model.notes.empty());
+        const Texture &texture = model.textures.front();
+        QVERIFY(texture.image && texture.encoded.empty());
+        QCOMPARE(texture.image->widthPixels, 3);
+        QCOMPARE(texture.image->heightPixels, 2);
+        // The first row is the bottom one: it begins blue, and red follows.
+        const std::vector<std::uint8_t> first(texture.image->rgba.begin(), texture.image->rgba.begin() + 8);
+        QCOMPARE(first, (std::vector<std::uint8_t>{0, 0, 255, 255, 255, 0, 0, 255}));
+    }
+
+    void whatIsTooLargeIsScaledDownAndSaid()
+    {
+        Model model = modelWith(encoded(picture(kMostTexturePixels + 808, 9), "PNG"));
+        decodeTextures(model, [] { return true; });
+        const Texture &texture = model.textures.front();
+        QVERIFY(texture.image);
+        QCOMPARE(texture.image->widthPixels, kMostTexturePixels);
+        QCOMPARE(texture.image->heightPixels, 8);
+        QCOMPARE(model.notes, (std::vector<ModelNote>{
+                                  {ModelNote::Kind::TextureScaledDown, std::size_t(kMostTexturePixels), "skin.png"}}));
+    }
+
+    void whatCannotBeDecodedIsSaid_data()
+    {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::newRow("no picture") << QByteArray("hello");
+        const std::vector<std::uint8_t> whole = encoded(picture(64, 64), "PNG");
+        QTest::newRow("cut off") << QByteArray(reinterpret_cast<const char *>(whole.data()), 60);
+        QTest::newRow("a header of 100,000 by 100,000 pixels") << QByteArray("P6\n100000 100000\n255\n");
+    }
+
+    void whatCannotBeDecodedIsSaid()
+    {
+        QFETCH(QByteArray, bytes);
+        Model model = modelWith({bytes.begin(), bytes.end()});
+        decodeTextures(model, [] { return true; });
+        QVERIFY(!model.textures.front().image);
+        QCOMPARE(model.notes, (std::vector<ModelNote>{{ModelNote::Kind::TextureUnusable, 0, "skin.png"}}));
+        QVERIFY(notesText(QStringLiteral("head.obj"), model.notes)
+                    .startsWith(QStringLiteral("head.obj: The image \"skin.png\" is damaged")));
+    }
+
+    void theLoadingCanBeCancelled()
+    {
+        Model model = modelWith(encoded(picture(3, 2), "PNG"));
+        decodeTextures(model, [] { return false; });
+        QVERIFY(!model.textures.front().image);
+        QVERIFY(model.notes.empty());
+    }
+
+    void everyNoteHasItsWords()
+    {
+        QVERIFY(notesText(QStringLiteral("head.obj"), {}).isEmpty());
+        for (int kind = 0; kind <= int(ModelNote::Kind::ReadOutside); ++kind) {
+            for (const std::size_t count : {std::size_t(1), std::size_t(5'000'000'000)}) {
+                const QString text = notesText({}, {{static_cast<ModelNote::Kind>(kind), count, "<b>"}});
+                QVERIFY2(text.endsWith(u'.') && !text.contains(u'%'), qPrintable(text));
+            }
+        }
+    }
+};
+
+UNPROJECTOR_TEST(TestTextures)
+#include "test_textures.moc"

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QStringList>
+#include <QTest>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+/// What a test class needs to be run by its folder's program.
+namespace tests {
+
+struct Class {
+    const QMetaObject *meta;
+    std::function<std::unique_ptr<QObject>()> make;
+};
+
+/// The classes of the program.
+std::vector<Class> &classes();
+
+template <class Test>
+struct Registered {
+    Registered()
+    {
+        classes().push_back({&Test::staticMetaObject, [] { return std::make_unique<Test>(); }});
+    }
+};
+
+/// A part of a test that runs as a program of its own: PROGRAM --NAME WORD …
+struct Helper {
+    Helper(const QString &name, std::function<int(const QStringList &words)> run);
+};
+
+} // namespace tests
+
+/// Registers a test class: `PROGRAM test_name [FUNCTION[:ROW]] …` runs it, as `ctest -R test_name` does. The
+/// words behind the class say how ctest runs it; tests/CMakeLists.txt lists them.
+#define UNPROJECTOR_TEST(Test, ...)                                                                                    \
+    namespace {                                                                                                        \
+    const tests::Registered<Test> registered;                                                                          \
+    }
