@@ -26,8 +26,8 @@ onVirtualDisplay() {
 
 # The Python module, which is built where these are installed.
 pythonPackages=(python3-dev pybind11-dev python3-numpy)
-# What the tests need besides the program: the fonts that tests/fonts names, lld, which links 200
-# tests in seconds, pkg-config, which a program of the library may be built with, and the NumPy that
+# What the tests need besides the program: the fonts that tests/fonts names, lld, which links them in
+# seconds, pkg-config, which a program of the library may be built with, and the NumPy that
 # runs the scene's code. For the module: pytest, exact numbers to compare with, a cluster, and
 # figures.
 # shellcheck disable=SC2034 # for the scripts that source this

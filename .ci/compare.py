@@ -3,12 +3,12 @@
 
 OLD and NEW are build folders; NEW's tests are built. Both commands read the same scenes, camera
 files, printed matrices, models, landmarks and images (scenes below, and tests/data and the fuzzers'
-corpora), and both windows take pictures of their views and write what their panels show. Prints the
+kept inputs), and both windows take pictures of their views and write what their panels show. Prints the
 differences, those in numbers and those in words apart (differences.py); returns 1 if there are any.
 
 A change of the structure must have none. A change that is meant to alter digits shows them.
-The build of an earlier commit: git worktree add FOLDER COMMIT && cmake --preset ci -S FOLDER &&
-cmake --build FOLDER/build/ci --target unproject unprojector."""
+The build of an earlier commit: git worktree add FOLDER COMMIT && cmake --preset dev -S FOLDER &&
+cmake --build FOLDER/build/dev --target unproject unprojector."""
 import concurrent.futures
 import json
 import os
@@ -16,6 +16,7 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import tarfile
 import tempfile
 
 import differences
@@ -69,7 +70,10 @@ def write_inputs(folder: pathlib.Path) -> None:
     (folder / "small.json").write_text(json.dumps(scene))
     (folder / "points.csv").write_text(LANDMARKS)
     (folder / "again.csv").write_text(LANDMARKS.replace("1.25,2.5", "1.5,2.5"))
-    for kept in (ROOT / "tests" / "data", ROOT / "tests" / "fuzz" / "corpus"):
+    corpora = folder.parent / "corpora"
+    with tarfile.open(ROOT / "tests/fuzz/corpora.tar.xz") as archive:
+        archive.extractall(corpora)
+    for kept in (ROOT / "tests/data", ROOT / "tests/fuzz/findings", corpora):
         for file in kept.rglob("*"):
             to = folder / file.relative_to(kept)
             if file.is_file():

@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # bash .ci/fuzz.sh [SECONDS [NAME …]]: runs the fuzzers of build/asan, two at a time, each for
 # SECONDS seconds (60). An input that breaks something is left in build/asan/findings, and its
-# fuzzer's last words are shown. FUZZ_SEED: a number; the same number makes the same inputs for the
-# same code.
+# fuzzer's last words are shown: it goes into tests/fuzz/findings with a name.
 # shellcheck source=.ci/common.sh
 source "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/common.sh" || exit 1
 
@@ -12,11 +11,13 @@ export build=$root/build/asan findings=$root/build/asan/findings
 mkdir -p "$findings"
 
 fuzzOne() {
-    local name=$1 corpus=$build/corpus/$1 log=$findings/$1.log
+    local name=$1 corpus=$build/corpus/$1 log=$findings/$1.log inputs=()
     mkdir -p "$corpus"
+    for folder in "$build/tests/fuzz/corpora/$name" "$root/tests/fuzz/findings/$name"; do
+        [ ! -d "$folder" ] || inputs+=("$folder")
+    done
     if "$build/tests/fuzz/fuzz_$name" -max_total_time="$seconds" -max_len=8192 -timeout=20 -rss_limit_mb=3000 \
-        -artifact_prefix="$findings/$name-" -print_final_stats=1 -close_fd_mask=1 -seed="${FUZZ_SEED:-0}" \
-        "$corpus" "$root/tests/fuzz/corpus/$name" >"$log" 2>&1 </dev/null; then
+        -artifact_prefix="$findings/$name-" -print_final_stats=1 -close_fd_mask=1 "$corpus" "${inputs[@]}" >"$log" 2>&1 </dev/null; then
         printf 'fuzz_%s: %s inputs in %s s, nothing found\n' "$name" \
             "$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")" "$seconds"
     else

@@ -1,21 +1,11 @@
 #!/usr/bin/env python3
 """mutants.py FOLDER [COUNT [SEED]]: tells which of COUNT (60) small faults in the product the tests find.
 
-Copies the sources to FOLDER, puts all faults into the copy (the environment variable MUTANT chooses one),
-builds it, and runs every test once to learn which faults it reaches. Then it runs, for each fault, the
-tests that reach it, the fastest first, until one fails. Prints a table: a fault that "lives" is one that
-no test finds. The same SEED gives the same faults in the same sources. FOLDER is kept: MUTANT=7
-ctest --preset ci there runs all tests with fault 7."""
-import concurrent.futures
-import json
-import os
-import pathlib
-import random
-import re
-import shlex
-import subprocess
-import sys
-import time
+Copies the sources to FOLDER, puts all faults into the copy (the variable MUTANT chooses one), builds it,
+and runs every test once to learn which faults it reaches. Then it runs, for each fault, the tests that
+reach it, the fastest first, until one fails. Prints a table: no test finds a fault that "lives". The same
+SEED gives the same faults in the same sources. There, MUTANT=7 ctest --preset dev tries fault 7."""
+import concurrent.futures, json, os, pathlib, random, re, shlex, subprocess, sys, time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 ROOMS = [*(f"core/{room}" for room in "geometry unproject ray mesh landmarks doctor scene_file cameras matrices".split()),
@@ -83,21 +73,18 @@ def mutated(line: str, number: int):
 
 def draw(folder: pathlib.Path, count: int, dice: random.Random) -> list[dict]:
     """Puts the faults into the copy, as many into each room. A fault that does not compile is not counted."""
-    commands = {entry["file"]: entry for entry in json.loads((folder / "build/ci/compile_commands.json").read_text())}
-    rooms = []
-    for room in ROOMS:
-        files = [file for file in sorted((folder / room).rglob("*.cpp")) if str(file) in commands]
-        rooms.append([(file, line) for file in files for line in range(len(file.read_text().splitlines()))])
-        dice.shuffle(rooms[-1])
+    commands = {entry["file"]: entry for entry in json.loads((folder / "build/dev/compile_commands.json").read_text())}
+    rooms = [[(file, line) for file in sorted((folder / room).rglob("*.cpp")) if str(file) in commands
+              for line in range(len(file.read_text().splitlines()))] for room in ROOMS]
+    for room in rooms:
+        dice.shuffle(room)
     faults: list[dict] = []
     while len(faults) < count and any(rooms):
         room = rooms[len(faults) % len(rooms)]
         file, at = room.pop() if room else dice.choice([place for other in rooms for place in other])
-        original = file.read_text()
-        lines = original.splitlines()
+        lines = (original := file.read_text()).splitlines()
         at += lines[0].endswith('/mutant.h"')
-        options = list(mutated(lines[at], len(faults) + 1))
-        if not options:
+        if not (options := list(mutated(lines[at], len(faults) + 1))):
             continue
         kind = dice.choice(sorted({option[0] for option in options}))
         _, change, both = dice.choice([option for option in options if option[0] == kind])
@@ -109,57 +96,54 @@ def draw(folder: pathlib.Path, count: int, dice: random.Random) -> list[dict]:
         if subprocess.run([*command, "-fsyntax-only", "-w"], cwd=commands[str(file)]["directory"], capture_output=True, check=False).returncode:
             file.write_text(original)
         else:
-            at += "mutant.h" not in original
-            faults.append({"place": f"{file.relative_to(folder)}:{at}", "kind": kind, "was": was, "is": change})
+            faults.append({"place": f"{file.relative_to(folder)}:{at + ('mutant.h' not in original)}", "kind": kind, "was": was, "is": change})
     return faults
 
 
-def passes(folder: pathlib.Path, test: str, limit: float, **variables: str) -> bool:
-    return subprocess.run(["ctest", "--test-dir", "build/ci", "--timeout", str(int(limit)), "-R", f"^{re.escape(test)}$"], cwd=folder,
-                          env=os.environ | variables, capture_output=True, check=False).returncode == 0
-
-
-def finder(folder: pathlib.Path, number: int, tests: list[tuple[float, str]]) -> str:
-    """The test that finds a fault. @param tests  that reach it, with their seconds"""
-    for seconds, test in sorted(tests):
-        if not passes(folder, test, 5 * seconds + 60, MUTANT=str(number)):
-            return test
-    return "**lives**" if tests else "**lives: no test reaches it**"
-
-
 def main(folder: pathlib.Path, count: int, seed: int) -> None:
-    def shell(command: str) -> bytes:
-        return subprocess.run(["bash", "-c", f"source {ROOT}/.ci/common.sh && cd {folder} && {command}"], check=True, stdout=subprocess.PIPE).stdout
+    def shell(command: str, **variables: str) -> subprocess.CompletedProcess:
+        return subprocess.run(["bash", "-c", f"source {ROOT}/.ci/common.sh && export CCACHE_BASEDIR={folder} && cd {folder} && {command}"],
+                              check=not variables, stdout=subprocess.PIPE, env=os.environ | variables)
+
+    def passes(test: str, limit: float, **variables: str) -> bool:
+        return shell(f"ctest --test-dir build/dev --timeout {limit:.0f} -R '^{test}$'", **variables).returncode == 0
 
     folder.mkdir(parents=True)
     shell(f"git -C {ROOT} ls-files -z | (cd {ROOT} && xargs -0 cp --parents -t {folder})")
     (folder / "mutant.h").write_text(HEADER)
     launcher = folder / "tests/launch.sh" # runs a test without the variables that it does not know
     launcher.write_text(launcher.read_text().replace("for name in ", "for name in MUTANT MUTANTS_REACHED ", 1))
-    shell("cmake --preset ci -DUNPROJECTOR_WARNINGS_AS_ERRORS=OFF")
+    shell("cmake --preset dev -DUNPROJECTOR_WARNINGS_AS_ERRORS=OFF")
     faults = draw(folder, count, random.Random(seed))
-    shell("cmake --build --preset ci")
-    tests = [test["name"] for test in json.loads(shell("ctest --test-dir build/ci --show-only=json-v1"))["tests"]]
+    shell("cmake --build --preset dev")
+    tests = [test["name"] for test in json.loads(shell("ctest --test-dir build/dev --show-only=json-v1").stdout)["tests"]]
     reaching: dict[int, list[tuple[float, str]]] = {number: [] for number in range(1, len(faults) + 1)}
 
     def learn(test: str) -> None:
-        reached = folder / "reached" / test
-        reached.mkdir(parents=True)
+        (reached := folder / "reached" / test).mkdir(parents=True)
         reached.chmod(0o777) # some tests run as another user
         start = time.monotonic()
-        if not passes(folder, test, 900, MUTANTS_REACHED=str(reached)):
+        if not passes(test, 900, MUTANTS_REACHED=str(reached)):
             print(f"{test} fails without a fault: it is left out", file=sys.stderr)
-        else:
-            for file in reached.iterdir():
-                reaching[int(file.name)].append((time.monotonic() - start, test))
+            return
+        for file in reached.iterdir():
+            reaching[int(file.name)].append((time.monotonic() - start, test))
+
+    def find(number: int) -> str:
+        for seconds, test in sorted(reaching[number]):
+            if not passes(test, 5 * seconds + 60, MUTANT=str(number)):
+                return test
+        return "**lives**" if reaching[number] else "**lives: no test reaches it**"
 
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         list(pool.map(learn, tests))
-        results = list(pool.map(lambda number: finder(folder, number, reaching[number]), reaching))
-    print("| | place | kind | was | is | found by |\n|---|---|---|---|---|---|")
-    for number, (fault, result) in enumerate(zip(faults, results), 1):
-        print("| " + " | ".join([str(number), fault["place"], fault["kind"], f"`{fault['was']}`", f"`{fault['is']}`", result]) + " |")
-    print(f"\n{sum('lives' in result for result in results)} of {len(faults)} live.")
+        print("| | place | kind | was | is | found by |\n|---|---|---|---|---|---|")
+        for number, fault in zip(reaching, faults):
+            fault["test"] = pool.submit(find, number)
+        for number, fault in zip(reaching, faults):
+            fault["test"] = fault["test"].result()
+            print(f"| {number} | {fault['place']} | {fault['kind']} | `{fault['was']}` | `{fault['is']}` | {fault['test']} |", flush=True)
+    print(f"\n{sum('lives' in fault['test'] for fault in faults)} of {len(faults)} live.")
 
 
 if __name__ == "__main__":

@@ -5,4 +5,5 @@
 source "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/common.sh" || exit 1
 
 bash "$root/.ci/setup.sh" dpkg-dev file "${pythonPackages[@]}"
-cd -- "$root" && cmake --workflow --preset package # Presets are looked for in the current folder.
+cd -- "$root" && cmake --workflow --preset release && # Presets are looked for in the current folder.
+    cpack --config build/release/CPackConfig.cmake -B build/package

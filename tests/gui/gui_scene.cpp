@@ -5,7 +5,7 @@
 #include "tests/support/mesh_model.h"
 #include "tests/support/patience.h"
 
-#include "document_edits.h"
+#include "tests/gui/document_edits.h"
 
 #include <QApplication>
 #include <QSettings>

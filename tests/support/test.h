@@ -26,6 +26,17 @@ struct Registered {
     }
 };
 
+/// How often a test repeats itself with other values: a tenth as often under a sanitizer, which takes ten
+/// times as long.
+constexpr int rounds(int count)
+{
+#ifdef UNPROJECTOR_IS_SANITIZED
+    return (count + 9) / 10;
+#else
+    return count;
+#endif
+}
+
 /// A part of a test that runs as a program of its own: PROGRAM --NAME WORD …
 struct Helper {
     Helper(const QString &name, std::function<int(const QStringList &words)> run);

@@ -233,7 +233,7 @@ private slots:
         const Case of = scene();
         oracle::Random random(12);
         int explained = 0;
-        for (int i = 0; i < 100; ++i) {
+        for (int i = 0; i < tests::rounds(100); ++i) {
             const glm::dvec3 got(random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5));
             const Diagnosis diagnosis = diagnosed(of, pointAt(of, WorldPoint(kTruth), got));
             explained += diagnosis.verdict == "unknown" ? 0 : 1;
@@ -376,8 +376,8 @@ private slots:
         oracle::Random random(17);
         for (const auto &[space, right] : rows) {
             point.space = space;
-            for (int i = 0; i < 20; ++i) {
-                const double size = i < 10 ? 0.01 : 3.0;
+            for (int i = 0; i < tests::rounds(20); ++i) {
+                const double size = i % 2 == 0 ? 0.01 : 3.0;
                 for (int axis = 0; axis < 3; ++axis)
                     point.got[axis] = rounded(right[axis] + random.uniform(-size, size), 4);
                 const Diagnosis diagnosis = diagnosed(of, point);
@@ -470,7 +470,7 @@ private slots:
     {
         const Case of = scene();
         const auto unprojector = unproject::Unprojector::of(of.setup).value();
-        for (int i = 0; i < 10; ++i) {
+        for (int i = 0; i < tests::rounds(10); ++i) {
             WrongPoint point;
             point.pixel = DevicePoint(120.5 + 76.0 * i, 650.5 - 56.0 * i);
             point.depth = 0.3 + 0.0692 * i;
@@ -487,7 +487,7 @@ private slots:
     void singlePrecisionIsNoMistake()
     {
         const Case of = scene();
-        for (int i = 0; i < 10; ++i) {
+        for (int i = 0; i < tests::rounds(10); ++i) {
             const double x = 120.5 + 76.0 * i, y = 650.5 - 56.0 * i, depth = 0.6 + 0.032 * i;
             WrongPoint point;
             point.pixel = DevicePoint(x, y);
@@ -642,7 +642,7 @@ private slots:
     void randomPointsHaveNoException()
     {
         oracle::Random random(31);
-        for (int i = 0; i < 10; ++i) {
+        for (int i = 0; i < tests::rounds(10); ++i) {
             std::vector<WrongPoint> points = fiveClicks(true);
             points.resize(3 + std::size_t(i % 3));
             for (WrongPoint &point : points)

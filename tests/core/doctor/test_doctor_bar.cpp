@@ -126,5 +126,5 @@ private slots:
     }
 };
 
-UNPROJECTOR_TEST(TestDoctorBar)
+UNPROJECTOR_TEST(TestDoctorBar, rates)
 #include "test_doctor_bar.moc"

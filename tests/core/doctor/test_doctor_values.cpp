@@ -69,5 +69,5 @@ private slots:
     }
 };
 
-UNPROJECTOR_TEST(TestDoctorValues)
+UNPROJECTOR_TEST(TestDoctorValues, rates)
 #include "test_doctor_values.moc"

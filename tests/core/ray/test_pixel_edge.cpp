@@ -201,5 +201,5 @@ private slots:
     }
 };
 
-UNPROJECTOR_TEST(TestPixelEdge)
+UNPROJECTOR_TEST(TestPixelEdge, rates)
 #include "test_pixel_edge.moc"

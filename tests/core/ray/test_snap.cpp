@@ -229,7 +229,7 @@ private slots:
         setup.lens = lens;
         Aim aim(5);
         std::vector<glm::vec3> corners;
-        for (int i = 0; i < 1500; ++i) {
+        for (int i = 0; i < tests::rounds(1500); ++i) {
             const glm::dvec3 from = 2.0 * aim.share() * aim.direction(), way = 0.4 * aim.share() * aim.direction();
             const double width = i % 20 == 0 ? 0.3 : 0.0002;
             corners.insert(corners.end(), {glm::vec3(from), glm::vec3(from + way),
@@ -257,7 +257,7 @@ private slots:
             return first && distance(first->world, seen.world) > 1e-6 && first->world.z > seen.world.z;
         };
         int hits = 0;
-        for (int i = 0; i < 300; ++i) {
+        for (int i = 0; i < tests::rounds(300); ++i) {
             const DevicePoint click(640.0 * aim.share(), 480.0 * aim.share());
             std::vector<Seen> candidates;
             std::copy_if(all.begin(), all.end(), std::back_inserter(candidates),
@@ -278,14 +278,14 @@ private slots:
             const DevicePoint at = deviceFromWindow(setup.surface, *windowFromWorld(setup, edge->world));
             QVERIFY(distance(at, click) <= distance(nearest->at, click) + 1e-6);
         }
-        QVERIFY2(hits > 60, qPrintable(QString::number(hits)));
+        QVERIFY2(hits > tests::rounds(60), qPrintable(QString::number(hits)));
     }
 
     /// Seen straight, the corners behind are at the same position, but for a rounding.
     void aCornerBehindAnotherIsNotTaken()
     {
         Aim aim(9);
-        for (int i = 0; i < 300; ++i) {
+        for (int i = 0; i < tests::rounds(300); ++i) {
             const glm::dvec3 z = aim.direction(), x = glm::normalize(glm::cross(z, aim.direction())),
                              y = glm::cross(z, x);
             std::array<glm::dvec3, 8> places;
@@ -315,7 +315,7 @@ private slots:
     {
         Aim aim(3);
         int vertices = 0, edges = 0;
-        for (int i = 0; i < 300; ++i) {
+        for (int i = 0; i < tests::rounds(300); ++i) {
             std::array<glm::dvec3, 3> file;
             for (glm::dvec3 &corner : file)
                 corner = aim.direction();
@@ -342,7 +342,7 @@ private slots:
                     glm::lessThanEqual(glm::abs(place - hit->world.coordinates()), hit->uncertainty.coordinates())));
             }
         }
-        QVERIFY(vertices > 100 && edges > 100);
+        QVERIFY(vertices > tests::rounds(100) && edges > tests::rounds(100));
     }
 
     void theFrontPointNearestToTheClickIsTaken_data()
@@ -449,7 +449,7 @@ private slots:
         for (const glm::vec3 &point : points)
             places.push_back(placeOf(WorldPoint(glm::dvec3(point))));
         int hits = 0, dots = 0;
-        for (int i = 0; i < 2000; ++i) {
+        for (int i = 0; i < tests::rounds(2000); ++i) {
             const DevicePoint click(640.0 * aim.share(), 480.0 * aim.share());
             // The points within reach, by projection; the front ones are those up to a depth that is
             // judged from outside.
@@ -481,7 +481,8 @@ private slots:
             for (std::size_t k = 0; k < points.size(); ++k) // no other front one is nearer to the click
                 QVERIFY(points[k].z < world.z || distance(places[k], click) >= own - 1e-9);
         }
-        QVERIFY2(dots > 20 && hits > 2 * dots, qPrintable(QStringLiteral("%1 hits, %2 on dots").arg(hits).arg(dots)));
+        QVERIFY2(dots > tests::rounds(20) && hits > 2 * dots,
+                 qPrintable(QStringLiteral("%1 hits, %2 on dots").arg(hits).arg(dots)));
     }
 };
 

@@ -8,6 +8,7 @@
 #include "tests/core/scene_texts.h"
 
 #include <cstdlib>
+#include <limits>
 #include <new>
 
 using namespace unprojector::scene_file;
@@ -15,15 +16,15 @@ using namespace scene_texts;
 
 namespace {
 
-/// More bytes than one piece of a scene or of its text ever takes. Larger allocations fail, so that
-/// a failure is a row and not a machine without memory.
-constexpr std::size_t kMostBytesAtOnce = std::size_t{256} << 20;
+/// Larger allocations fail while this test runs, so that a failure is a row and not a machine without
+/// memory: the limit is more than one piece of a scene or of its text ever takes.
+std::size_t mostBytesAtOnce = std::numeric_limits<std::size_t>::max();
 
 } // namespace
 
 void *operator new(std::size_t bytes)
 {
-    void *memory = bytes <= kMostBytesAtOnce ? std::malloc(bytes > 0 ? bytes : 1) : nullptr;
+    void *memory = bytes <= mostBytesAtOnce ? std::malloc(bytes > 0 ? bytes : 1) : nullptr;
     if (memory == nullptr)
         throw std::bad_alloc();
     return memory;
@@ -43,6 +44,8 @@ class TestSceneMemory : public QObject {
     Q_OBJECT
 
 private slots:
+    void initTestCase() { mostBytesAtOnce = std::size_t{256} << 20; }
+    void cleanupTestCase() { mostBytesAtOnce = std::numeric_limits<std::size_t>::max(); }
     void aLargeFileTakesLittleMemory_data()
     {
         QTest::addColumn<QByteArray>("text");

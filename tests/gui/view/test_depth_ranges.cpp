@@ -40,8 +40,8 @@ std::unique_ptr<MainWindow> cubesWindow(const DepthRange &range, bool isOrtho = 
 std::vector<std::optional<glm::dvec3>> pointsOf(MainWindow &window)
 {
     std::vector<std::optional<glm::dvec3>> points;
-    for (int y = 3; y < window.view().height(); y += 17) {
-        for (int x = 2; x < window.view().width(); x += 14) {
+    for (int y = 3; y < window.view().height(); y += 37) {
+        for (int x = 2; x < window.view().width(); x += 31) {
             click(window.view(), QPointF(x, y));
             const Pick &pick = *window.document().picks().pick();
             points.push_back(pick.hit() ? std::optional(pick.point.world[Method::Formula]->coordinates())

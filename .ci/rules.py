@@ -1,0 +1,148 @@
+#!/usr/bin/env python3
+"""rules.py [CHECKOUT]: the rules of the sources and texts that no compiler checks. Prints what breaks one; returns 1 then.
+
+- includes    tests -> gui -> core; rooms (core/ray, gui/view) include each other in one direction
+- names       nothing that a header of Windows or a library turns into something else, nothing asked in two places
+- words       texts use the terms of resources/manual/glossary.md, not those of its column "Not"
+- twins       each text has its Chinese: messages, window, lessons, manual, formulas, templates"""
+import collections
+import json
+import pathlib
+import re
+import sys
+import xml.etree.ElementTree
+
+ROOT = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent.parent).resolve()
+RESOURCES = ROOT / "resources"
+INCLUDE = re.compile(r'^#include "((?:core|gui|tests)/[^"]+)"', re.MULTILINE)
+STRIPPED = re.compile(r'R"(\w*)\(.*?\)\1"|//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.DOTALL)
+# What may stand only in some files: a pattern, the files that are read, those that may have it, and why.
+ONLY = [
+    (r"\b(?:near|far)\b", "core gui tests", "", "Windows defines it as a macro: nearDistance, farPlane"),
+    (r"^\s*using namespace", "core/**.h gui/**.h tests/**.h", "", "a header passes the names on"),
+    (r"hardware_concurrency", "core gui", "core/threads/parallel.cpp", "each question opens a file: threads::coreCount()"),
+    (r"QFileDialog", "gui", "gui/widgets/file_dialogs.cpp gui/widgets/save_name.cpp", "it starts in no known folder"),
+    (r"(?:new|public|make_unique<)\s*Q(?:Plain)?TextEdit\b|QGraphicsTextItem|setReadOnly\(false\)", "gui",
+     "gui/widgets/plain_text_box.cpp gui/widgets/plain_text_box.h", "a paste of nothing ends the program: PlainTextBox"),
+]
+GHOSTS = ("are said|are told|besides|come about|comes about|is said|is told|let go|lets go|nobody|somebody|take apart|tell apart|"
+          "told apart|turned round|turn round|whatever|what is to be|wherever|whoever|there is nothing of")
+found: list[str] = []
+
+
+def sources(*folders: str):
+    for folder in folders:
+        where, pattern = folder.split("/**") if "/**" in folder else (folder, "")
+        for file in sorted((ROOT / where).rglob("*" + pattern)):
+            if file.suffix in (".h", ".cpp", ".inl"):
+                yield str(file.relative_to(ROOT)), file.read_text(encoding="utf8")
+
+
+def includes() -> None:
+    graph = collections.defaultdict(set)
+    level = {"core": 0, "gui": 1, "tests": 2}
+    for file, text in sources("core", "gui"):
+        for other in INCLUDE.findall(text):
+            if level[other.split("/")[0]] > level[file.split("/")[0]] or (file.startswith("gui/") and other.startswith("core/cli/")):
+                found.append(f"{file} includes {other}, which may include it")
+            graph["/".join(file.split("/")[:2])].add("/".join(other.split("/")[:2]))
+    done: set[str] = set()
+
+    def visit(room: str, way: list[str]) -> None:
+        if room in way:
+            found.append("rooms in a circle: " + " > ".join([*way[way.index(room):], room]))
+        elif room not in done:
+            for other in sorted(graph[room] - {room}):
+                visit(other, [*way, room])
+            done.add(room)
+
+    for room in sorted(graph):
+        visit(room, [])
+
+
+def names() -> None:
+    for pattern, folders, allowed, reason in ONLY:
+        for file, text in sources(*folders.split()):
+            if file not in allowed.split() and (match := re.search(pattern, STRIPPED.sub(" ", text), re.MULTILINE)):
+                found.append(f"{file}: {match.group().strip()}: {reason}")
+
+
+def strings(value) -> list[str]:
+    if isinstance(value, str):
+        return [value]
+    return [text for inner in (value.values() if isinstance(value, dict) else value if isinstance(value, list) else []) for text in strings(inner)]
+
+
+def prose(page: str) -> str:
+    return re.sub(r"^```.*?^```|`[^`\n]*`|\]\([^)]*\)", " ", page, flags=re.DOTALL | re.MULTILINE)
+
+
+def messages_of_window():
+    for message in xml.etree.ElementTree.parse(RESOURCES / "translations/unprojector_zh_CN.ts").iter("message"):
+        yield message.findtext("source"), message.find("translation")
+
+
+def words() -> None:
+    glossary = (RESOURCES / "manual/glossary.md").read_text(encoding="utf8")
+    wrong = [term.strip() for row in re.findall(r"^\|[^|]*\|[^|]*\|([^|]*)\|$", glossary, re.MULTILINE) for term in row.split(",")]
+    terms = "|".join(re.escape(term) for term in wrong if term not in ("–", "Not", "---", ""))
+    texts = [("window", source) for source, _ in messages_of_window()]
+    texts += [("messages", key) for key in json.loads((RESOURCES / "translations/unproject_zh_CN.json").read_text(encoding="utf8"))]
+    for file in sorted((RESOURCES / "lessons").glob("*.json")):
+        if "_zh" not in file.name:
+            texts += [(file.name, re.sub("<[^>]*>", " ", text)) for text in strings(json.loads(file.read_text(encoding="utf8"))) if " " in text]
+    for file in [ROOT / "README.md", *sorted((RESOURCES / "manual").glob("*.md"))]:
+        if file.name != "glossary.md":
+            texts.append((file.name, prose(file.read_text(encoding="utf8"))))
+    for where, text in texts:
+        for match in re.finditer(rf"\b(?:{terms}|{GHOSTS})\b", " ".join(text.split()), re.IGNORECASE):
+            found.append(f"{where}: “{match.group()}” is no term: {text.strip()[:80] if len(text) < 500 else ''}")
+
+
+def told(code: str):
+    """The literals in the first argument of each tr() and marked(); those side by side are one."""
+    for call in re.finditer(r"(?<!\w)(?:tr|marked)\(", code):
+        depth, texts, isBeside = 0, [], False
+        for token in re.finditer(r'"((?:\\.|[^"\\])*)"|\'(?:\\.|[^\'])\'|\S', code[call.end():]):
+            if token[1] is not None:
+                text = re.sub(r"\\(.)", lambda escape: "\n" if escape[1] == "n" else escape[1], token[1])
+                texts[len(texts) - isBeside:] = ["".join(texts[-1:]) + text if isBeside else text]
+            depth += {"(": 1, "{": 1, ")": -1, "}": -1}.get(token[0], 0)
+            if depth < 0 or (token[0] == "," and depth == 0):
+                break
+            isBeside = token[1] is not None
+        yield from texts
+
+
+def shape(text: str) -> list[str]:
+    """What a text and its translation have in common: places of values, links, headings."""
+    return sorted(re.findall(r"%\d|%n|href='[^']*'|</?(?!i\b)[a-z]+\b|^#+ |^\|(?=\s?-)|^```.*|id=\"[^\"]*\"", text, re.MULTILINE))
+
+
+def twins() -> None:
+    catalogue = json.loads((RESOURCES / "translations/unproject_zh_CN.json").read_text(encoding="utf8"))
+    said = {text for _, code in sources("core") for text in told(re.sub(r"//[^\"\n]*$", "", code, flags=re.MULTILINE))}
+    found.extend(f"core: no Chinese for: {text}" for text in sorted(said - catalogue.keys()))
+    found.extend(f"unproject_zh_CN.json: core has no such text: {text}" for text in sorted(catalogue.keys() - said))
+    pairs = [("core: " + key, key, text) for key, text in catalogue.items()]
+    for source, translation in messages_of_window():
+        if translation.get("type") or not "".join(translation.itertext()).strip():
+            found.append(f"window: no Chinese for: {source}")
+        pairs.append(("window: " + source, source, "".join(translation.itertext())))
+    for file in [*(RESOURCES / "manual").glob("*.md"), *(RESOURCES / "help").glob("*.html"), *(RESOURCES / "templates").glob("*.csv")]:
+        twin = file.parent / "zh_CN" / file.name if file.suffix == ".md" else file.with_stem(file.stem + "_zh_CN")
+        if "_zh_CN" in file.name or file.name == "development.md":
+            continue
+        if not twin.is_file():
+            found.append(f"{file.relative_to(ROOT)}: there is no {twin.relative_to(ROOT)}")
+        elif file.suffix == ".csv":
+            pairs.append((file.name, "#  " * file.read_text(encoding="utf8").count("\n"), "#  " * twin.read_text(encoding="utf8").count("\n")))
+        else:
+            pairs.append((file.name, *(re.sub(r"\]\([^)]*\)", "", each.read_text(encoding="utf8")) for each in (file, twin))))
+    found.extend(f"{where}: its Chinese has other values, links or headings" for where, text, twin in pairs if shape(text) != shape(twin))
+
+
+for rule in (includes, names, words, twins):
+    rule()
+print(*found, sep="\n", end="\n" if found else "")
+sys.exit(bool(found))
