@@ -118,7 +118,7 @@ std::vector<double> PointModel::coordinates() const
 
 Qt::ItemFlags PointModel::flags(const QModelIndex &index) const
 {
-    const bool isOwn = index.column() < m_own;
+    const bool isOwn = index.isValid() && index.column() < m_own;
     const Qt::ItemFlags flags = NumberGridModel::flags(index);
     return isOwn && isTypable() ? flags | Qt::ItemIsEditable : flags;
 }

@@ -7,6 +7,9 @@
 
 #include "tests/gui/document_edits.h"
 
+#include <QAbstractItemModelTester>
+#include <QAbstractItemView>
+#include <QAbstractProxyModel>
 #include <QApplication>
 #include <QSettings>
 #include <QStandardPaths>
@@ -36,6 +39,56 @@ void redirectSettings()
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
     QSettings::setPath(QSettings::IniFormat, QSettings::SystemScope, folder.path());
 }
+
+// ---- models ----------------------------------------------------------------------------------
+
+namespace {
+
+/// From when a view is first on the screen, its model, and the one that it is made from, must tell every
+/// change as Qt asks of models.
+class ModelsAreTested : public QObject {
+public:
+    using QObject::QObject;
+
+    bool eventFilter(QObject *object, QEvent *event) override
+    {
+        if (const auto *view = event->type() == QEvent::Show ? qobject_cast<QAbstractItemView *>(object) : nullptr) {
+            const auto *proxy = qobject_cast<QAbstractProxyModel *>(view->model());
+            QAbstractItemModel *own = proxy ? proxy->sourceModel() : view->model();
+            if (own && QByteArray(own->metaObject()->className()).startsWith("unprojector::")) {
+                attach(own);
+                attach(view->model());
+            }
+        }
+        return QObject::eventFilter(object, event);
+    }
+
+private:
+    using Tester = QAbstractItemModelTester;
+
+    static void attach(QAbstractItemModel *model)
+    {
+        constexpr int kMostRows = 100; // it looks at all of them at each change
+        if (model->rowCount() > kMostRows || model->findChild<Tester *>({}, Qt::FindDirectChildrenOnly))
+            return;
+        auto *tester = new Tester(model, Tester::FailureReportingMode::QtTest, model);
+        const auto detach = [model, tester] {
+            if (model->rowCount() > kMostRows)
+                tester->deleteLater();
+        };
+        connect(model, &QAbstractItemModel::rowsInserted, tester, detach);
+        connect(model, &QAbstractItemModel::modelReset, tester, detach);
+    }
+};
+
+void testModels()
+{
+    qApp->installEventFilter(new ModelsAreTested(qApp));
+}
+
+} // namespace
+
+Q_COREAPP_STARTUP_FUNCTION(testModels)
 
 // ---- scenes ----------------------------------------------------------------------------------
 

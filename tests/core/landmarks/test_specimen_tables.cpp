@@ -8,6 +8,7 @@
 #include "core/landmarks/distinct_names.h"
 #include "core/landmarks/protocol.h"
 #include "core/scene_file/scene_file.h"
+#include "tests/support/data_files.h"
 
 #include <nlohmann/json.hpp>
 
@@ -314,34 +315,14 @@ private slots:
                 && !isMeasuresFile("measures.csv"));
     }
 
-    void badMeasuresFiles_data()
-    {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QString>("error");
-        const auto row = [](const char *name, const QByteArray &text, const QString &error) {
-            QTest::newRow(name) << text << error;
-        };
-        row("another table", "name,x,y,z\n", "f:1: this is no list of measures; its first line is name,kind,landmarks");
-        row("empty", "", "f:1: this is no list of measures; its first line is name,kind,landmarks");
-        row("a kind", "name,kind\nw,width,a,b\n",
-            "f:2: \"width\" is no kind of measure; write one of distance, angle, height, length, surface");
-        row("no name", "name,kind\n,distance,a,b\n", "f:2: the measure has no name; write one into the first cell");
-        row("too many", "name,kind\nw,distance,a,b,c\n",
-            "f:2: a measure of the kind distance has 2 landmarks, and \"w\" has 3");
-        row("too few", "name,kind\nw,surface,a\n",
-            "f:2: a measure of the kind surface has 2 landmarks or more, and \"w\" has 1");
-        row("a gap", "name,kind\nw,angle,a,,c\n",
-            "f:2: there is an empty cell between the landmarks of \"w\"; remove it");
-        row("twice", "name,kind\nw,distance,a,b\nw,distance,a,c\n",
-            "f:3: the measure \"w\" is there twice; rename one of them");
-    }
+    void badMeasuresFiles_data() { data_files::addCases("measures"); }
 
     void badMeasuresFiles()
     {
-        QFETCH(QByteArray, text);
-        const auto read = parseMeasures(text.toStdString(), "f");
+        QFETCH(data_files::Case, example);
+        const auto read = parseMeasures(example.text, "f");
         QVERIFY(!read);
-        QTEST(QString::fromStdString(errorText(read.error())), "error");
+        QCOMPARE(QString::fromStdString(errorText(read.error())), QString::fromStdString(example.all("refused").at(0)));
     }
 
     void aSceneKeepsItsMeasures()

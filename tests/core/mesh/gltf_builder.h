@@ -62,12 +62,12 @@ inline QByteArray shown(const QByteArray &primitive, const QByteArray &node = {}
 }
 
 /// Two triangles with indices.
-inline QByteArray quad(const QByteArray &node = {}, const QByteArray &more = {}, const QByteArray &primitive = {})
+inline QByteArray quad(const QByteArray &node = {}, const QByteArray &more = {})
 {
     GltfBuilder file;
     file.add(kQuadCorners, "VEC3", kFloat);
     file.add(std::vector<quint16>{0, 1, 2, 2, 1, 3}, "SCALAR", kUshort);
-    return file.json(shown(R"("attributes":{"POSITION":0},"indices":1)" + primitive, node, more));
+    return file.json(shown(R"("attributes":{"POSITION":0},"indices":1)", node, more));
 }
 
 inline QByteArray glb(QByteArray json, bool isPadded)

@@ -3,6 +3,7 @@
 #include "core/mesh/import/mesh_import.h"
 #include "core/mesh/import/note_text.h"
 #include "tests/core/mesh/model_files.h"
+#include "tests/support/data_files.h"
 
 #include <QTest>
 
@@ -13,6 +14,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <string>
 
 /// Helpers that the tests of the model readers share: a folder for each test, and measures of the
 /// imported model.
@@ -133,3 +136,75 @@ Q_DECLARE_METATYPE(unprojector::mesh::ImportErrorCode)
             QVERIFY2(QString::fromStdString((result).error().detail).contains(detail_),                                \
                      (result).error().detail.c_str());                                                                 \
     } while (false)
+
+namespace model_files {
+
+/// Verifies that a model is the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0).
+inline void verifyTriangle(const unprojector::mesh::Model &model)
+{
+    QCOMPARE(model.triangleCount(), std::size_t{1});
+    QCOMPARE(model.meshes.size(), std::size_t{1});
+    const unprojector::mesh::Mesh &mesh = model.meshes.front();
+    const glm::dvec3 expected[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    for (std::size_t corner = 0; corner < 3; ++corner)
+        QVERIFY(mesh.position(mesh.vertexAt(corner)) == expected[corner]);
+    for (const glm::vec3 &normal : mesh.normals)
+        QVERIFY(normal == glm::vec3(0, 0, 1));
+}
+
+/// Verifies that a model is two triangles of the area 1 that face z.
+inline void verifyQuad(const unprojector::mesh::Model &model)
+{
+    QCOMPARE(model.triangleCount(), std::size_t{2});
+    const unprojector::mesh::Mesh &mesh = model.meshes.front();
+    double area = 0.0;
+    for (std::size_t t = 0; t < 2; ++t) {
+        const glm::dvec3 a = mesh.position(mesh.vertexAt(3 * t));
+        const glm::dvec3 normal =
+            glm::cross(mesh.position(mesh.vertexAt(3 * t + 1)) - a, mesh.position(mesh.vertexAt(3 * t + 2)) - a);
+        QVERIFY2(normal.z > 0.0, "a triangle is turned over");
+        area += glm::length(normal) / 2.0;
+    }
+    QVERIFY(std::abs(area - 1.0) < 1e-6);
+}
+
+/// Verifies that a file is read or refused as its case tells.
+template <class Imported>
+void verifyCase(const Imported &result, const data_files::Case &example)
+{
+    using enum unprojector::mesh::ImportErrorCode;
+    static const std::map<std::string, unprojector::mesh::ImportErrorCode> kErrors{{"malformed", Malformed},
+                                                                                   {"unsupported", Unsupported},
+                                                                                   {"no triangles", NoTriangles},
+                                                                                   {"not finite", NotFinite}};
+    for (const auto &[word, text] : example.told) {
+        const QByteArray told = QByteArray::fromStdString(text);
+        if (const auto error = kErrors.find(word); error != kErrors.end()) {
+            QVERIFY(!result.hasValue());
+            QCOMPARE(int(result.error().code), int(error->second));
+            QCOMPARE(error->second == NotFinite ? QByteArray::number(qulonglong(result.error().index))
+                                                : QByteArray::fromStdString(result.error().detail),
+                     told);
+            continue;
+        }
+        REQUIRE_MODEL(result);
+        const unprojector::mesh::Model &model = **result;
+        if (word == "triangles") {
+            QCOMPARE(QByteArray::number(qulonglong(model.triangleCount())), told);
+            continue;
+        }
+        QCOMPARE(notesOf(model), told);
+        if (word == "box")
+            VERIFY_BOX_WITH_NOTES(result, told);
+        else if (word == "triangle")
+            verifyTriangle(model);
+        else if (word == "quad")
+            verifyQuad(model);
+        else
+            QCOMPARE(word.c_str(), "notes");
+        for (const unprojector::mesh::Mesh &mesh : model.meshes)
+            QCOMPARE(mesh.normals.size(), mesh.positions.size());
+    }
+}
+
+} // namespace model_files

@@ -43,55 +43,12 @@ class TestImportObj : public QObject {
     Q_OBJECT
 
 private slots:
-    void readsATriangleHoweverItIsWritten_data()
-    {
-        QTest::addColumn<QByteArray>("text");
-        const auto row = [](const char *name, const char *text) { QTest::newRow(name) << QByteArray(text); };
-        row("plain", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-        row("numbers without a leading digit", "v 0. .0 0\nv 1. .0 0\nv 0 1.0e0 -0\nf 1 2 3\n");
-        row("numbers with a sign", "v +0 +0.0 -0\nv +1 0 0\nv 0 +1e+0 0\nf +1 +2 +3\n");
-        row("a comment behind a vertex", "v 0 0 0\nv 1 0 0 # 12 34\nv 0 1 0\nf 1 2 3\n");
-        row("a comment at a number", "v 0 0 0#x\nv 1 0 0#12\nv 0 1 0\nf 1 2 3#4\n");
-        row("a comment behind a face", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 # 4\n");
-        row("a comment that ends with a backslash", "# C:\\models\\\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-        row("a byte order mark", "\xef\xbb\xbfv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-        row("tabs", "v\t0\t0\t0\nv\t1\t0\t0\nv\t0 1\t0\t\nf\t1\t2\t3\n");
-        row("CRLF", "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n");
-        row("CR", "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r");
-        row("no line end at the end", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3");
-        row("empty lines", "\n\n  \nv 0 0 0\n\nv 1 0 0\n\t\nv 0 1 0\n\nf 1 2 3\n\n");
-        row("indented", "  v 0 0 0\n\tv 1 0 0\n v 0 1 0\n  f 1 2 3\n");
-        row("lines joined by a backslash", "v 0 \\\n0 0\nv 1 0 0\nv 0 1 \\ \n 0\nf 1 \\\r\n2 \\\n3\n");
-        row("a backslash at a number", "v 0 0 0\nv 1 0\\\n0\nv 0 1 0\nf 1 2\\\n3\n");
-        row("w of 1", "v 0 0 0 1\nv 1 0 0 1.0\nv 0 1 0 1\nf 1 2 3\n");
-        row("w of 1", "v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\nf 1 2 3\n");
-        row("UTF-8 with its mark", "\xef\xbb\xbfv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-        row("counted back", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n");
-        row("faces first", "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n");
-        row("all kinds of corners",
-            "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.5\nvt .5 .5\nvt 0 0 0\nvn 0 0 1\nf 1/1 2//1 3/3/1\n");
-        row("the face of long ago", "v 0 0 0\nv 1 0 0\nv 0 1 0\nfo 1 2 3\n");
-        row("words of other programs",
-            "o thing\ng a b\ns 1\nmg 1 2\nbevel on\nlod 3\nvp 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\ns off\nf 1 2 3\nend\n");
-        row("a group called like a vertex", "g v 1\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-        row("more digits than 64 bits",
-            "v 0.00000000000000000000000000000000000 0 0\nv 1.00000000000000000000000000000000000000001 0 0\n"
-            "v 0 1 0\nf 1 2 3\n");
-    }
+    void textsAreReadOrRefused_data() { data_files::addCases("obj"); }
 
-    void readsATriangleHoweverItIsWritten()
+    void textsAreReadOrRefused()
     {
-        QFETCH(QByteArray, text);
-        const auto result = m_folder.imported("triangle.obj", text);
-        REQUIRE_MODEL(result);
-        QCOMPARE(result.value()->triangleCount(), std::size_t{1});
-        QCOMPARE(result.value()->meshes.size(), std::size_t{1});
-        const Mesh &mesh = result.value()->meshes.front();
-        const glm::dvec3 expected[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-        for (std::size_t corner = 0; corner < 3; ++corner)
-            QVERIFY(mesh.position(mesh.vertexAt(corner)) == expected[corner]);
-        for (const glm::vec3 &normal : mesh.normals)
-            QVERIFY(normal == glm::vec3(0, 0, 1));
+        QFETCH(data_files::Case, example);
+        verifyCase(m_folder.imported("text.obj", QByteArray::fromStdString(example.text)), example);
     }
 
     void roundsNumbersCorrectly_data()
@@ -147,58 +104,6 @@ private slots:
             QCOMPARE(int(mesh.colors[1][channel]), second[channel]);
         QVERIFY(mesh.baseColor == glm::vec4(1.0f));
         QCOMPARE(notesOf(**result), QByteArray());
-    }
-
-    void saysWhatIsLeftOut_data()
-    {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QByteArray>("notes");
-        const QByteArray triangle("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1 2 3\n");
-        const auto row = [&](const char *name, const char *more, const char *notes) {
-            QTest::newRow(name) << triangle + more << QByteArray(notes);
-        };
-        row("nothing", "", "");
-        row("lines and points", "l 1 2 3\nl 1 2\np 1 2\n", "4 lines and points are not shown");
-        row("faces of two corners", "f 1 2\n", "1 line or point is not shown");
-        row("missing texture coordinates", "f 1/1 2/1 3/2\nf 1/-9 2/1 3/1\n",
-            "2 faces refer to texture coordinates that the file does not have: shown without an image");
-        row("texture coordinates of some corners", "f 1/1 2/1 3\n",
-            "1 face refers to texture coordinates that the file does not have: shown without an image");
-        row("missing normals", "f 1//1 2//1 3//2\n",
-            "1 face refers to normals that the file does not have: they are computed instead");
-        row("a vertex of five numbers", "v 1 2 3 4 5\n", "1 vertex has words behind the coordinates that are not used");
-        row("a vertex of nine numbers", "v 1 2 3 4 5 6 7 8 9\n",
-            "1 vertex has words behind the coordinates that are not used");
-        row("weights", "v 1 2 3 1\nv 1 2 3 2\nv 1 2 3 0\n",
-            "2 vertices have a fourth number, the weight of rational curves: it is not used");
-        row("an unknown word", "V 9 9 9\n",
-            "not used: 1 line that begins with a word unknown to the format, \"V\" in line 7");
-        row("unknown words", "\xc2\xa0v 9 9 9\nvt 1 1\nvv 1\ng a\no b\ns off\nvp 1\n",
-            "not used: 2 lines that begin with words unknown to the format, the first is \"\\u00a0v\" in line 7");
-        row("words behind a vertex", "v 1 2 3 red\nv 1 2 3 # red\n",
-            "1 vertex has words behind the coordinates that are not used");
-        row("curves and surfaces", "curv 0 1 1 2\nsurf 0 1 0 1 1 2\nsurf 0 1 0 1 1 2\n",
-            "\"curv\" is not shown; \"surf\" is not shown (2 times)");
-        row("another file and surfaces of older versions", "call other.obj\nbsp 1 2 3\ncdc 1 2 3 4\nbzp 1 2\nbzp 1 2\n",
-            "\"bsp\" is not shown; \"bzp\" is not shown (2 times); \"call\" is not shown; \"cdc\" is not shown");
-        row("no library", "mtllib nowhere.mtl\n",
-            "the materials \"nowhere.mtl\" are missing or cannot be read: their surfaces are shown without colours and "
-            "images");
-        row("no material", "usemtl red\nf 1 2 3\nusemtl red\nf 1 2 3\n",
-            "no material is called \"red\": its surfaces are shown in grey");
-        row("no materials", "usemtl red\nf 1 2 3\nusemtl blue\nf 1 2 3\n",
-            "no material is called \"red\" or by 1 other name of the file: its surfaces are shown in grey");
-    }
-
-    void saysWhatIsLeftOut()
-    {
-        QFETCH(QByteArray, text);
-        QFETCH(QByteArray, notes);
-        const auto result = m_folder.imported("left out.obj", text);
-        REQUIRE_MODEL(result);
-        QCOMPARE(notesOf(**result), notes);
-        for (const Mesh &mesh : result.value()->meshes)
-            QCOMPARE(mesh.normals.size(), mesh.positions.size());
     }
 
     void keepsTheFilesVertexNumbers()
@@ -429,54 +334,6 @@ private slots:
             QVERIFY2(*many < 10.0 * *few + 0.01 * CLOCKS_PER_SEC,
                      qPrintable(QStringLiteral("%1: %2 and %3").arg(QString(statement)).arg(*few).arg(*many)));
         }
-    }
-
-    void saysWhyAFileCannotBeOpened_data()
-    {
-        QTest::addColumn<QByteArray>("content");
-        QTest::addColumn<ImportErrorCode>("code");
-        QTest::addColumn<QString>("detail"); // a part of it; the vertex where the code is NotFinite
-        using enum ImportErrorCode;
-        QTest::newRow("index too large") << objBox("f 1 2 99\n") << Malformed
-                                         << "line 10: a face refers to vertex 99, the file has 8";
-        QTest::newRow("index beyond 32 bits")
-            << objBox("f 1 2 4294967297\n") << Malformed << "line 10: a face refers to vertex";
-        QTest::newRow("index zero") << objBox("f 0 1 2\n") << Malformed << "line 10: a face refers to vertex 0";
-        QTest::newRow("counted back too far")
-            << objBox("f -9 1 2\n") << Malformed << "line 10: a face refers to vertex -9";
-        QTest::newRow("counted back to later ones") << "f -1 1 2\n" + objBox() << Malformed << "line 1";
-        QTest::newRow("a joined line") << objBox("f 1 \\\n2 99\n") << Malformed
-                                       << "line 11: a face refers to vertex 99";
-        QTest::newRow("a corner of four parts")
-            << objBox("f 1/1/1/1 2 3\n") << Malformed << "line 10: \"1/1/1/1\" is not a corner of a face";
-        QTest::newRow("a corner without a vertex") << objBox("f /1 2 3\n") << Malformed << "\"/1\" is not a corner";
-        QTest::newRow("a fraction as index") << objBox("f 1.5 2 3\n") << Malformed << "\"1.5\" is not a corner";
-        QTest::newRow("faces without vertices") << QByteArray("f 1 2 3\n") << Malformed << "the file has 0";
-        QTest::newRow("a short vertex") << objBox("v 1 2\n") << Malformed << "line 10: a vertex needs three numbers";
-        QTest::newRow("a commented vertex")
-            << objBox("v 1 # 2 3\n") << Malformed << "line 10: a vertex needs three numbers";
-        QTest::newRow("a word in a vertex")
-            << objBox("v 1 zwei 3\n") << Malformed << "line 10: a vertex needs three numbers, not \"zwei\"";
-        QTest::newRow("a decimal comma") << objBox("v 1,5 2 3\n") << Malformed << "not \"1,5\"";
-        QTest::newRow("a short normal") << objBox("vn 1 2\n") << Malformed << "line 10: a normal needs three numbers";
-        QTest::newRow("an empty texture coordinate")
-            << objBox("vt\n") << Malformed << "line 10: a texture coordinate needs a number";
-        QTest::newRow("NaN") << objBox("v 1 nan 2\n") << NotFinite << "8";
-        QTest::newRow("NaN of Microsoft's") << objBox("v 1 1.#IND 2\n") << NotFinite << "8";
-        QTest::newRow("too large for a float") << objBox("v 1 1e99 2\n") << NotFinite << "8";
-        QTest::newRow("too large for a double") << objBox("v 1 -1e999 2\n") << NotFinite << "8";
-        QTest::newRow("garbage") << QByteArray("\x01\x02 garbage \xff\xfe") << Malformed
-                                 << "no OBJ vertices and no faces";
-        QTest::newRow("blanks") << QByteArray("\n \n") << Malformed << "no OBJ vertices and no faces";
-    }
-
-    void saysWhyAFileCannotBeOpened()
-    {
-        QFETCH(QByteArray, content);
-        QFETCH(ImportErrorCode, code);
-        QFETCH(QString, detail);
-        const auto result = m_folder.imported("bad.obj", content);
-        VERIFY_REFUSED(result, code, detail);
     }
 
 private:

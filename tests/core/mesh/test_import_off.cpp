@@ -12,6 +12,14 @@ class TestImportOff : public QObject {
     Q_OBJECT
 
 private slots:
+    void textsAreReadOrRefused_data() { data_files::addCases("off"); }
+
+    void textsAreReadOrRefused()
+    {
+        QFETCH(data_files::Case, example);
+        verifyCase(m_folder.imported("text.off", QByteArray::fromStdString(example.text)), example);
+    }
+
     void keepsTheMillimetresOfASurvey()
     {
         QByteArray text = "OFF\n" + QByteArray::number(kSurveyPoints) + " 32 0\n";
@@ -35,39 +43,30 @@ private slots:
         QVERIFY(mesh.position(1) == glm::dvec3(1, 2, 3));
     }
 
-    void readsTheBoxHoweverItIsWritten_data()
+    void readsBinaryBoxes_data()
     {
         QTest::addColumn<QByteArray>("content");
-        QTest::newRow("no number of edges") << offBox().replace("8 6 12", "8 6");
-        QTest::newRow("no number of edges, whole numbers") << offBox().replace("8 6 12", "8 6").replace(".0", "");
-        QTest::newRow("a comment instead of edges") << offBox().replace("8 6 12", "8 6 # edges");
-        QTest::newRow("edges in a line of their own") << offBox().replace("8 6 12", "8 6\n12");
-        QTest::newRow("each count in a line of its own") << offBox().replace("8 6 12", "8\n6\n12");
-        QTest::newRow("counts behind the word") << offBox().replace("OFF\n# a comment\n8 6 12", "OFF 8 6 12");
-        QTest::newRow("counts against the word") << offBox().replace("OFF\n# a comment\n8 6 12", "OFF8 6 12");
-        QTest::newRow("a number a line") << "OFF\n8 6 12\n"
-                                                + offBox().mid(offBox().indexOf("8 6 12") + 7).replace(' ', '\n');
-        QTest::newRow("a comment within a face") << offBox().replace("4 3 0 4 7", "4 3 # and\n\n0 4 7");
-        QTest::newRow("no word") << offBox().replace("OFF\n# a comment\n", "");
-        QTest::newRow("three dimensions") << offBox("nOFF").replace("8 6 12", "3\n8 6 12");
-        QTest::newRow("comments behind vertices") << offBox("OFF", " # a vertex");
-        QTest::newRow("zeros behind") << offBox() + QByteArray(7, '\0');
+        QTest::addColumn<QByteArray>("notes");
         QByteArray little = "OFF BINARY\n";
         const QByteArray big = offBinary().mid(little.size());
         for (qsizetype i = 0; i < big.size(); ++i)
             little += big[i / 4 * 4 + 3 - i % 4];
-        QTest::newRow("binary, little-endian") << little;
+        QTest::newRow("little-endian") << little << QByteArray();
         QByteArray bare = "OFF BINARY\n" + big.left(12 + 8 * 12);
         for (qsizetype face = 0; face < 6; ++face)
             bare += big.mid(12 + 8 * 12 + face * 24, 20);
-        QTest::newRow("binary, no numbers of colours") << bare;
+        QTest::newRow("no numbers of colours") << bare << QByteArray();
+        QTest::newRow("zeros behind") << offBinary() + QByteArray(4, '\0') << QByteArray();
+        QTest::newRow("more behind") << offBinary() + "more"
+                                     << QByteArray("4 bytes behind all that the file declares are not used");
     }
 
-    void readsTheBoxHoweverItIsWritten()
+    void readsBinaryBoxes()
     {
         QFETCH(QByteArray, content);
+        QFETCH(QByteArray, notes);
         const auto box = m_folder.imported("box.off", content);
-        VERIFY_BOX_WITH_NOTES(box, QByteArray());
+        VERIFY_BOX_WITH_NOTES(box, notes);
     }
 
     void readsColorsThatAreNotDeclared()
@@ -93,72 +92,6 @@ private slots:
         REQUIRE_MODEL(result);
         QCOMPARE((*result)->fileVertices, std::size_t{4});
         QCOMPARE((*result)->meshes.front().positions.size(), std::size_t{6}); // each corner has its face's colour
-    }
-
-    void saysWhatIsLeftOut_data()
-    {
-        QTest::addColumn<QByteArray>("content");
-        QTest::addColumn<QByteArray>("notes");
-        QTest::newRow("nothing") << offBox() + "\n# the end\n\n" << QByteArray();
-        QTest::newRow("a face of two corners") << offBox().replace("8 6 12", "8 7 12") + "2 0 1\n"
-                                               << QByteArray("1 line or point is not shown");
-        QTest::newRow("a number behind a vertex")
-            << offBox().replace("\n2 1 2\n", "\n2 1 2 7\n")
-            << QByteArray("1 vertex has words behind the coordinates that are not used");
-        QTest::newRow("normals that are not declared")
-            << offBox("OFF", " 0 0 -1") << QByteArray("8 vertices have words behind the coordinates that are not used");
-        QTest::newRow("binary, zeros behind") << offBinary() + QByteArray(4, '\0') << QByteArray();
-        QTest::newRow("binary, more behind")
-            << offBinary() + "more" << QByteArray("4 bytes behind all that the file declares are not used");
-    }
-
-    void saysWhatIsLeftOut()
-    {
-        QFETCH(QByteArray, content);
-        QFETCH(QByteArray, notes);
-        const auto result = m_folder.imported("more.off", content);
-        VERIFY_BOX_WITH_NOTES(result, notes);
-    }
-
-    void saysWhyAFileCannotBeOpened_data()
-    {
-        QTest::addColumn<QByteArray>("content");
-        QTest::addColumn<ImportErrorCode>("code");
-        QTest::addColumn<QString>("detail");
-        using enum ImportErrorCode;
-        QTest::newRow("index too large") << offBox().replace("4 3 0 4 7", "4 3 0 4 8") << Malformed
-                                         << "face 5 refers to vertex 8";
-        QTest::newRow("binary that is text") << offBox().replace("OFF\n", "OFF BINARY\n") << Malformed
-                                             << "the first line says BINARY and text follows; remove the word BINARY";
-        QTest::newRow("binary of nothing") << QByteArray("OFF BINARY\n") << Malformed << "the file ends";
-        QTest::newRow("truncated") << offBox().chopped(4) << Malformed << "face 5 declares 4 corners";
-        QTest::newRow("more faces than declared") << offBox().replace("8 6 12", "8 5 12") << Malformed
-                                                  << "line 17: \"4\" follows all that the header declares; correct";
-        QTest::newRow("a vertex of two numbers") << offBox().replace("\n2 1 2\n", "\n2 1\n") << Malformed
-                                                 << "line 10: the line ends where a vertex is expected";
-        QTest::newRow("a face without a corner") << offBox().replace("4 3 0 4 7", "4 3 0 4") << Malformed
-                                                 << "line 17: the line ends where a face is expected";
-        QTest::newRow("a vertex too few")
-            << offBox().replace("8 6 12", "7 6 12") << Malformed << "face 0 declares -1 corners";
-        QTest::newRow("a vertex too many")
-            << offBox().replace("8 6 12", "9 6 12") << Malformed << "the file ends where";
-        QTest::newRow("two counts and a word") << offBox().replace("8 6 12", "8 6 twelve") << Malformed
-                                               << "line 3: \"twelve\" found where a number of edges is expected";
-        QTest::newRow("four dimensions") << offBox("nOFF").replace("8 6 12", "4\n8 6 12") << Unsupported
-                                         << "points of 4 dimensions";
-        QTest::newRow("no vertices, no faces") << QByteArray("OFF 0 0 0\n") << NoTriangles << "";
-        QTest::newRow("infinity") << offBox().replace("\n2 1 2\n", "\n2 inf 2\n") << NotFinite << "6";
-        QTest::newRow("too large for a float") << offBox().replace("\n2 1 2\n", "\n2 1e300 2\n") << NotFinite << "6";
-        QTest::newRow("garbage") << QByteArray("garbage") << Malformed << "OFF";
-    }
-
-    void saysWhyAFileCannotBeOpened()
-    {
-        QFETCH(QByteArray, content);
-        QFETCH(ImportErrorCode, code);
-        QFETCH(QString, detail);
-        const auto result = m_folder.imported("bad.off", content);
-        VERIFY_REFUSED(result, code, detail);
     }
 
 private:

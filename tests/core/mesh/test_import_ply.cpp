@@ -4,8 +4,6 @@
 
 #include "tests/core/mesh/imported.h"
 
-#include <QRegularExpression>
-
 #include <utility>
 
 using namespace unprojector;
@@ -56,6 +54,14 @@ class TestImportPly : public QObject {
     Q_OBJECT
 
 private slots:
+    void textsAreReadOrRefused_data() { data_files::addCases("ply"); }
+
+    void textsAreReadOrRefused()
+    {
+        QFETCH(data_files::Case, example);
+        verifyCase(m_folder.imported("text.ply", QByteArray::fromStdString(example.text)), example);
+    }
+
     void keepsTheMillimetresOfASurvey_data()
     {
         QTest::addColumn<QByteArray>("content");
@@ -224,117 +230,14 @@ private slots:
         QVERIFY(result.value()->meshes.front().normals.empty());
     }
 
-    void saysWhatIsLeftOut_data()
+    void saysWhatIsBehindABinaryFile()
     {
-        QTest::addColumn<QByteArray>("content");
-        QTest::addColumn<QByteArray>("notes");
-        const QByteArray edges =
-            plyText().replace("end_header\n",
-                              "element edge 2\nproperty int vertex1\nproperty int vertex2\nend_header\n")
-            + "0 1\n2 3\n";
-        QTest::newRow("nothing") << plyText() << QByteArray();
-        QTest::newRow("blank lines") << plyText().replace("\n4 0 3", "\n\n4 0 3") + "\n \n" << QByteArray();
-        QTest::newRow("comments among the data") << plyText()
-                                                        .replace("\n4 0 3", "\ncomment the faces\n# more\n4 0 3")
-                                                        .replace("\n2 1 2\n", "\ncomment\n2 1 2\n")
-                                                 << QByteArray();
-        QTest::newRow("zeros behind") << plyText() + QByteArray(5, '\0') << QByteArray();
-        QTest::newRow("elements that are not read") << QByteArray(edges).replace("element edge 2", "element polygon 2")
-                                                    << QByteArray("2 elements \"polygon\" of the file are not read");
-        QTest::newRow("whole numbers as decimals") << plyText().replace("4 3 0 4 7", "4 3.0 0 4e0 7") << QByteArray();
-        QTest::newRow("numbers beyond types that are not read") << plyText(
-            {}, "property uchar quality\nproperty int flags\nproperty list uchar uchar more\n", " 300 4294967295 1 -7")
-                                                                << QByteArray();
-        QTest::newRow("numbers of faces beyond types that are not read")
-            << QString(plyText().replace("end_header\n", "property uchar quality\nproperty int flags\nend_header\n"))
-                   .replace(QRegularExpression("\n(4 . . . .)(?=\n)"), "\n\\1 300 4294967295")
-                   .toUtf8()
-            << QByteArray();
-        QTest::newRow("edges") << edges << QByteArray("2 lines and points are not shown");
-        QTest::newRow("binary, zeros behind") << plyLittle() + QByteArray(5, '\0') << QByteArray();
-        QTest::newRow("binary, more behind")
-            << plyLittle() + "more" << QByteArray("4 bytes behind all that the file declares are not used");
-        QTest::newRow("no picture")
-            << plyText(QByteArray("comment TextureFile nowhere.png\n"), "property float s\nproperty float t\n",
-                       " 0.25 0.9")
-            << QByteArray("the image \"nowhere.png\" is missing or cannot be read: its surfaces are shown without it");
-    }
-
-    void saysWhatIsLeftOut()
-    {
-        QFETCH(QByteArray, content);
-        QFETCH(QByteArray, notes);
-        const auto result = m_folder.imported("more.ply", content);
-        VERIFY_BOX_WITH_NOTES(result, notes);
-    }
-
-    void saysWhyAFileCannotBeOpened_data()
-    {
-        QTest::addColumn<QByteArray>("content");
-        QTest::addColumn<ImportErrorCode>("code");
-        QTest::addColumn<QString>("detail");
-        using enum ImportErrorCode;
-        QTest::newRow("text, truncated") << plyText().chopped(5) << Malformed << "ends within face 5 of 6";
-        QTest::newRow("binary, truncated") << plyLittle().chopped(1) << Malformed << "ends within face 5 of 6";
-        QTest::newRow("four billion") << plyText().replace("vertex 8", "vertex 4294967295") << Malformed
-                                      << "4294967295";
-        QTest::newRow("no vertices")
-            << plyText().left(0)
-                   + "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
-                     "property float z\nend_header\n"
-            << NoTriangles << "";
-        QTest::newRow("index too large") << plyText().replace("4 3 0 4 7", "4 3 0 4 8") << Malformed
-                                         << "face 5 refers to vertex 8";
-        QTest::newRow("NaN") << plyText().replace("\n2 1 2\n", "\n2 nan 2\n") << NotFinite << "6";
-        QTest::newRow("too large for a float") << plyText().replace("\n2 1 2\n", "\n2 1e200 2\n") << NotFinite << "6";
-        QTest::newRow("a property twice") << plyText().replace("property float y", "property float x") << Malformed
-                                          << "the property \"x\" is twice in its element";
-        QTest::newRow("a word") << plyText().replace("\n2 1 2\n", "\n2 oops 2\n") << Malformed << "line 16: \"oops\"";
-        QTest::newRow("a number too many") << plyText().replace("\n2 1 2\n", "\n2 1 2 7\n") << Malformed
-                                           << "line 16: \"7\" follows all that the header declares for vertex 6";
-        QTest::newRow("a number too few") << plyText().replace("\n2 1 2\n", "\n2 1\n") << Malformed
-                                          << "line 16: the line ends before all that the header declares for vertex 6";
-        QTest::newRow("half a vertex")
-            << plyText().replace("4 3 0 4 7", "4 3 0 4 6.9999") << Malformed
-            << "line 23: \"6.9999\" is not a whole number from -2147483648 to 2147483647, which "
-               "the header declares for face 5";
-        QTest::newRow("half a vertex, declared as float")
-            << plyText().replace("uchar int vertex", "uchar float vertex").replace("4 3 0 4 7", "4 3 0 4 6.9999")
-            << Malformed << "face 5 refers to vertex 6.9999, which is not a whole number";
-        QTest::newRow("more corners than its type has")
-            << plyText().replace("4 3 0 4 7", "300 3 0 4 7") << Malformed
-            << "line 23: \"300\" is not a whole number from 0 to 255, which the header declares for face 5";
-        QTest::newRow("a colour beyond its type")
-            << plyText({}, "property uchar red\nproperty uchar green\nproperty uchar blue\n", " 300 0 0") << Malformed
-            << "line 13: \"300\" is not a whole number from 0 to 255, which the header declares for vertex 0";
-        QTest::newRow("an unread list longer than its type has")
-            << plyText({}, "property list uchar uchar more\n", " 300 0 0") << Malformed
-            << "\"300\" is not a whole number";
-        QTest::newRow("a negative length")
-            << plyText().replace("4 3 0 4 7", "-1 3 0 4 7") << Malformed << "line 23: \"-1\"";
-        QTest::newRow("an element twice")
-            << plyText().replace("element face", "element vertex 1\nproperty int a\nelement face") << Malformed
-            << "line 7: the element \"vertex\" is there twice";
-        QTest::newRow("a minus that is none") << plyText().replace("\n2 1 2\n", "\n\xe2\x88\x92"
-                                                                                "2 1 2\n")
-                                              << Malformed
-                                              << QString::fromUtf8("line 16: \"\xe2\x88\x92"
-                                                                   "2\" is not a number");
-        QTest::newRow("a corner too many")
-            << plyText().replace("4 3 0 4 7", "4 3 0 4 7 1") << Malformed << "line 23: \"1\"";
-        QTest::newRow("a line too many") << plyText() + "3 0 1 2\n"
-                                         << Malformed
-                                         << "line 24: \"3\" follows all elements that the header declares; correct";
-        QTest::newRow("no end of the header") << QByteArray("ply\nformat ascii 1.0\n") << Malformed << "end_header";
-    }
-
-    void saysWhyAFileCannotBeOpened()
-    {
-        QFETCH(QByteArray, content);
-        QFETCH(ImportErrorCode, code);
-        QFETCH(QString, detail);
-        const auto result = m_folder.imported("bad.ply", content);
-        VERIFY_REFUSED(result, code, detail);
+        const auto zeros = m_folder.imported("more.ply", plyLittle() + QByteArray(5, '\0'));
+        VERIFY_BOX_WITH_NOTES(zeros, QByteArray());
+        const auto more = m_folder.imported("more.ply", plyLittle() + "more");
+        VERIFY_BOX_WITH_NOTES(more, QByteArray("4 bytes behind all that the file declares are not used"));
+        const auto less = m_folder.imported("less.ply", plyLittle().chopped(1));
+        VERIFY_REFUSED(less, ImportErrorCode::Malformed, QString("ends within face 5 of 6"));
     }
 
 private:

@@ -357,36 +357,6 @@ private slots:
             QVERIFY(normal == glm::vec3(0, 0, 1));
     }
 
-    void saysWhatCannotBeSeen_data()
-    {
-        QTest::addColumn<QByteArray>("vertices");
-        QTest::addColumn<QByteArray>("notes");
-        const auto row = [](const char *name, const QByteArray &vertices, const char *notes) {
-            QTest::newRow(name) << vertices << QByteArray(notes);
-        };
-        row("a triangle as others", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "");
-        row("as large as singles can be", "v 0 0 0\nv 3e38 0 0\nv 0 3e38 0\n", "");
-        row("thin but not flat", "v 0 0 0\nv 1 1e-7 0\nv 2 1e-7 0\n", "");
-        row("one that is 0 in single precision", "v 0 0 0\nv 1e-300 0 0\nv 0 1e-300 0\n",
-            "not drawn: 1 triangle whose corners");
-        row("all corners equal", "v 1 2 3\nv 1 2 3\nv 1 2 3\n", "not drawn: 1 triangle whose corners");
-        row("corners on one line", "v 0 0 0\nv 1 2 3\nv 2 4 6\n", "not drawn: 1 triangle whose corners");
-        row("a hair's breadth that singles do not have", "v 1 0 0\nv 1.00000000001 0 0\nv 1 5 0\n",
-            "not drawn: 1 triangle whose corners");
-        row("smaller than is drawn", "v 0 0 0\nv 7.52316384526264e-37 0 0\nv 0 1e-37 0\n",
-            "cannot be drawn: graphics cards round 7.52316384526264e-37");
-    }
-
-    void saysWhatCannotBeSeen()
-    {
-        QFETCH(QByteArray, vertices);
-        QFETCH(QByteArray, notes);
-        const auto result = imported("seen.obj", vertices + "f 1 2 3\n");
-        REQUIRE_MODEL(result);
-        const QByteArray text = notesOf(**result);
-        QVERIFY2(notes.isEmpty() ? text.isEmpty() : text.startsWith(notes), text.constData());
-    }
-
     void keepsHardEdgesAndSmoothsRoundOnes()
     {
         // A gable roof over the y axis, its edge turning by the given angle.

@@ -458,7 +458,6 @@ private slots:
     {
         QFETCH(double, offset);
         QFETCH(double, thickness);
-        using Number = oracle::Extended;
         using Place = std::array<Number, 3>;
         const auto minus = [](const Place &a, const Place &b) { return Place{a[0] - b[0], a[1] - b[1], a[2] - b[2]}; };
         const auto dot = [](const Place &a, const Place &b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };

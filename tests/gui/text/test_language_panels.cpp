@@ -142,5 +142,5 @@ private slots:
     }
 };
 
-UNPROJECTOR_TEST(TestLanguagePanels, display, fonts)
+UNPROJECTOR_TEST(TestLanguagePanels, layout, display, fonts)
 #include "test_language_panels.moc"

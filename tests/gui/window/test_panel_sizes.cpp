@@ -361,5 +361,5 @@ private:
     const QFont m_font = QApplication::font();
 };
 
-UNPROJECTOR_TEST(TestPanelSizes, fonts)
+UNPROJECTOR_TEST(TestPanelSizes, layout, fonts)
 #include "test_panel_sizes.moc"

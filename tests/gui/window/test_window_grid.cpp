@@ -181,5 +181,5 @@ private slots:
     }
 };
 
-UNPROJECTOR_TEST(TestWindowGrid, display, at 1.25, at 1.5, at 2, fonts)
+UNPROJECTOR_TEST(TestWindowGrid, layout, display, at 1.25, at 1.5, at 2, fonts)
 #include "test_window_grid.moc"
