@@ -82,39 +82,6 @@ private slots:
         }
     }
 
-    void theGridIsAskedFor()
-    {
-        const QString scene = m_folder.write("scene.json", kFrustumScene);
-        const Run run = runCommand({"compare", "--json", "--pixels", "3", "--depths", "2", scene});
-        QCOMPARE(QJsonDocument::fromJson(run.output).object()["points"].toInt(), 18);
-    }
-
-    void aMatrixOfNoKnownFormHasOneAnswer()
-    {
-        const QByteArray matrix(R"({"type": "matrix", "matrix": [1,0.5,0,0, 0.25,1,0,0, 0,0,-1.02,-1, 0,0,-2.02,0]})");
-        const Run run = runCommand({"compare", "--json", m_folder.write("scene.json", sceneWith(matrix))});
-        QCOMPARE(run.exitCode, 0);
-        const QHash<QString, QJsonObject> found = ways(run.output);
-        QVERIFY(found["formula double"]["ulps"].isNull());
-        QCOMPARE(found["formula double"]["withoutAnswer"].toInt(),
-                 QJsonDocument::fromJson(run.output).object()["points"].toInt());
-        QVERIFY(largestUlps(found["matrix double"]) < 1e3);
-    }
-
-    void numbersBeyondFloatAreNoAnswer()
-    {
-        const QByteArray scene = R"({"unprojector": 1, "window": {"width": 8, "height": 6},
-        "projection": {"type": "ortho", "left": -1e60, "right": 1e60, "bottom": -1e60, "top": 1e60, "near": 1, "far": 9},
-        "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]}})";
-        const Run run = runCommand({"compare", "--json", "--pixels", "4", m_folder.write("scene.json", scene)});
-        QCOMPARE(run.exitCode, 0);
-        const QHash<QString, QJsonObject> found = ways(run.output);
-        QCOMPARE(found.size(), 4); // JSON has no infinity: it would be none
-        QCOMPARE(found["formula float"]["withoutAnswer"].toInt(), 16 * 17);
-        QVERIFY(found["formula float"]["ulps"].isNull());
-        QVERIFY(largestUlps(found["formula double"]) < 10.0);
-    }
-
     void thePercentileIsThatOfAllNumbers_data()
     {
         QTest::addColumn<int>("count");
@@ -144,21 +111,6 @@ private slots:
         QCOMPARE(distribution.largest(), all.back());
         QCOMPARE(distribution.mean(), sum / count);
         QCOMPARE(distribution.percentile(), all[std::min(std::size_t(0.999 * count), all.size() - 1)]);
-    }
-
-    void theTableIsForPeople()
-    {
-        const Run run = runCommand({"compare", m_folder.write("scene.json", kFrustumScene)});
-        QCOMPARE(run.exitCode, 0);
-        QVERIFY(run.output.contains("formula") && run.output.contains("99.99 %")
-                && run.output.contains("17408 points"));
-    }
-
-    void unusableInput()
-    {
-        const QString scene = m_folder.write("scene.json", kFrustumScene);
-        QCOMPARE(runCommand({"compare", m_folder.path("missing")}).exitCode, 2);
-        QCOMPARE(runCommand({"compare", "--pixels", "0", scene}).exitCode, 2);
     }
 
 private:

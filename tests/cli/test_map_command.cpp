@@ -85,41 +85,6 @@ private slots:
         QCOMPARE(file.size(), qint64(16 + 4 * 800 * 600));
     }
 
-    void aDepthInsteadOfObjects()
-    {
-        const QString empty = m_folder.write(
-            "empty.json", QByteArray(kFrustumScene)
-                              .replace(kFrustumScene.mid(kFrustumScene.indexOf("\"objects\"")), "\"objects\": []\n}"));
-        const Run refused = runCommand({"map", empty, "--what", "formula-matrix", "-o", m_map});
-        QCOMPARE(refused.exitCode, 2);
-        QVERIFY2(refused.errors.contains("--depth gives a depth to every pixel, from 0 on the near plane to 1"),
-                 refused.errors);
-        const Run run = runCommand({"map", "--json", empty, "--what", "displacement", "--convention", "pixel-corner",
-                                    "--depth", "0.6666666666666666", "-o", m_map});
-        VERIFY_SUCCEEDED(run);
-        const QJsonObject said = QJsonDocument::fromJson(run.output).object();
-        QCOMPARE(said["count"].toInt(), 480000);
-        QCOMPARE(said["convention"].toString(), QString("pixel-corner"));
-        QVERIFY(std::abs(said["max"].toDouble() - std::sqrt(0.5) / 200) < 1e-6);
-    }
-
-    void theDepthBufferCounts()
-    {
-        // Not at the depth 2/3, which whole steps hit.
-        const QString scene =
-            m_folder.write("nearer.json", QByteArray(kFrustumScene).replace("[0, 0, 3]", "[0, 0, 2.9]"));
-        const auto greatest = [this, &scene](const QString &buffer) {
-            const Run run =
-                runCommand({"map", "--json", scene, "--what", "formula-ray", "--depth-buffer", buffer, "-o", m_map});
-            return QJsonDocument::fromJson(run.output).object()["max"].toDouble();
-        };
-        // Half a step at most, at a slant: z^2 (f - n) / (f n) / 65535 with z = 2.1.
-        const double step = 2.1 * 2.1 * 0.75 / 65535;
-        QVERIFY(greatest("16") < 0.5 * step * std::sqrt(1.0 + 1.0 + 0.5625));
-        QVERIFY(greatest("24") < 0.5 * step / 250);
-        QVERIFY(greatest("16") > 50.0 * greatest("24"));
-    }
-
     void aLargePictureTakesLittleMemory_data()
     {
         QTest::addColumn<QStringList>("what");
@@ -155,49 +120,6 @@ private slots:
         constexpr qint64 kMapKiB = 4 * kPixels * kPixels / 1024, kOtherKiB = 48 * 1024;
         QVERIFY2(peak < kMapKiB + kOtherKiB, QByteArray::number(peak) + " KiB");
         qInfo("%lld KiB at most", static_cast<long long>(peak));
-    }
-
-    void unusable_data()
-    {
-        QTest::addColumn<QStringList>("arguments");
-        QTest::addColumn<QByteArray>("error");
-        const QStringList displacement{m_scene, "--what", "displacement"};
-        QTest::newRow("no convention") << displacement + QStringList{"-o", m_map}
-                                       << QByteArray("--convention (with --what displacement)");
-        QTest::newRow("unknown") << displacement + QStringList{"--convention", "blender", "-o", m_map}
-                                 << QByteArray("\"blender\" is not one of paper, screen2world, meshlab");
-        QTest::newRow("convention of nothing")
-            << QStringList{m_scene, "--what", "formula-ray", "--convention", "paper", "-o", m_map}
-            << QByteArray("--convention paper: is for --what displacement, not for --what formula-ray");
-        QTest::newRow("picture") << QStringList{m_scene, "--what", "formula-ray", "-o", m_folder.path("map.PNG")}
-                                 << QByteArray("give a name that ends in .pfm");
-        QTest::newRow("both to stdout") << QStringList{m_scene, "--what", "formula-ray", "--json", "-o", "-"}
-                                        << QByteArray("cannot both go to standard output");
-        QTest::newRow("over the scene") << QStringList{m_scene, "--what", "formula-ray", "-o", m_scene}
-                                        << QByteArray("scene.json");
-        QTest::newRow("over a model") << QStringList{m_scene, "--what", "formula-ray", "-o", m_model}
-                                      << QByteArray("face.obj");
-        QTest::newRow("depth of a ray") << QStringList{m_scene, "--what", "formula-ray", "--depth", "0.5", "-o", m_map}
-                                        << QByteArray("formula-ray needs surfaces");
-        QTest::newRow("depth outside") << QStringList{m_scene, "--what", "formula-matrix", "--depth", "1.5",
-                                                      "-o",    m_map}
-                                       << QByteArray("--depth 1.5: ");
-        QTest::newRow("too large") << QStringList{m_scene, "--what", "formula-matrix", "--size", "16384x16384",
-                                                  "-o",    m_map}
-                                   << QByteArray("16384x16384 is too large for a map");
-        QTest::newRow("no folder") << QStringList{m_scene, "--what", "formula-matrix", "-o",
-                                                  m_folder.path("none/map.pfm")}
-                                   << QByteArray("none/map.pfm");
-    }
-
-    void unusable()
-    {
-        QFETCH(QStringList, arguments);
-        QFETCH(QByteArray, error);
-        const Run run = runCommand(QStringList{"map"} + arguments);
-        QCOMPARE(run.exitCode, 2);
-        QVERIFY2(run.errors.contains(error), run.errors);
-        QVERIFY(run.output.isEmpty());
     }
 
 private:

@@ -27,15 +27,6 @@ QList<double> numbers(const QJsonValue &array)
     return values;
 }
 
-bool isNear(const QList<double> &a, const QList<double> &b)
-{
-    for (int k = 0; k < b.size(); ++k) {
-        if (a.size() != b.size() || !(std::abs(a[k] - b[k]) < 1e-12))
-            return false;
-    }
-    return true;
-}
-
 } // namespace
 
 class TestPickCommand : public QObject {
@@ -44,112 +35,8 @@ class TestPickCommand : public QObject {
 private slots:
     void initTestCase()
     {
-        m_model = m_folder.write("face.obj", kFace);
+        m_folder.write("face.obj", kFace);
         m_scene = m_folder.write("scene.json", kFrustumScene);
-    }
-
-    void aHitInJson()
-    {
-        const QJsonObject hit = pick({m_scene, "--at", "500,150"});
-        QCOMPARE(hit.keys(), QStringList({"barycentric", "distance", "edge", "hit", "normal", "object", "objectPoint",
-                                          "pixel", "triangle", "uncertainty", "vertex", "world"}));
-        QCOMPARE(numbers(hit["pixel"]), QList<double>({500, 150}));
-        QVERIFY(hit["hit"].toBool());
-        QCOMPARE(hit["object"].toString(), QString("face"));
-        QCOMPARE(hit["triangle"].toInt(), 1);
-        // 100 pixels right of the middle and 150 above it, 200 pixels a unit.
-        QVERIFY(isNear(numbers(hit["world"]), {0.5, 0.75, 3.0}));
-        QVERIFY(isNear(numbers(hit["objectPoint"]), {0.25, 0.375, 0.0}));
-        QVERIFY(isNear(numbers(hit["barycentric"]), {0.3125, 0.625, 0.0625}));
-        QVERIFY(isNear(numbers(hit["normal"]), {0, 0, 1}));
-        QVERIFY(std::abs(hit["distance"].toDouble() - std::sqrt(0.25 + 0.5625 + 4.0)) < 1e-14);
-        QCOMPARE(hit["vertex"]["id"].toInt(), 2);
-        QCOMPARE(numbers(hit["vertex"]["world"]), QList<double>({2, 2, 3}));
-        QCOMPARE(numbers(hit["edge"]["ids"]), QList<double>({0, 2}));
-        QVERIFY(isNear(numbers(hit["edge"]["world"]), {0.625, 0.625, 3.0}));
-        for (const double uncertainty : numbers(hit["uncertainty"]))
-            QVERIFY(uncertainty > 0.0 && uncertainty < 1e-6);
-    }
-
-    void positionsAnswerInTheirOrder()
-    {
-        const Run run = runCommand({"pick", "--json", m_scene, "--at", "400,300", "--at", "799.5,599.5", "--at=-1,2"});
-        QCOMPARE(run.exitCode, 1);
-        QCOMPARE(run.lines().size(), 3);
-        QVERIFY(run.lines()[0].startsWith("{\"pixel\": [400, 300], \"hit\": true, \"object\": \"face\""));
-        QVERIFY(run.lines()[1].startsWith("{\"pixel\": [799.5, 599.5], \"hit\": true"));
-        QCOMPARE(run.lines()[2], QByteArray("{\"pixel\": [-1, 2], \"hit\": false}"));
-        QVERIFY(run.errors.contains("--at -1,2: lies outside the viewport of the view of 800x600"));
-    }
-
-    void pixelsOutsideThePictureAreCounted()
-    {
-        const Run run = runCommand({"pick", m_scene, "-"}, "px,py\n400,300\n900,1\n-1,2\n");
-        QCOMPARE(run.exitCode, 1);
-        QCOMPARE(run.lines().size(), 4);
-        QVERIFY2(run.errors.contains("2 pixels lie outside the viewport of the view of 800x600"), run.errors);
-        const Run inside = runCommand({"pick", m_scene, "-"}, "px,py\n400,300\n");
-        QVERIFY(inside.errors.isEmpty() && inside.exitCode == 0);
-    }
-
-    void aModelIsSeenAsTheWindowStarts()
-    {
-        // The centre of the framed objects is in the middle of the view at any size.
-        for (const QStringList &size :
-             {QStringList{"--at", "400,300"}, QStringList{"--size", "300x500", "--at", "150,250"}}) {
-            const QJsonObject hit = pick(QStringList{m_model} + size);
-            QVERIFY(hit["hit"].toBool());
-            QCOMPARE(hit["object"].toString(), QString("face.obj"));
-            const QList<double> world = numbers(hit["world"]);
-            QVERIFY(std::abs(world[0]) < 0.2 && std::abs(world[1]) < 0.2);
-            QVERIFY(std::abs(world[2]) < 1e-15);
-        }
-        QVERIFY(!pick({m_model, "--at", "5,5"})["hit"].toBool());
-    }
-
-    void aSceneHasItsOwnPictureOrTheSizeGiven()
-    {
-        // Half the size keeps the projection: half the pixels.
-        QVERIFY(isNear(numbers(pick({m_scene, "--size", "400x300", "--at", "250,75"})["world"]), {0.5, 0.75, 3.0}));
-        QVERIFY(!pick({m_scene, "--size", "400x300", "--at", "500,150"})["hit"].toBool());
-    }
-
-    void whatIsInReachIsTaken_data()
-    {
-        QTest::addColumn<QString>("snap");
-        QTest::addColumn<QString>("at");
-        QTest::addColumn<QList<double>>("world"); // empty: nothing
-        // The face from (-1, -1, 3) to (1, 1, 3), 200 pixels a unit: its upper right corner is at (600,
-        // 100).
-        QTest::newRow("surface") << "surface"
-                                 << "603,97" << QList<double>();
-        QTest::newRow("vertex") << "vertex"
-                                << "603,97" << QList<double>{1, 1, 3};
-        QTest::newRow("vertex, too far") << "vertex"
-                                         << "609,97" << QList<double>();
-        QTest::newRow("edge") << "edge"
-                              << "603,250" << QList<double>{1, 0.25, 3};
-        QTest::newRow("face") << "face"
-                              << "599,150" << QList<double>{0.995, 0.75, 3};
-    }
-
-    void whatIsInReachIsTaken()
-    {
-        QFETCH(QString, snap);
-        QFETCH(QString, at);
-        QFETCH(QList<double>, world);
-        const QString scene = m_folder.write("small.json", QByteArray(kFrustumScene).replace("[2, 2, 2]", "[1, 1, 1]"));
-        const QJsonObject one = pick({"--snap", snap, scene, "--at", at});
-        const Run rows =
-            runCommand({"pick", "--format", "jsonl", "--snap", snap, scene}, "px,py\n" + at.toLatin1() + '\n');
-        VERIFY_SUCCEEDED(rows);
-        const QJsonObject row = QJsonDocument::fromJson(rows.lines()[0]).object();
-        QCOMPARE(one["hit"].toBool(), !world.isEmpty());
-        QCOMPARE(row["x"].isDouble(), !world.isEmpty());
-        if (world.isEmpty())
-            return;
-        QVERIFY(isNear(numbers(one["world"]), world));
-        QVERIFY(isNear({row["x"].toDouble(), row["y"].toDouble(), row["z"].toDouble()}, world));
     }
 
     void aVertexHasTheDigitsOfTheFile_data()
@@ -205,18 +92,6 @@ private slots:
             QVERIFY2(words.output.contains(number), words.output.constData());
     }
 
-    void rowsGoThrough()
-    {
-        const Run run = runCommand({"pick", m_scene, "-"}, "name,px,py,x\n\"a, b\",500,150,7\nmiss,-1,0,8\n");
-        QCOMPARE(run.exitCode, 1);
-        QCOMPARE(run.lines().size(), 3);
-        QCOMPARE(run.lines()[0], ("name,px,py," + kColumns.join(',')).toUtf8());
-        QVERIFY(
-            run.lines()[1].startsWith("\"a, b\",500,150,0.5,0.75,3,face,1,0.3125,0.625,0.0625,0.25,0.375,0,0,0,1,"));
-        QCOMPARE(run.lines()[1].count(','), run.lines()[0].count(',') + 1);
-        QCOMPARE(run.lines()[2], QByteArray("miss,-1,0" + QByteArray(kColumns.size(), ',')));
-    }
-
     void edgesInPixelsAreTold()
     {
         // A row of pixels over a cube: the ray hits it between two outlines.
@@ -249,18 +124,6 @@ private slots:
         QVERIFY(!pick({"--size", "200x150", cube, "--at", "100.5,75.5"}).contains("pixelEdge"));
     }
 
-    void jsonLines()
-    {
-        const Run run = runCommand({"pick", "--format", "jsonl", m_scene}, "px,py\n500,150\n-1,0\n");
-        QCOMPARE(run.exitCode, 1);
-        const QJsonObject hit = QJsonDocument::fromJson(run.lines()[0]).object();
-        QCOMPARE(hit["object"].toString(), QString("face"));
-        QVERIFY(std::abs(hit["y"].toDouble() - 0.75) < 1e-14);
-        const QJsonObject miss = QJsonDocument::fromJson(run.lines()[1]).object();
-        QVERIFY(miss["object"].isNull() && miss["x"].isNull());
-        QCOMPARE(miss["px"].toDouble(), -1.0);
-    }
-
     void manyRowsKeepTheirOrder()
     {
         QByteArray input = "px,py,number\n";
@@ -272,27 +135,6 @@ private slots:
         QCOMPARE(one.lines().size(), 60001);
         QVERIFY(one.lines()[60000].contains(",59999,"));
         QVERIFY(one.output == four.output);
-    }
-
-    void badRowsAreNamed()
-    {
-        const Run run = runCommand({"pick", m_scene}, "py,px\n150,500\n1,foo\n2\n150,500\n");
-        QCOMPARE(run.exitCode, 1);
-        QVERIFY2(run.errors.contains("stdin:3:3: px: \"foo\" is not a number"), run.errors.constData());
-        QVERIFY2(run.errors.contains("stdin:4") && run.errors.contains("px is missing"), run.errors.constData());
-        QCOMPARE(run.lines().size(), 5);
-        QVERIFY(run.lines()[4].startsWith("150,500,0.5,"));
-        QVERIFY(run.lines()[2].startsWith("1,foo,,"));
-    }
-
-    void words()
-    {
-        const Run run = runCommand({"pick", m_scene, "--at", "500,150", "--at", "-1,0"});
-        QCOMPARE(run.exitCode, 1);
-        QVERIFY2(run.output.contains("object       face\n"), run.output.constData());
-        QVERIFY(run.output.contains("no hit"));
-        const Run snapped = runCommand({"pick", m_scene, "--snap", "vertex", "--at", "500,150"});
-        QVERIFY2(snapped.output.contains("no vertex is visible within 8 pixels"), snapped.output.constData());
     }
 
     /// Noise behind the digits that are certain is left to JSON.
@@ -326,13 +168,6 @@ private slots:
             QVERIFY(bounds[axis].toDouble() < 1.3 * uncertainty[axis]);
         }
         QCOMPARE(numbers(exact["vertex"]["world"])[2], 0.009036);
-    }
-
-    void bundledModels()
-    {
-        const QString scene = m_folder.write(
-            "bundled.json", QByteArray(kFrustumScene).replace("\"file\": \"face.obj\"", "\"bundled\": \"Cube\""));
-        QVERIFY(pick({scene, "--at", "400,300"})["hit"].toBool());
     }
 
     /// A user may start no more threads here; the administrator has no such limit.
@@ -369,48 +204,6 @@ private slots:
 #endif
     }
 
-    void unusable_data()
-    {
-        QTest::addColumn<QStringList>("arguments");
-        QTest::addColumn<QByteArray>("reason");
-        const auto row = [](const char *name, const QStringList &arguments, const char *reason) {
-            QTest::newRow(name) << arguments << QByteArray(reason);
-        };
-        row("no scene", {}, "SCENE is required");
-        row("no such scene", {"gone.json", "--at", "1,2"}, "gone.json");
-        row("no such model", {"gone.stl", "--at", "1,2"}, "gone.stl: there is no such file");
-        row("a position that is none", {"SCENE", "--at", "1;2"}, "--at 1;2: give device pixels");
-        row("a position without an end", {"SCENE", "--at", "1,2,3"}, "--at 1,2,3");
-        row("a position that is not finite", {"SCENE", "--at", "1,nan"}, "--at 1,nan");
-        row("a size that is none", {"SCENE", "--at", "1,2", "--size", "800"}, "--size 800: give width and height");
-        row("a size of nothing", {"SCENE", "--at", "1,2", "--size", "0x5"}, "--size 0x5");
-        row("a snap that is none", {"SCENE", "--at", "1,2", "--snap", "corner"}, "\"corner\" is not one of");
-        row("both ways", {"SCENE", "rows.csv", "--at", "1,2"}, "PIXELS rows.csv and --at 1,2 exclude each other");
-        row("rows' format for a position", {"SCENE", "--at", "1,2", "--format", "jsonl"},
-            "--at 1,2 and --format jsonl exclude each other");
-        row("an object farther away than can be computed", {"far.json", "--at", "1,2"},
-            "far.json: face: an object reaches to -1e+300, farther than can be computed");
-        row("an object smaller than can be computed", {"small.json", "--at", "1,2"},
-            "small.json: face: an object measures");
-        row("all from stdin", {"-"}, "cannot both come from standard input");
-    }
-
-    void unusable()
-    {
-        QFETCH(QStringList, arguments);
-        QFETCH(QByteArray, reason);
-        arguments.replaceInStrings("SCENE", m_scene);
-        for (const auto &[name, scale] : {std::pair("far.json", "1e300"), std::pair("small.json", "1e-300")})
-            arguments.replaceInStrings(
-                name, m_folder.write(name, QByteArray(kFrustumScene)
-                                               .replace("[2, 2, 2]", QByteArray("[S, S, S]").replace("S", scale))
-                                               .replace("{\"translate\": [0, 0, 3]}, ", "")));
-        const Run run = runCommand(QStringList{"pick"} + arguments);
-        QCOMPARE(run.exitCode, 2);
-        QCOMPARE(run.output, QByteArray());
-        QVERIFY2(run.errors.contains(reason), run.errors.constData());
-    }
-
 private:
     QJsonObject pick(const QStringList &arguments) const
     {
@@ -421,7 +214,7 @@ private:
     }
 
     Folder m_folder;
-    QString m_scene, m_model;
+    QString m_scene;
 };
 
 UNPROJECTOR_TEST(TestPickCommand, threads)
