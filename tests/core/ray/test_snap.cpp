@@ -229,7 +229,7 @@ private slots:
         setup.lens = lens;
         Aim aim(5);
         std::vector<glm::vec3> corners;
-        for (int i = 0; i < tests::rounds(1500); ++i) {
+        for (int i = 0; i < 1500; ++i) {
             const glm::dvec3 from = 2.0 * aim.share() * aim.direction(), way = 0.4 * aim.share() * aim.direction();
             const double width = i % 20 == 0 ? 0.3 : 0.0002;
             corners.insert(corners.end(), {glm::vec3(from), glm::vec3(from + way),
