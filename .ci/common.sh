@@ -31,5 +31,5 @@ pythonPackages=(python3-dev pybind11-dev python3-numpy)
 # runs the scene's code. For the module: pytest, exact numbers to compare with, a cluster, and
 # figures.
 # shellcheck disable=SC2034 # for the scripts that source this
-testPackages=(fonts-noto-cjk fonts-noto-core fonts-noto-mono fonts-liberation lld pkg-config "${pythonPackages[@]}"
+testPackages=(fonts-noto-cjk lld pkg-config "${pythonPackages[@]}"
     python3-pytest python3-mpmath python3-dask python3-distributed python3-matplotlib)

@@ -1,5 +1,7 @@
 #include "tests/gui/cut_texts.h"
 
+#include "gui/widgets/elided_label.h"
+
 #include <QAbstractButton>
 #include <QAbstractScrollArea>
 #include <QComboBox>
@@ -11,6 +13,7 @@
 #include <QStyleOptionComboBox>
 #include <QStyleOptionFrame>
 #include <QTextDocument>
+#include <QToolButton>
 
 #include <algorithm>
 
@@ -72,13 +75,18 @@ Text textOf(const QAbstractButton &button)
 {
     QSize needed = button.sizeHint();
     const int margin = button.style()->pixelMetric(QStyle::PM_ButtonMargin, nullptr, &button);
-    if (const auto *push = qobject_cast<const QPushButton *>(&button); push && push->icon().isNull())
+    const auto *tool = qobject_cast<const QToolButton *>(&button);
+    const bool isText =
+        qobject_cast<const QPushButton *>(&button) || (tool && tool->arrowType() == Qt::NoArrow && !tool->menu());
+    if (isText && button.icon().isNull())
         needed.setWidth(button.fontMetrics().size(Qt::TextShowMnemonic, button.text()).width() + margin);
     return {button.text(), needed, button.size()};
 }
 
 Text textOf(const QWidget &widget)
 {
+    if (qobject_cast<const ElidedLabel *>(&widget))
+        return {};
     if (const auto *label = qobject_cast<const QLabel *>(&widget))
         return textOf(*label);
     if (const auto *field = qobject_cast<const QLineEdit *>(&widget); field && !field->hasFocus())

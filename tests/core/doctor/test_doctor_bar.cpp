@@ -126,5 +126,5 @@ private slots:
     }
 };
 
-UNPROJECTOR_TEST(TestDoctorBar, rates)
+UNPROJECTOR_TEST(TestDoctorBar, unsanitized)
 #include "test_doctor_bar.moc"

@@ -69,5 +69,5 @@ private slots:
     }
 };
 
-UNPROJECTOR_TEST(TestDoctorValues, rates)
+UNPROJECTOR_TEST(TestDoctorValues, unsanitized)
 #include "test_doctor_values.moc"

@@ -201,5 +201,5 @@ private slots:
     }
 };
 
-UNPROJECTOR_TEST(TestPixelEdge, rates)
+UNPROJECTOR_TEST(TestPixelEdge, unsanitized)
 #include "test_pixel_edge.moc"

@@ -267,5 +267,5 @@ private slots:
     }
 };
 
-UNPROJECTOR_TEST(TestComparisonDigits, fonts)
+UNPROJECTOR_TEST(TestComparisonDigits)
 #include "test_comparison_digits.moc"

@@ -459,5 +459,5 @@ private slots:
     }
 };
 
-UNPROJECTOR_TEST(TestComparisonPanel, fonts)
+UNPROJECTOR_TEST(TestComparisonPanel)
 #include "test_comparison_panel.moc"

@@ -466,5 +466,5 @@ private slots:
     }
 };
 
-UNPROJECTOR_TEST(TestComparisonTexts, fonts)
+UNPROJECTOR_TEST(TestComparisonTexts)
 #include "test_comparison_texts.moc"

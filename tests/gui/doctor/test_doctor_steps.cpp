@@ -3,7 +3,6 @@
 
 #include "tests/support/test.h"
 
-#include "tests/gui/cut_texts.h"
 #include "tests/gui/doctor/doctor_desk.h"
 
 #include "core/doctor/diagnosis.h"
@@ -446,39 +445,6 @@ private slots:
         // They give the same point at every click, so none tells them apart.
         QVERIFY(!buttonOf(*window, QStringLiteral("Click there to tell them apart")));
         QVERIFY(buttonOf(*window, QStringLiteral("Click there to rule out the next best")));
-    }
-
-    void nothingIsCut_data()
-    {
-        QTest::addColumn<double>("points");
-        for (const double points : {9.0, 11.0, 13.0})
-            QTest::addRow("%g pt", points) << points;
-    }
-
-    void nothingIsCut()
-    {
-        QFETCH(double, points);
-        const QFont before = QApplication::font();
-        QFont font = before;
-        font.setPointSizeF(points);
-        QApplication::setFont(font);
-        const auto window = doctorWindow();
-        const auto cut = [&] { return cutTexts(panelOf(*window)); };
-        settle();
-        QVERIFY2(cut().isEmpty(), qPrintable(cut().join('\n')));
-        type(gotOf(*window), pointText(clickedAndWrong(*window)));
-        QTRY_VERIFY_WITH_TIMEOUT(panelOf(*window).code().isVisible(), kPatienceMilliseconds);
-        settle();
-        QVERIFY2(cut().isEmpty(), qPrintable(cut().join('\n')));
-        // Names of mistakes wrap.
-        const auto *table = panelOf(*window).findChild<CandidatesTable *>();
-        const auto needed = [table](int row) {
-            const QRect room(0, 0, table->columnWidth(0) - 4, 10000);
-            return table->fontMetrics().boundingRect(room, Qt::TextWordWrap, table->item(row, 0)->text()).height();
-        };
-        for (int row = 0; row < table->rowCount(); ++row)
-            QVERIFY2(table->rowHeight(row) >= needed(row), qPrintable(table->item(row, 0)->text()));
-        QApplication::setFont(before);
     }
 };
 

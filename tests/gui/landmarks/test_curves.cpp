@@ -591,5 +591,5 @@ private slots:
     }
 };
 
-UNPROJECTOR_TEST(TestCurves, display, fonts)
+UNPROJECTOR_TEST(TestCurves, display)
 #include "test_curves.moc"

@@ -732,5 +732,5 @@ private slots:
     }
 };
 
-UNPROJECTOR_TEST(TestLandmarkView, display, at 1.5, fonts)
+UNPROJECTOR_TEST(TestLandmarkView, display, at 1.5)
 #include "test_landmark_view.moc"

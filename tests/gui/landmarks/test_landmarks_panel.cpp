@@ -1086,5 +1086,5 @@ private:
     LandmarksTable *m_table = nullptr;
 };
 
-UNPROJECTOR_TEST(TestLandmarksPanel, fonts)
+UNPROJECTOR_TEST(TestLandmarksPanel)
 #include "test_landmarks_panel.moc"

@@ -458,5 +458,5 @@ private slots:
 private:
 };
 
-UNPROJECTOR_TEST(TestLandmarksWindow, display, fonts)
+UNPROJECTOR_TEST(TestLandmarksWindow, display)
 #include "test_landmarks_window.moc"

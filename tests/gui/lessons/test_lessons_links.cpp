@@ -279,5 +279,5 @@ private slots:
     }
 };
 
-UNPROJECTOR_TEST(TestLessonsLinks, display, fonts)
+UNPROJECTOR_TEST(TestLessonsLinks, display)
 #include "test_lessons_links.moc"

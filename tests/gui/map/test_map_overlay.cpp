@@ -324,5 +324,5 @@ private slots:
     }
 };
 
-UNPROJECTOR_TEST(TestMapOverlay, display, fonts)
+UNPROJECTOR_TEST(TestMapOverlay, display)
 #include "test_map_overlay.moc"

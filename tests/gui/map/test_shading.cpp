@@ -460,5 +460,5 @@ private slots:
     }
 };
 
-UNPROJECTOR_TEST(TestShading, display, at 1.5)
+UNPROJECTOR_TEST(TestShading, display)
 #include "test_shading.moc"

@@ -284,5 +284,5 @@ private:
     QTreeView *m_list = nullptr;
 };
 
-UNPROJECTOR_TEST(TestObjectsPanel, fonts)
+UNPROJECTOR_TEST(TestObjectsPanel)
 #include "test_objects_panel.moc"

@@ -422,5 +422,5 @@ private:
     QLineEdit *m_other = nullptr;
 };
 
-UNPROJECTOR_TEST(TestNumberField, fonts)
+UNPROJECTOR_TEST(TestNumberField)
 #include "test_number_field.moc"

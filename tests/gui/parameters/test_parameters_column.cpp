@@ -1,5 +1,5 @@
-// The column of groups: folding, by mouse and keyboard, its kept state, Reset, the sliders, and the
-// focus after an addition or a removal.
+// The column of groups: folding, by mouse and keyboard, its kept state, Reset, the sliders, the focus
+// after an addition or a removal, the places of its numbers, and the width that it asks for.
 
 #include "tests/support/test.h"
 
@@ -12,14 +12,39 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSet>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QWheelEvent>
+
+#include <algorithm>
 
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace unprojector::geometry;
 using namespace unprojector::scene;
+
+namespace {
+
+const char *const kGroups[] = {"viewGroup", "projectionGroup", "viewportGroup", "modelGroup", "clipGroup"};
+
+/// Numbers of all lengths, and one of every kind of part.
+Scene fullScene()
+{
+    Scene scene = startScene();
+    scene.camera = {WorldPoint(-1.0 / 3.0, 1.2345678901234567e-300, 123456789.123456789),
+                    scene.camera->center,
+                    {1e-5, 1.0, -2.0 / 3.0}};
+    scene.projection = Frustum{-1.0 / 3.0, 2.0 / 3.0, -1e-7, 80000.0, 7.149488340677281, 31.88249808802577};
+    scene.viewport = {ViewportRule::Kind::Fixed, Viewport{-16384.0, -16384.0, 16384.0, 16384.0}, 4.0 / 3.0};
+    scene.depthRange = {0.649999976, 1.0 / 3.0};
+    scene.objects[0].transform = {Translate{{-1.0 / 3.0, 123.456789, -1e-5}},
+                                  Rotate{-123.456789, {0.1 + 0.2, 1.0, 0.0}}, Scale{{1e-10, -1.0 / 3.0, 1e10}}};
+    scene.clipPlanes.assign(6, {-0.123456789, 1.0, 2.0e-7, -123456789.0});
+    return scene;
+}
+
+} // namespace
 
 class TestParametersColumn : public QObject, PanelUser {
     Q_OBJECT
@@ -375,8 +400,7 @@ private slots:
 
     void tabGoesDownTheColumn()
     {
-        for (const char *group : {"viewGroup", "projectionGroup", "viewportGroup", "modelGroup", "clipGroup"})
-            showGroup(QString::fromLatin1(group));
+        openAll();
         for (const char *button : {"addTranslate", "addPlane", "addRotate", "addPlane"})
             click(QString::fromLatin1(button));
         QCoreApplication::processEvents();
@@ -403,7 +427,107 @@ private slots:
         QVERIFY(stops > 50);
     }
 
+    void numbersShareARowWhereTheyFit()
+    {
+        openFull();
+        const auto isShared = [this] {
+            QCoreApplication::processEvents();
+            return field(QStringLiteral("eyeX"))->y() == field(QStringLiteral("eyeZ"))->y();
+        };
+        QVERIFY(!isShared());
+        m_panel->resize(2 * m_panel->minimumSizeHint().width(), 600);
+        QVERIFY(isShared());
+        m_panel->resize(m_panel->minimumSizeHint().width(), 600);
+        QVERIFY(!isShared());
+    }
+
+    void unitsStandInOneColumn()
+    {
+        openFull();
+        for (const int width : {m_panel->minimumSizeHint().width(), 2 * m_panel->minimumSizeHint().width()}) {
+            m_panel->resize(width, 600);
+            QCoreApplication::processEvents();
+            QSet<int> columns;
+            int fields = 0;
+            for (const NumberField *field : m_panel->findChildren<NumberField *>()) {
+                if (!field->isVisible())
+                    continue;
+                ++fields;
+                int units = 0;
+                for (const QLabel *label : field->parentWidget()->findChildren<QLabel *>()) {
+                    if (!label->isVisible() || label->y() != field->y() || label->x() < field->x())
+                        continue;
+                    if (label->text().size() > 1) {
+                        ++units;
+                        columns << label->mapTo(m_panel->widget(), QPoint()).x();
+                    }
+                }
+                // A factor has no unit. If sliders are in that column, the row has its unit once,
+                // beneath the title.
+                const auto sliders = field->parentWidget()->findChildren<NumberSlider *>();
+                const bool isBeneath = std::any_of(sliders.begin(), sliders.end(), [field](const NumberSlider *slider) {
+                    return slider->y() == field->y() && slider->x() > field->geometry().right();
+                });
+                const bool isFactor = field->accessibleName().contains(QStringLiteral("Scale"));
+                QVERIFY2(units == (isFactor || isBeneath ? 0 : 1), qPrintable(field->accessibleName()));
+                if (isBeneath) {
+                    const auto labels = field->parentWidget()->findChildren<QLabel *>();
+                    QCOMPARE(std::count_if(labels.begin(), labels.end(),
+                                           [](const QLabel *label) {
+                                               return label->isVisible()
+                                                      && label->text() == QStringLiteral("world units");
+                                           }),
+                             1);
+                }
+            }
+            QVERIFY(fields > 50);
+            QCOMPARE(columns.size(), 1);
+        }
+    }
+
+    void itAsksForTheSameWidthWhateverIsDone()
+    {
+        openFull();
+        const QSize least = m_panel->minimumSizeHint();
+        const auto isSame = [&] {
+            QCoreApplication::processEvents();
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+            return m_panel->minimumSizeHint() == least && m_panel->widget()->minimumSizeHint().width() <= least.width();
+        };
+        open(startScene());
+        QVERIFY(isSame());
+        for (const char *group : kGroups) {
+            showGroup(QString::fromLatin1(group))->setOpen(false);
+            QVERIFY2(isSame(), group);
+        }
+        openAll();
+        for (const char *kind : {"Perspective", "Orthographic", "Oblique", "Frustum"}) {
+            choose(QStringLiteral("projectionKind"), QString::fromLatin1(kind));
+            QVERIFY2(isSame(), kind);
+        }
+        for (const char *step : {"addTranslate", "addRotate", "addScale", "addPlane"}) {
+            click(QString::fromLatin1(step));
+            QVERIFY2(isSame(), step);
+        }
+        type(QStringLiteral("nearDistance"), QStringLiteral("abcdefghijklmnopqrstuvwxyzabcdefghijklmnopqrstuvwxyz"));
+        QVERIFY(isSame());
+        Scene named = startScene();
+        named.objects[0].name = std::string(200, 'M');
+        open(named);
+        QVERIFY(isSame());
+    }
+
 private:
+    void openAll()
+    {
+        for (const char *group : kGroups)
+            showGroup(QString::fromLatin1(group));
+    }
+    void openFull()
+    {
+        open(fullScene());
+        openAll();
+    }
     NumberSlider *slider(const QString &name, const QString &group = QStringLiteral("projectionGroup"))
     {
         for (auto *found : showGroup(group)->findChildren<NumberSlider *>()) {
@@ -418,5 +542,5 @@ private:
     }
 };
 
-UNPROJECTOR_TEST(TestParametersColumn, fonts)
+UNPROJECTOR_TEST(TestParametersColumn)
 #include "test_parameters_column.moc"

@@ -343,5 +343,5 @@ private slots:
     }
 };
 
-UNPROJECTOR_TEST(TestEntryDerivation, fonts)
+UNPROJECTOR_TEST(TestEntryDerivation)
 #include "test_entry_derivation.moc"

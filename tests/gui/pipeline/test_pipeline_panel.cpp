@@ -490,5 +490,5 @@ private slots:
     }
 };
 
-UNPROJECTOR_TEST(TestPipelinePanel, fonts)
+UNPROJECTOR_TEST(TestPipelinePanel)
 #include "test_pipeline_panel.moc"

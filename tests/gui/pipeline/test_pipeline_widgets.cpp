@@ -559,5 +559,5 @@ private slots:
     }
 };
 
-UNPROJECTOR_TEST(TestPipelineWidgets, fonts)
+UNPROJECTOR_TEST(TestPipelineWidgets)
 #include "test_pipeline_widgets.moc"

@@ -244,5 +244,5 @@ private slots:
     }
 };
 
-UNPROJECTOR_TEST(TestFormulaView, fonts)
+UNPROJECTOR_TEST(TestFormulaView)
 #include "test_formula_view.moc"

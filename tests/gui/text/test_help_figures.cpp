@@ -372,5 +372,5 @@ private slots:
 
 } // namespace unprojector::gui
 
-UNPROJECTOR_TEST(unprojector::gui::TestHelpFigures, fonts)
+UNPROJECTOR_TEST(unprojector::gui::TestHelpFigures)
 #include "test_help_figures.moc"

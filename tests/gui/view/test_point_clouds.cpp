@@ -142,5 +142,5 @@ private slots:
     }
 };
 
-UNPROJECTOR_TEST(TestPointClouds, display, at 1.25, at 2)
+UNPROJECTOR_TEST(TestPointClouds, display, at 1.5)
 #include "test_point_clouds.moc"

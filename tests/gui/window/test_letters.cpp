@@ -247,5 +247,5 @@ private slots:
     }
 };
 
-UNPROJECTOR_TEST(TestLetters, display, fonts)
+UNPROJECTOR_TEST(TestLetters, display)
 #include "test_letters.moc"

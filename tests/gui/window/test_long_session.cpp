@@ -1,5 +1,6 @@
 // A long session: files opened and reopened, clicks, drags, undo and redo. The memory that it needs
-// stops growing.
+// stops growing. UNPROJECTOR_SESSION_STEPS makes it longer:
+//     bash tests/launch.sh --display UNPROJECTOR_SESSION_STEPS=800 -- build/ci/tests/tests_gui_window test_long_session
 
 #include "tests/support/test.h"
 
@@ -10,6 +11,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -98,11 +100,13 @@ private slots:
             }
             settle(1);
         };
-        constexpr int kWarmUp = 200, kSteps = 800;
+        // Whole rounds through both files.
+        constexpr int kWarmUp = 64, kLeastSteps = 80;
+        const int steps = std::max(kLeastSteps, qEnvironmentVariableIntValue("UNPROJECTOR_SESSION_STEPS"));
         for (int i = 0; i < kWarmUp; ++i)
             step(i);
         const double before = residentPages();
-        for (int i = 0; i < kSteps; ++i)
+        for (int i = 0; i < steps; ++i)
             step(i);
         const double after = residentPages();
         qInfo("%.0f pages before, %.0f after", before, after);

@@ -24,6 +24,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
+#include <QScreen>
 #include <QScrollBar>
 #include <QSettings>
 #include <QSlider>
@@ -51,6 +52,15 @@ class TestMainWindow : public QObject {
 
 private slots:
     void initTestCase() { redirectSettings(); }
+
+    void theWindowStartsWithinTheScreen()
+    {
+        MainWindow::Options options;
+        options.remembers = false;
+        const MainWindow window(options);
+        const QSize screen = window.screen()->availableSize();
+        QVERIFY(window.width() < screen.width() && window.height() < screen.height());
+    }
 
     void theViewHasMostOfTheWindowAtFirst()
     {

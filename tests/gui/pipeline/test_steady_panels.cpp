@@ -1,40 +1,24 @@
-// The panels of numbers at the fonts of the desktops, in both languages and at every width from the
-// least one.
-// - No text is cut off.
-// - No pick, of tiny or of huge models, changes a panel's minimum width.
-// - Labels grow with their texts; once they have, the same changes leave every part in place.
+// The panels of numbers stand still: no pick, of tiny or of huge models, changes a panel's least
+// width. Labels grow with their texts; once they have, the same changes leave every part in place.
 
 #include "tests/support/test.h"
 
 #include "gui/click/comparison_panel.h"
-#include "gui/click/coordinates_table.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/pipeline/lifecycle_panel.h"
 #include "gui/pipeline/pipeline_panel.h"
 #include "gui/pipeline/viewport_inspector.h"
-#include "gui/text/translation.h"
 #include "gui/view/lifecycle_log.h"
-#include "gui/widgets/elided_label.h"
-#include "gui/widgets/number_grid.h"
 #include "gui/widgets/steady_label.h"
 #include "tests/gui/document_edits.h"
 
-#include <QAbstractButton>
-#include <QApplication>
-#include <QComboBox>
-#include <QFontInfo>
-#include <QHeaderView>
 #include <QLabel>
-#include <QScrollBar>
-#include <QTextDocument>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <functional>
 #include <memory>
-#include <optional>
 
 using namespace unprojector;
 using namespace unprojector::gui;
@@ -108,98 +92,6 @@ const std::vector<std::function<void(SceneDocument &)>> &happenings()
     return list;
 }
 
-bool isShown(const QWidget &widget, const QWidget &panel)
-{
-    return widget.isVisibleTo(&panel) && widget.width() > 0;
-}
-
-/// The texts of a panel that do not have the room they need.
-QStringList cutTexts(const QWidget &panel)
-{
-    QStringList cut;
-    const auto need = [&cut](const QString &text, double needed, double given) {
-        if (needed > given + 0.5)
-            cut << QStringLiteral("\"%1\" needs %2, has %3").arg(text).arg(needed).arg(given);
-    };
-    for (const QLabel *label : panel.findChildren<QLabel *>()) {
-        if (!isShown(*label, panel) || label->text().isEmpty())
-            continue;
-        const QRect inside = label->contentsRect();
-        const int indent = std::max(0, label->indent());
-        if (label->textFormat() == Qt::RichText) {
-            QTextDocument set;
-            set.setDocumentMargin(0.0);
-            set.setDefaultFont(label->font());
-            set.setHtml(label->text());
-            set.setTextWidth(inside.width());
-            need(set.toPlainText(), set.size().height(), inside.height());
-            need(set.toPlainText(), set.size().width(), inside.width());
-        } else if (label->wordWrap()) {
-            const QRect needed = label->fontMetrics().boundingRect(QRect(0, 0, inside.width(), 1 << 16),
-                                                                   Qt::TextWordWrap, label->text());
-            need(label->text(), needed.height(), inside.height());
-            need(label->text(), needed.width(), inside.width());
-        } else {
-            need(label->text(), label->fontMetrics().size(Qt::TextShowMnemonic, label->text()).width() + indent,
-                 inside.width());
-        }
-        if (const auto *elided = qobject_cast<const ElidedLabel *>(label);
-            elided && elided->fullText() != elided->text())
-            cut << elided->fullText();
-    }
-    for (const QAbstractButton *button : panel.findChildren<QAbstractButton *>()) {
-        if (isShown(*button, panel))
-            need(button->text(), button->fontMetrics().size(Qt::TextShowMnemonic, button->text()).width(),
-                 button->width());
-    }
-    for (const QTableView *table : panel.findChildren<QTableView *>()) {
-        if (!isShown(*table, panel))
-            continue;
-        const QAbstractItemModel &model = *table->model();
-        const QFontMetrics metrics(table->font());
-        for (int column = 0; column < model.columnCount(); ++column) {
-            if (table->isColumnHidden(column))
-                continue;
-            if (table->horizontalHeader()->isVisibleTo(table)) {
-                const QString head = model.headerData(column, Qt::Horizontal).toString();
-                need(head, table->horizontalHeader()->fontMetrics().horizontalAdvance(head),
-                     table->columnWidth(column));
-            }
-            for (int row = 0; row < model.rowCount(); ++row) {
-                const QModelIndex index = model.index(row, column);
-                const QString text = index.data().toString();
-                if (table->wordWrap()) {
-                    const QRect needed = metrics.boundingRect(QRect(0, 0, table->columnWidth(column) - 6, 1 << 16),
-                                                              Qt::TextWordWrap, text);
-                    need(text, needed.height(), table->rowHeight(row));
-                    need(text, needed.width(), table->columnWidth(column));
-                } else {
-                    need(text, metrics.horizontalAdvance(text), table->columnWidth(column));
-                }
-            }
-        }
-        // A part out of sight must be reachable by scrolling.
-        if (table->horizontalHeader()->length() > table->viewport()->width() + 1
-            && table->horizontalScrollBar()->maximum() == 0)
-            cut << QStringLiteral("%1 cannot be scrolled").arg(table->accessibleName());
-    }
-    const auto nameOf = [](const QWidget &child) {
-        return QStringLiteral("%1 %2").arg(QLatin1String(child.metaObject()->className()), child.accessibleName());
-    };
-    const QWidgetList children = panel.findChildren<QWidget *>(Qt::FindDirectChildrenOnly);
-    for (const QWidget *child : children) {
-        if (!isShown(*child, panel))
-            continue;
-        if (!panel.rect().contains(child->geometry()))
-            cut << nameOf(*child) + QStringLiteral(" leaves the panel");
-        for (const QWidget *other : children) {
-            if (other != child && isShown(*other, panel) && other->geometry().intersects(child->geometry()))
-                cut << QStringLiteral("%1 lies on %2").arg(nameOf(*child), nameOf(*other));
-        }
-    }
-    return cut;
-}
-
 QString places(const QWidget &panel)
 {
     QStringList list;
@@ -219,7 +111,7 @@ QString places(const QWidget &panel)
 
 } // namespace
 
-class TestPanelSizes : public QObject {
+class TestSteadyPanels : public QObject {
     Q_OBJECT
 
 private slots:
@@ -255,33 +147,16 @@ private slots:
         QCOMPARE(placeAt(300), first);
     }
 
-    void nothingIsCutAndNothingMoves_data()
+    void nothingMovesOnceItHasGrown_data()
     {
         QTest::addColumn<QString>("which");
-        QTest::addColumn<double>("points");
-        QTest::addColumn<bool>("isChinese");
-        for (const char *which : {"comparison", "pipeline", "viewport", "life"}) {
-            for (const double points : {9.0, 11.0, 13.0}) {
-                for (const bool isChinese : {false, true})
-                    QTest::addRow("%s, %g pt, %s", which, points, isChinese ? "Chinese" : "English")
-                        << QString::fromLatin1(which) << points << isChinese;
-            }
-        }
+        for (const char *which : {"comparison", "pipeline", "viewport", "life"})
+            QTest::newRow(which) << QString::fromLatin1(which);
     }
 
-    void nothingIsCutAndNothingMoves()
+    void nothingMovesOnceItHasGrown()
     {
-#ifdef _WIN32
-        QSKIP("The layout is judged with the fonts of the desktops that the sizes are of.");
-#endif
         QFETCH(QString, which);
-        QFETCH(double, points);
-        QFETCH(bool, isChinese);
-        QFont font = m_font;
-        font.setPointSizeF(points);
-        QApplication::setFont(font);
-        const Translation translation(isChinese ? QStringList{QStringLiteral("zh-CN")} : QStringList());
-
         SceneDocument document;
         document.setSurface({842, 723, 1.0});
         openScene(document, 1.0);
@@ -303,18 +178,15 @@ private slots:
                 QCoreApplication::sendPostedEvents();
             QCoreApplication::processEvents();
         };
-        const int digit = QFontMetrics(font).horizontalAdvance(u'0');
+        const int digit = panel->fontMetrics().horizontalAdvance(u'0');
         const int least = panel->minimumSizeHint().expandedTo(panel->minimumSize()).width();
-        // The width is in sizes of the type: the ratio of digits to letters differs from font to font.
-        const int most = 32 * QFontInfo(font).pixelSize();
-        QVERIFY2(least <= most, qPrintable(QStringLiteral("%1 of %2").arg(least).arg(most)));
         // The panel is inside a window, not one itself: the window system resizes windows late, and
         // once more after that.
-        frame.resize(160 * digit, 2400);
+        frame.resize(90 * digit, 2400);
         panel->setParent(&frame);
         panel->show();
         frame.show();
-        for (const int width : {least, least + 5 * digit, 60 * digit, 90 * digit, 160 * digit}) {
+        for (const int width : {least, 90 * digit}) {
             panel->resize(width, 2400);
             settle();
             QCOMPARE(panel->width(), width);
@@ -338,8 +210,6 @@ private slots:
                     log.append({LifecycleEvent::Kind::OnDraw, {}, QStringLiteral("glDrawArrays"), 8888.88});
                     settle();
                     const QString where = QStringLiteral(" at %1 px, happening %2").arg(width).arg(i);
-                    const QStringList cut = cutTexts(*panel);
-                    QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n') + where));
                     QCOMPARE(panel->minimumSizeHint().expandedTo(panel->minimumSize()).width(), least);
                     const QString now = places(*panel);
                     // The comparison's parts come and go with the pick: test_comparison_panel checks
@@ -351,15 +221,7 @@ private slots:
             }
         }
     }
-
-    void cleanup()
-    {
-        QApplication::setFont(m_font);
-    }
-
-private:
-    const QFont m_font = QApplication::font();
 };
 
-UNPROJECTOR_TEST(TestPanelSizes, layout, fonts)
-#include "test_panel_sizes.moc"
+UNPROJECTOR_TEST(TestSteadyPanels)
+#include "test_steady_panels.moc"
