@@ -21,11 +21,11 @@ class TestBlockPipeline : public QObject {
 private slots:
     void whatAWorkerThrowsEndsAll_data()
     {
-        QTest::addColumn<unsigned>("threads");
-        QTest::addColumn<int>("failing");
+        addColumn<unsigned>("threads");
+        addColumn<int>("failing");
         for (const unsigned threads : {1u, 2u, 8u}) {
-            QTest::addRow("%u threads, the first block", threads) << threads << 0;
-            QTest::addRow("%u threads, in the middle", threads) << threads << 20;
+            addRow("%u threads, the first block", threads) << threads << 0;
+            addRow("%u threads, in the middle", threads) << threads << 20;
         }
     }
 

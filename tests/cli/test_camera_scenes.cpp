@@ -47,19 +47,19 @@ class TestCameraScenes : public QObject {
 private slots:
     void filesAreRecognisedByTheirContents_data()
     {
-        QTest::addColumn<QStringList>("arguments");
-        QTest::addColumn<QByteArray>("input");
+        addColumn<QStringList>("arguments");
+        addColumn<QByteArray>("input");
         const QString yaml = m_folder.write("a.dat", opencv_camera::kYaml),
                       xml = m_folder.write("b", opencv_camera::kXml);
-        QTest::newRow("a file") << QStringList{yaml} << QByteArray();
+        newRow("a file") << QStringList{yaml} << QByteArray();
         QByteArray wide("\xff\xfe");
         for (const char c : QByteArray(opencv_camera::kYaml))
             wide += QByteArray(1, c) + '\0';
-        QTest::newRow("UTF-16") << QStringList{m_folder.write("wide.yml", wide)} << QByteArray();
-        QTest::newRow("--from") << QStringList{"--from", xml} << QByteArray();
-        QTest::newRow("stdin") << QStringList{"-"} << QByteArray(opencv_camera::kNumPy);
-        QTest::newRow("the text itself") << QStringList{"--from", opencv_camera::kReprs} << QByteArray();
-        QTest::newRow("--from-matrices") << QStringList{"--from-matrices", "-"} << QByteArray(opencv_camera::kCpp);
+        newRow("UTF-16") << QStringList{m_folder.write("wide.yml", wide)} << QByteArray();
+        newRow("--from") << QStringList{"--from", xml} << QByteArray();
+        newRow("stdin") << QStringList{"-"} << QByteArray(opencv_camera::kNumPy);
+        newRow("the text itself") << QStringList{"--from", opencv_camera::kReprs} << QByteArray();
+        newRow("--from-matrices") << QStringList{"--from-matrices", "-"} << QByteArray(opencv_camera::kCpp);
     }
 
     void filesAreRecognisedByTheirContents()

@@ -41,31 +41,30 @@ class TestChinese : public QObject {
 private slots:
     void theLanguageIsTheUsers_data()
     {
-        QTest::addColumn<QStringList>("wishes"); // LC_ALL, LC_MESSAGES, LANG, LANGUAGE, the system's
-        QTest::addColumn<bool>("isChinese");
+        addColumn<QStringList>("wishes"); // LC_ALL, LC_MESSAGES, LANG, LANGUAGE, the system's
+        addColumn<bool>("isChinese");
 
-        QTest::newRow("nothing") << QStringList{"", "", "", "", ""} << false;
-        QTest::newRow("lang") << QStringList{"", "", "zh_CN.UTF-8", "", ""} << true;
-        QTest::newRow("messages-before-lang") << QStringList{"", "zh_CN.UTF-8", "en_US.UTF-8", "", ""} << true;
-        QTest::newRow("all-before-messages")
-            << QStringList{"en_US.UTF-8", "zh_CN.UTF-8", "zh_CN.UTF-8", "", ""} << false;
-        QTest::newRow("list-before-all") << QStringList{"en_US.UTF-8", "", "", "zh_CN", ""} << true;
-        QTest::newRow("first-of-list") << QStringList{"zh_CN.UTF-8", "", "", "en:zh_CN", ""} << false;
-        QTest::newRow("first-known-of-list") << QStringList{"de_DE.UTF-8", "", "", "de:zh_CN:en", ""} << true;
-        QTest::newRow("none-known-of-list") << QStringList{"zh_CN.UTF-8", "", "", "de:fr", ""} << false;
-        QTest::newRow("c-before-list") << QStringList{"C", "", "zh_CN.UTF-8", "zh_CN", ""} << false;
-        QTest::newRow("c-utf8-before-list") << QStringList{"C.UTF-8", "", "", "zh_CN", ""} << false;
-        QTest::newRow("posix") << QStringList{"POSIX", "", "zh_CN.UTF-8", "", ""} << false;
-        QTest::newRow("list-alone") << QStringList{"", "", "", "zh_CN", ""} << false;
-        QTest::newRow("no-encoding") << QStringList{"", "", "zh_CN", "", ""} << true;
-        QTest::newRow("utf8-otherwise") << QStringList{"", "", "zh_CN.utf8@pinyin", "", ""} << true;
-        QTest::newRow("other-encoding") << QStringList{"", "", "zh_CN.GB18030", "", ""} << false;
-        QTest::newRow("singapore") << QStringList{"", "", "zh_SG.UTF-8", "", ""} << true;
-        QTest::newRow("traditional") << QStringList{"", "", "zh_TW.UTF-8", "", ""} << false;
-        QTest::newRow("system") << QStringList{"", "", "", "", "zh-CN:en-US"} << true;
-        QTest::newRow("system-with-script") << QStringList{"", "", "", "", "zh-Hans-CN"} << true;
-        QTest::newRow("system-english-first") << QStringList{"", "", "", "", "en-US:zh-CN"} << false;
-        QTest::newRow("environment-before-system") << QStringList{"", "", "en_US.UTF-8", "", "zh-CN"} << false;
+        newRow("nothing") << QStringList{"", "", "", "", ""} << false;
+        newRow("lang") << QStringList{"", "", "zh_CN.UTF-8", "", ""} << true;
+        newRow("messages-before-lang") << QStringList{"", "zh_CN.UTF-8", "en_US.UTF-8", "", ""} << true;
+        newRow("all-before-messages") << QStringList{"en_US.UTF-8", "zh_CN.UTF-8", "zh_CN.UTF-8", "", ""} << false;
+        newRow("list-before-all") << QStringList{"en_US.UTF-8", "", "", "zh_CN", ""} << true;
+        newRow("first-of-list") << QStringList{"zh_CN.UTF-8", "", "", "en:zh_CN", ""} << false;
+        newRow("first-known-of-list") << QStringList{"de_DE.UTF-8", "", "", "de:zh_CN:en", ""} << true;
+        newRow("none-known-of-list") << QStringList{"zh_CN.UTF-8", "", "", "de:fr", ""} << false;
+        newRow("c-before-list") << QStringList{"C", "", "zh_CN.UTF-8", "zh_CN", ""} << false;
+        newRow("c-utf8-before-list") << QStringList{"C.UTF-8", "", "", "zh_CN", ""} << false;
+        newRow("posix") << QStringList{"POSIX", "", "zh_CN.UTF-8", "", ""} << false;
+        newRow("list-alone") << QStringList{"", "", "", "zh_CN", ""} << false;
+        newRow("no-encoding") << QStringList{"", "", "zh_CN", "", ""} << true;
+        newRow("utf8-otherwise") << QStringList{"", "", "zh_CN.utf8@pinyin", "", ""} << true;
+        newRow("other-encoding") << QStringList{"", "", "zh_CN.GB18030", "", ""} << false;
+        newRow("singapore") << QStringList{"", "", "zh_SG.UTF-8", "", ""} << true;
+        newRow("traditional") << QStringList{"", "", "zh_TW.UTF-8", "", ""} << false;
+        newRow("system") << QStringList{"", "", "", "", "zh-CN:en-US"} << true;
+        newRow("system-with-script") << QStringList{"", "", "", "", "zh-Hans-CN"} << true;
+        newRow("system-english-first") << QStringList{"", "", "", "", "en-US:zh-CN"} << false;
+        newRow("environment-before-system") << QStringList{"", "", "en_US.UTF-8", "", "zh-CN"} << false;
     }
 
     void theLanguageIsTheUsers()
@@ -79,10 +78,10 @@ private slots:
 
     void helpIsChinese_data()
     {
-        QTest::addColumn<QStringList>("words");
-        QTest::newRow("program") << QStringList{"--help"};
+        addColumn<QStringList>("words");
+        newRow("program") << QStringList{"--help"};
         for (const char *command : kCommands)
-            QTest::newRow(command) << QStringList{command, "--help"};
+            newRow(command) << QStringList{command, "--help"};
     }
 
     void helpIsChinese()

@@ -73,10 +73,10 @@ class TestClicksCommand : public QObject {
 private slots:
     void theSamePointsToTheLastDigit_data()
     {
-        QTest::addColumn<QString>("space");
-        QTest::newRow("world") << "world";
-        QTest::newRow("eye") << "eye";
-        QTest::newRow("object") << "object:right";
+        addColumn<QString>("space");
+        newRow("world") << "world";
+        newRow("eye") << "eye";
+        newRow("object") << "object:right";
     }
 
     void theSamePointsToTheLastDigit()
@@ -141,13 +141,13 @@ private slots:
 
     void otherCommandsTakeTheScene_data()
     {
-        QTest::addColumn<QStringList>("command");
-        QTest::addColumn<QByteArray>("input");
-        QTest::newRow("matrices") << QStringList{"matrices"} << QByteArray();
-        QTest::newRow("project") << QStringList{"project"} << QByteArray("x,y,z\n0,0,0\n1,2,3\n");
-        QTest::newRow("project from an object")
-            << QStringList{"project", "--space", "object:right"} << QByteArray("x,y,z\n0,0,0\n");
-        QTest::newRow("compare") << QStringList{"compare", "--pixels", "3", "--depths", "3", "--json"} << QByteArray();
+        addColumn<QStringList>("command");
+        addColumn<QByteArray>("input");
+        newRow("matrices") << QStringList{"matrices"} << QByteArray();
+        newRow("project") << QStringList{"project"} << QByteArray("x,y,z\n0,0,0\n1,2,3\n");
+        newRow("project from an object") << QStringList{"project", "--space", "object:right"}
+                                         << QByteArray("x,y,z\n0,0,0\n");
+        newRow("compare") << QStringList{"compare", "--pixels", "3", "--depths", "3", "--json"} << QByteArray();
     }
 
     void otherCommandsTakeTheScene()
@@ -184,12 +184,12 @@ private slots:
 
     void mistakesAreTold_data()
     {
-        QTest::addColumn<QStringList>("arguments");
-        QTest::addColumn<QByteArray>("input");
-        QTest::addColumn<QByteArray>("message");
+        addColumn<QStringList>("arguments");
+        addColumn<QByteArray>("input");
+        addColumn<QByteArray>("message");
         const QByteArray click = textOf({clickAt(400, 300, 0.01, true)});
         const auto row = [](const char *name, const QStringList &arguments, const QByteArray &input,
-                            const QByteArray &message) { QTest::newRow(name) << arguments << input << message + '\n'; };
+                            const QByteArray &message) { newRow(name) << arguments << input << message + '\n'; };
         row("no scene in no clicks", {"matrices", "-"}, "[]",
             "stdin: it has no click and so no scene; give a scene file");
         row("no such object", {"points", "--space", "object:none", "-"}, click,

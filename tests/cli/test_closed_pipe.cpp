@@ -90,8 +90,8 @@ class TestClosedPipe : public QObject {
 private slots:
     void endsQuietly_data()
     {
-        QTest::addColumn<QStringList>("arguments");
-        QTest::addColumn<bool>("isRead");
+        addColumn<QStringList>("arguments");
+        addColumn<bool>("isRead");
         const QString scene = m_folder.write("scene.json", kFrustumScene);
         const QString points = m_folder.write("points.csv", "px,py,depth\n" + QByteArray("1,2,0.5\n").repeated(200000));
         const QString places = m_folder.write("places.csv", "x,y,z\n" + QByteArray("1,2,0.5\n").repeated(200000));
@@ -101,7 +101,7 @@ private slots:
                                            "-3 0 0 0 400 300");
         for (const bool isRead : {true, false}) {
             const auto row = [&](const char *name, const QStringList &arguments) {
-                QTest::addRow("%s, %s", name, isRead ? "after a line" : "at once") << arguments << isRead;
+                addRow("%s, %s", name, isRead ? "after a line" : "at once") << arguments << isRead;
             };
             row("points", {"points", scene, points});
             row("points, one thread", {"points", "--threads", "1", scene, points});

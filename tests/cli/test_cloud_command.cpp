@@ -76,15 +76,14 @@ private slots:
 
     void everyFormatGivesTheSamePoints_data()
     {
-        QTest::addColumn<QByteArray>("image");
-        QTest::addColumn<QStringList>("options");
-        QTest::newRow("raw floats") << bytesOf(depths()) << QStringList{"--size", "4x3"};
-        QTest::newRow("raw floats, by the matrix")
-            << bytesOf(depths()) << QStringList{"--size", "4x3", "--method", "matrix"};
-        QTest::newRow("PFM, little-endian") << pfm(depths(), true) << QStringList{};
-        QTest::newRow("PFM, big-endian") << pfm(depths(), false) << QStringList{};
-        QTest::newRow("PFM, size given too") << pfm(depths(), true) << QStringList{"--size", "4x3"};
-        QTest::newRow("PGM, 16 bits") << pgm(depths()) << QStringList{"--depth-is", "buffer"};
+        addColumn<QByteArray>("image");
+        addColumn<QStringList>("options");
+        newRow("raw floats") << bytesOf(depths()) << QStringList{"--size", "4x3"};
+        newRow("raw floats, by the matrix") << bytesOf(depths()) << QStringList{"--size", "4x3", "--method", "matrix"};
+        newRow("PFM, little-endian") << pfm(depths(), true) << QStringList{};
+        newRow("PFM, big-endian") << pfm(depths(), false) << QStringList{};
+        newRow("PFM, size given too") << pfm(depths(), true) << QStringList{"--size", "4x3"};
+        newRow("PGM, 16 bits") << pgm(depths()) << QStringList{"--depth-is", "buffer"};
     }
 
     void everyFormatGivesTheSamePoints()
@@ -110,20 +109,18 @@ private slots:
 
     void numbersMeanTheSameInEveryFormat_data()
     {
-        QTest::addColumn<QByteArray>("range");
-        QTest::addColumn<float>("number");
-        QTest::addColumn<QStringList>("options");
-        QTest::addColumn<float>("share"); // of the way from the near plane's depth to the far plane's
-        QTest::newRow("depths of the window") << QByteArray("[0, 0.5]") << 0.25f << QStringList{} << 0.5f;
-        QTest::newRow("so they are called")
-            << QByteArray("[0, 0.5]") << 0.25f << QStringList{"--depth-is", "buffer"} << 0.5f;
-        QTest::newRow("reversed") << QByteArray("[0.5, 0]") << 0.4f << QStringList{} << 0.2f;
-        QTest::newRow("over the range") << QByteArray("[0, 0.5]") << 0.25f << QStringList{"--depth-is", "range"}
-                                        << 0.25f;
-        QTest::newRow("over a range that begins later")
+        addColumn<QByteArray>("range");
+        addColumn<float>("number");
+        addColumn<QStringList>("options");
+        addColumn<float>("share"); // of the way from the near plane's depth to the far plane's
+        newRow("depths of the window") << QByteArray("[0, 0.5]") << 0.25f << QStringList{} << 0.5f;
+        newRow("so they are called") << QByteArray("[0, 0.5]") << 0.25f << QStringList{"--depth-is", "buffer"} << 0.5f;
+        newRow("reversed") << QByteArray("[0.5, 0]") << 0.4f << QStringList{} << 0.2f;
+        newRow("over the range") << QByteArray("[0, 0.5]") << 0.25f << QStringList{"--depth-is", "range"} << 0.25f;
+        newRow("over a range that begins later")
             << QByteArray("[0.5, 1]") << 0.25f << QStringList{"--depth-is", "range"} << 0.25f;
-        QTest::newRow("over a reversed range")
-            << QByteArray("[0.5, 0]") << 0.25f << QStringList{"--depth-is", "range"} << 0.75f;
+        newRow("over a reversed range") << QByteArray("[0.5, 0]") << 0.25f << QStringList{"--depth-is", "range"}
+                                        << 0.75f;
     }
 
     void numbersMeanTheSameInEveryFormat()
@@ -232,30 +229,29 @@ private slots:
 
     void unusableInput_data()
     {
-        QTest::addColumn<QByteArray>("image");
-        QTest::addColumn<QStringList>("options");
-        QTest::addColumn<QByteArray>("message");
+        addColumn<QByteArray>("image");
+        addColumn<QStringList>("options");
+        addColumn<QByteArray>("message");
         const QByteArray raw = bytesOf(depths());
-        QTest::newRow("raw without a size") << raw << QStringList{} << QByteArray("--size");
-        QTest::newRow("no size") << raw << QStringList{"--size", "4by3"} << QByteArray("as in 800x600");
-        QTest::newRow("no pixels") << raw << QStringList{"--size", "0x3"} << QByteArray("at least 1 pixel");
-        QTest::newRow("other size than the window") << raw << QStringList{"--size", "3x4"} << QByteArray("window 4x3");
-        QTest::newRow("too short") << raw.chopped(1) << QStringList{"--size", "4x3"} << QByteArray("too short");
-        QTest::newRow("too long") << raw + '\0' << QStringList{"--size", "4x3"} << QByteArray("too long");
-        QTest::newRow("empty") << QByteArray() << QStringList{"--size", "4x3"} << QByteArray("too short");
-        QTest::newRow("broken header") << QByteArray("Pf\n4 x\n-1\n") << QStringList{} << QByteArray("header");
-        QTest::newRow("PFM of scale 0") << QByteArray("Pf\n4 3\n0\n") << QStringList{} << QByteArray("header");
-        QTest::newRow("PGM with more than the greatest value")
+        newRow("raw without a size") << raw << QStringList{} << QByteArray("--size");
+        newRow("no size") << raw << QStringList{"--size", "4by3"} << QByteArray("as in 800x600");
+        newRow("no pixels") << raw << QStringList{"--size", "0x3"} << QByteArray("at least 1 pixel");
+        newRow("other size than the window") << raw << QStringList{"--size", "3x4"} << QByteArray("window 4x3");
+        newRow("too short") << raw.chopped(1) << QStringList{"--size", "4x3"} << QByteArray("too short");
+        newRow("too long") << raw + '\0' << QStringList{"--size", "4x3"} << QByteArray("too long");
+        newRow("empty") << QByteArray() << QStringList{"--size", "4x3"} << QByteArray("too short");
+        newRow("broken header") << QByteArray("Pf\n4 x\n-1\n") << QStringList{} << QByteArray("header");
+        newRow("PFM of scale 0") << QByteArray("Pf\n4 3\n0\n") << QStringList{} << QByteArray("header");
+        newRow("PGM with more than the greatest value")
             << QByteArray("P5\n4 3\n100\n") + QByteArray(6, '\x64') + '\x65' + QByteArray(5, '\0') << QStringList{}
             << QByteArray(
                    "depth: the pixel in column 2 and row 1 has the value 101, and the header says that 100 is the "
                    "greatest");
-        QTest::newRow("enormous") << QByteArray("P5\n65000 65000\n65535\n") << QStringList{}
-                                  << QByteArray("window 4x3");
-        QTest::newRow("size against the header")
+        newRow("enormous") << QByteArray("P5\n65000 65000\n65535\n") << QStringList{} << QByteArray("window 4x3");
+        newRow("size against the header")
             << pfm(depths(), true) << QStringList{"--size", "3x4"} << QByteArray("not 3x4");
-        QTest::newRow("both methods") << raw << QStringList{"--size", "4x3", "--method", "both"}
-                                      << QByteArray("formula, matrix");
+        newRow("both methods") << raw << QStringList{"--size", "4x3", "--method", "both"}
+                               << QByteArray("formula, matrix");
     }
 
     void unusableInput()

@@ -13,10 +13,10 @@ class TestCommandLine : public QObject {
 private slots:
     void helpHasExamplesThatWork_data()
     {
-        QTest::addColumn<QString>("command");
+        addColumn<QString>("command");
         for (const char *command :
              {"points", "project", "cloud", "code", "compare", "matrices", "scene", "landmarks", "doctor"})
-            QTest::newRow(command) << command;
+            newRow(command) << command;
     }
 
     /// The examples are extracted from the help and run unchanged.
@@ -85,23 +85,23 @@ private slots:
 
     void resultsThatCannotBeWritten_data()
     {
-        QTest::addColumn<QStringList>("words");
+        addColumn<QStringList>("words");
         const QString scene = m_folder.write("scene.json", kFrustumScene);
         const QString rows = m_folder.write("rows.csv", "px,py,depth\n" + QByteArray("1,2,0.5\n").repeated(100000));
         const QString places = m_folder.write("places.csv", "x,y,z\n1,2,0.5\n");
         const QString depth = m_folder.write("depth.raw", QByteArray(qsizetype(800) * 600 * 4, '\0'));
         const QString numbers = "1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1  1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0  0 0 400 300";
-        QTest::newRow("help") << QStringList{"--help"};
-        QTest::newRow("help of a command") << QStringList{"points", "--help"};
-        QTest::newRow("version") << QStringList{"--version"};
-        QTest::newRow("points") << QStringList{"points", scene, rows};
-        QTest::newRow("points, one thread") << QStringList{"points", "--threads", "1", scene, rows};
-        QTest::newRow("project") << QStringList{"project", scene, places};
-        QTest::newRow("matrices") << QStringList{"matrices", scene};
-        QTest::newRow("compare") << QStringList{"compare", "--pixels", "2", scene};
-        QTest::newRow("compare as JSON") << QStringList{"compare", "--json", "--pixels", "2", scene};
-        QTest::newRow("cloud") << QStringList{"cloud", "--size", "800x600", scene, depth, "-o", "-"};
-        QTest::newRow("scene") << QStringList{"scene", "--from-matrices", numbers};
+        newRow("help") << QStringList{"--help"};
+        newRow("help of a command") << QStringList{"points", "--help"};
+        newRow("version") << QStringList{"--version"};
+        newRow("points") << QStringList{"points", scene, rows};
+        newRow("points, one thread") << QStringList{"points", "--threads", "1", scene, rows};
+        newRow("project") << QStringList{"project", scene, places};
+        newRow("matrices") << QStringList{"matrices", scene};
+        newRow("compare") << QStringList{"compare", "--pixels", "2", scene};
+        newRow("compare as JSON") << QStringList{"compare", "--json", "--pixels", "2", scene};
+        newRow("cloud") << QStringList{"cloud", "--size", "800x600", scene, depth, "-o", "-"};
+        newRow("scene") << QStringList{"scene", "--from-matrices", numbers};
     }
 
     void resultsThatCannotBeWritten()

@@ -106,7 +106,7 @@ class TestCommands : public QObject {
 private slots:
     void cases_data()
     {
-        QTest::addColumn<QStringList>("lines");
+        addColumn<QStringList>("lines");
         const QString chosen = qEnvironmentVariable("CASES", "*") + ".txt";
         for (const QFileInfo &info : QDir(UNPROJECTOR_TEST_DATA "/commands").entryInfoList({chosen}, QDir::Files)) {
             QFile file(info.filePath());
@@ -117,7 +117,7 @@ private slots:
             for (const QString &text : cases) {
                 const qsizetype end = (text + "\n-- ").indexOf("\n-- ");
                 const QStringList lines = files + text.left(end).split('\n').mid(1) + QStringList("$");
-                QTest::newRow(qUtf8Printable(info.baseName() + ": " + text.section('\n', 0, 0))) << lines;
+                newRow(qUtf8Printable(info.baseName() + ": " + text.section('\n', 0, 0))) << lines;
                 files += text.mid(end).split('\n');
             }
         }

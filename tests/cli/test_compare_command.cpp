@@ -45,22 +45,20 @@ class TestCompareCommand : public QObject {
 private slots:
     void formulaHoldsItsPromise_data()
     {
-        QTest::addColumn<QByteArray>("projection");
-        QTest::addColumn<double>("matrixUlpsAtLeast");
-        QTest::newRow("5 : 80000") << QByteArray(R"({"type": "perspective", "fovy": 60, "near": 5, "far": 80000})")
-                                   << 1e3;
-        QTest::newRow("0.1 : 10000") << QByteArray(R"({"type": "perspective", "fovy": 60, "near": 0.1, "far": 10000})")
-                                     << 1e4;
-        QTest::newRow("off-centre frustum") << QByteArray(
+        addColumn<QByteArray>("projection");
+        addColumn<double>("matrixUlpsAtLeast");
+        newRow("5 : 80000") << QByteArray(R"({"type": "perspective", "fovy": 60, "near": 5, "far": 80000})") << 1e3;
+        newRow("0.1 : 10000") << QByteArray(R"({"type": "perspective", "fovy": 60, "near": 0.1, "far": 10000})") << 1e4;
+        newRow("off-centre frustum") << QByteArray(
             R"({"type": "frustum", "left": -1, "right": 2, "bottom": -0.5, "top": 1, "near": 1, "far": 100})")
-                                            << 10.0;
-        QTest::newRow("box") << QByteArray(
+                                     << 10.0;
+        newRow("box") << QByteArray(
             R"({"type": "ortho", "left": -1, "right": 2, "bottom": -5, "top": 1, "near": 1, "far": 100})")
-                             << 0.5;
-        QTest::newRow("oblique") << QByteArray(
+                      << 0.5;
+        newRow("oblique") << QByteArray(
             R"({"type": "oblique", "left": -1, "right": 2, "bottom": -5, "top": 1, "near": 1, "far": 100,
         "theta": 60, "phi": 70})")
-                                 << 0.5;
+                          << 0.5;
     }
 
     void formulaHoldsItsPromise()
@@ -84,13 +82,13 @@ private slots:
 
     void thePercentileIsThatOfAllNumbers_data()
     {
-        QTest::addColumn<int>("count");
-        QTest::addColumn<int>("most");
-        QTest::newRow("one") << 1 << 1;
-        QTest::newRow("one of many") << 1 << 100000;
-        QTest::newRow("fewer than a share") << 99 << 99;
-        QTest::newRow("many") << 100000 << 100000;
-        QTest::newRow("fewer than there might be") << 54321 << 100000;
+        addColumn<int>("count");
+        addColumn<int>("most");
+        newRow("one") << 1 << 1;
+        newRow("one of many") << 1 << 100000;
+        newRow("fewer than a share") << 99 << 99;
+        newRow("many") << 100000 << 100000;
+        newRow("fewer than there might be") << 54321 << 100000;
     }
 
     /// The command keeps only the largest numbers; its percentiles are the same as with all numbers.

@@ -124,32 +124,32 @@ private slots:
 
     void everyFormatGivesTheNumbers_data()
     {
-        QTest::addColumn<QByteArray>("image");
-        QTest::newRow("raw") << bytesOf(numbers<float>());
-        QTest::newRow("PGM, 8 bits") << pgm(255);
-        QTest::newRow("PGM, 16 bits") << pgm(65535);
-        QTest::newRow("COLMAP") << "4&3&1&" + bytesOf(numbers<float>());
-        QTest::newRow("npy, floats") << npyOf<float>("<f4");
-        QTest::newRow("npy, doubles") << npyOf<double>("<f8");
-        QTest::newRow("npy, halves") << npyOfHalves();
-        QTest::newRow("npy, 8 bits") << npyOf<quint8>("|u1");
-        QTest::newRow("npy, 8 bits, signed") << npyOf<qint8>("|i1");
-        QTest::newRow("npy, 16 bits") << npyOf<quint16>("<u2");
-        QTest::newRow("npy, 16 bits, signed") << npyOf<qint16>("<i2");
-        QTest::newRow("npy, 32 bits") << npyOf<quint32>("<u4");
-        QTest::newRow("npy, 32 bits, signed") << npyOf<qint32>("<i4");
-        QTest::newRow("npy, 64 bits") << npyOf<quint64>("<u8");
-        QTest::newRow("npy, 64 bits, signed") << npyOf<qint64>("<i8");
-        QTest::newRow("npy, floats, big-endian") << npySwapped<float>(">f4");
-        QTest::newRow("npy, doubles, big-endian") << npySwapped<double>(">f8");
-        QTest::newRow("npy, 16 bits, big-endian") << npySwapped<quint16>(">u2");
-        QTest::newRow("npy, Fortran order") << npyInFortranOrder();
-        QTest::newRow("npy, (H, W, 1)") << npyOf<float>("<f4", "(3, 4, 1)");
-        QTest::newRow("npy, (1, H, W)") << npyOf<float>("<f4", "(1, 3, 4)");
+        addColumn<QByteArray>("image");
+        newRow("raw") << bytesOf(numbers<float>());
+        newRow("PGM, 8 bits") << pgm(255);
+        newRow("PGM, 16 bits") << pgm(65535);
+        newRow("COLMAP") << "4&3&1&" + bytesOf(numbers<float>());
+        newRow("npy, floats") << npyOf<float>("<f4");
+        newRow("npy, doubles") << npyOf<double>("<f8");
+        newRow("npy, halves") << npyOfHalves();
+        newRow("npy, 8 bits") << npyOf<quint8>("|u1");
+        newRow("npy, 8 bits, signed") << npyOf<qint8>("|i1");
+        newRow("npy, 16 bits") << npyOf<quint16>("<u2");
+        newRow("npy, 16 bits, signed") << npyOf<qint16>("<i2");
+        newRow("npy, 32 bits") << npyOf<quint32>("<u4");
+        newRow("npy, 32 bits, signed") << npyOf<qint32>("<i4");
+        newRow("npy, 64 bits") << npyOf<quint64>("<u8");
+        newRow("npy, 64 bits, signed") << npyOf<qint64>("<i8");
+        newRow("npy, floats, big-endian") << npySwapped<float>(">f4");
+        newRow("npy, doubles, big-endian") << npySwapped<double>(">f8");
+        newRow("npy, 16 bits, big-endian") << npySwapped<quint16>(">u2");
+        newRow("npy, Fortran order") << npyInFortranOrder();
+        newRow("npy, (H, W, 1)") << npyOf<float>("<f4", "(3, 4, 1)");
+        newRow("npy, (1, H, W)") << npyOf<float>("<f4", "(1, 3, 4)");
         QByteArray second = npyOf<float>("<f4"); // a length of four bytes
         second[6] = 2;
         second.insert(10, QByteArray(2, '\0'));
-        QTest::newRow("npy, version 2") << second;
+        newRow("npy, version 2") << second;
         addLibraryFormats();
     }
 
@@ -163,15 +163,15 @@ private slots:
 
     void wholeNumbersAreSharesOfTheGreatest_data()
     {
-        QTest::addColumn<QByteArray>("image");
-        QTest::addColumn<double>("greatest");
-        QTest::newRow("npy, 8 bits") << npyOf<quint8>("|u1") << 255.0;
-        QTest::newRow("npy, 16 bits") << npyOf<quint16>("<u2") << 65535.0;
-        QTest::newRow("npy, 32 bits") << npyOf<quint32>("<u4") << 4294967295.0;
-        QTest::newRow("PGM") << pgm(100) << 100.0;
+        addColumn<QByteArray>("image");
+        addColumn<double>("greatest");
+        newRow("npy, 8 bits") << npyOf<quint8>("|u1") << 255.0;
+        newRow("npy, 16 bits") << npyOf<quint16>("<u2") << 65535.0;
+        newRow("npy, 32 bits") << npyOf<quint32>("<u4") << 4294967295.0;
+        newRow("PGM") << pgm(100) << 100.0;
 #ifdef UNPROJECTOR_PNG
-        QTest::newRow("PNG, 16 bits") << grayPng(QImage::Format_Grayscale16) << 65535.0;
-        QTest::newRow("PNG, 8 bits") << grayPng(QImage::Format_Grayscale8) << 255.0;
+        newRow("PNG, 16 bits") << grayPng(QImage::Format_Grayscale16) << 65535.0;
+        newRow("PNG, 8 bits") << grayPng(QImage::Format_Grayscale8) << 255.0;
 #endif
     }
 
@@ -191,11 +191,11 @@ private slots:
 
     void depthsAreFoundAmongChannels_data()
     {
-        QTest::addColumn<QStringList>("channels"); // the first has the numbers
-        QTest::addColumn<bool>("areSame");
-        QTest::addColumn<bool>("isFound");
+        addColumn<QStringList>("channels"); // the first has the numbers
+        addColumn<bool>("areSame");
+        addColumn<bool>("isFound");
         const auto row = [](const char *name, const QStringList &channels, bool areSame, bool isFound) {
-            QTest::newRow(name) << channels << areSame << isFound;
+            newRow(name) << channels << areSame << isFound;
         };
         const QStringList normal{"View.Normal.X", "View.Normal.Y", "View.Normal.Z"};
         row("beside colors", {"View.Depth.Z", "B", "G", "R", "A"}, false, true);
@@ -292,17 +292,17 @@ private slots:
 
     void colorsFollowTheirPoints_data()
     {
-        QTest::addColumn<QByteArray>("colors");
-        QTest::addColumn<int>("tolerance");
+        addColumn<QByteArray>("colors");
+        addColumn<int>("tolerance");
 #ifdef UNPROJECTOR_PNG
-        QTest::newRow("PNG") << encoded(colors(), "png") << 0;
-        QTest::newRow("PNG with opacity") << encoded(colors().convertToFormat(QImage::Format_ARGB32), "png") << 0;
-        QTest::newRow("PNG, 64 bits") << encoded(colors().convertToFormat(QImage::Format_RGBA64), "png") << 0;
-        QTest::newRow("PNG with a palette") << encoded(colors().convertToFormat(QImage::Format_Indexed8), "png") << 0;
-        QTest::newRow("PNG, gray") << encoded(colors().convertToFormat(QImage::Format_Grayscale8), "png") << 0;
+        newRow("PNG") << encoded(colors(), "png") << 0;
+        newRow("PNG with opacity") << encoded(colors().convertToFormat(QImage::Format_ARGB32), "png") << 0;
+        newRow("PNG, 64 bits") << encoded(colors().convertToFormat(QImage::Format_RGBA64), "png") << 0;
+        newRow("PNG with a palette") << encoded(colors().convertToFormat(QImage::Format_Indexed8), "png") << 0;
+        newRow("PNG, gray") << encoded(colors().convertToFormat(QImage::Format_Grayscale8), "png") << 0;
 #endif
 #ifdef UNPROJECTOR_JPEG
-        QTest::newRow("JPEG") << encoded(colors(), "jpg") << 1;
+        newRow("JPEG") << encoded(colors(), "jpg") << 1;
 #endif
     }
 
@@ -378,25 +378,25 @@ private slots:
 
     void faultsOfJpegAreNotes_data()
     {
-        QTest::addColumn<QByteArray>("inserted"); // behind the first segment
-        QTest::addColumn<QByteArray>("note");
+        addColumn<QByteArray>("inserted"); // behind the first segment
+        addColumn<QByteArray>("note");
         const QByteArray exif("Exif\0\0", 6);
         const auto segment = [](const QByteArray &content) {
             return QByteArray("\xff\xe1") + '\0' + char(content.size() + 2) + content;
         };
-        QTest::newRow("sound") << QByteArray() << QByteArray();
-        QTest::newRow("bytes before a segment") << QByteArray("\x01\x02\x03") << QByteArray("the JPEG has a fault (");
-        QTest::newRow("turned") << segment(
-            exif + QByteArray("II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x06\0\0\0\0\0\0\0", 26))
-                                << QByteArray("turned or mirrored (Exif orientation 6)");
-        QTest::newRow("mirrored, big-endian")
-            << segment(exif + QByteArray("MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x02\0\0\0\0\0\0", 26))
-            << QByteArray("turned or mirrored (Exif orientation 2)");
-        QTest::newRow("upright") << segment(
+        newRow("sound") << QByteArray() << QByteArray();
+        newRow("bytes before a segment") << QByteArray("\x01\x02\x03") << QByteArray("the JPEG has a fault (");
+        newRow("turned") << segment(exif
+                                    + QByteArray("II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x06\0\0\0\0\0\0\0", 26))
+                         << QByteArray("turned or mirrored (Exif orientation 6)");
+        newRow("mirrored, big-endian") << segment(
+            exif + QByteArray("MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x02\0\0\0\0\0\0", 26))
+                                       << QByteArray("turned or mirrored (Exif orientation 2)");
+        newRow("upright") << segment(
             exif + QByteArray("MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x01\0\0\0\0\0\0", 26))
-                                 << QByteArray();
-        QTest::newRow("Exif that ends early") << segment(exif + "MM") << QByteArray();
-        QTest::newRow("Exif that points behind its end")
+                          << QByteArray();
+        newRow("Exif that ends early") << segment(exif + "MM") << QByteArray();
+        newRow("Exif that points behind its end")
             << segment(exif + QByteArray("MM\0*\xff\xff\xff\xff", 8)) << QByteArray();
     }
 
@@ -424,74 +424,70 @@ private slots:
 
     void unusableImages_data()
     {
-        QTest::addColumn<QByteArray>("image");
-        QTest::addColumn<QByteArray>("message");
+        addColumn<QByteArray>("image");
+        addColumn<QByteArray>("message");
         const QByteArray floats = npyOf<float>("<f4");
-        QTest::newRow("npy, other size") << npyOf<float>("<f4", "(4, 3)")
-                                         << QByteArray("3x4 pixels, the scene's window 4x3");
-        QTest::newRow("npy, enormous") << npyOf<float>("<f4", "(3000000000, 3000000000)")
-                                       << QByteArray("65536 a side is the most");
-        QTest::newRow("npy, beyond all numbers")
+        newRow("npy, other size") << npyOf<float>("<f4", "(4, 3)") << QByteArray("3x4 pixels, the scene's window 4x3");
+        newRow("npy, enormous") << npyOf<float>("<f4", "(3000000000, 3000000000)")
+                                << QByteArray("65536 a side is the most");
+        newRow("npy, beyond all numbers")
             << npyOf<float>("<f4", "(99999999999999999999999, 4)") << QByteArray("header is damaged");
-        QTest::newRow("npy, one dimension")
-            << npyOf<float>("<f4", "(12,)") << QByteArray("the shape (12,); give one number a pixel");
-        QTest::newRow("npy, colors") << npyOf<float>("<f4", "(3, 4, 3)") << QByteArray("the shape (3, 4, 3)");
-        QTest::newRow("npy, complex") << npyOf<float>("<c8") << QByteArray("numbers of type <c8");
-        QTest::newRow("npy, structured") << npy("{'descr': [('z', '<f4')], 'fortran_order': False, 'shape': (3, 4)}",
-                                                {})
-                                         << QByteArray("numbers of type [('z', '<f4')]");
-        QTest::newRow("npy, too long") << floats + '\0' << QByteArray("too long");
-        QTest::newRow("npy, no header") << QByteArray("\x93NUMPY\x01\x00\x03\x00{a}", 13)
-                                        << QByteArray("header is damaged");
-        QTest::newRow("npz") << QByteArray("PK\x03\x04xxxx") << QByteArray("an archive (.npz or .zip)");
-        QTest::newRow("JPEG") << QByteArray("\xff\xd8\xff\xe0\x00\x10JFIF", 10)
-                              << QByteArray("a JPEG image holds no exact numbers");
-        QTest::newRow("text") << QByteArray("depth of a scene")
-                              << QByteArray("neither PNG, .npy, OpenEXR, TIFF, PFM, PGM nor COLMAP's .bin");
-        QTest::newRow("COLMAP, normals") << "4&3&3&" + bytesOf(numbers<float>())
-                                         << QByteArray("the map of COLMAP has 3 numbers a pixel");
-        QTest::newRow("COLMAP, another size")
-            << "3&4&1&" + bytesOf(numbers<float>()) << QByteArray("3x4 pixels, the scene's window 4x3");
-        QTest::newRow("COLMAP, too long") << "4&3&1&" + bytesOf(numbers<float>()) + '\0' << QByteArray("too long");
+        newRow("npy, one dimension") << npyOf<float>("<f4", "(12,)")
+                                     << QByteArray("the shape (12,); give one number a pixel");
+        newRow("npy, colors") << npyOf<float>("<f4", "(3, 4, 3)") << QByteArray("the shape (3, 4, 3)");
+        newRow("npy, complex") << npyOf<float>("<c8") << QByteArray("numbers of type <c8");
+        newRow("npy, structured") << npy("{'descr': [('z', '<f4')], 'fortran_order': False, 'shape': (3, 4)}", {})
+                                  << QByteArray("numbers of type [('z', '<f4')]");
+        newRow("npy, too long") << floats + '\0' << QByteArray("too long");
+        newRow("npy, no header") << QByteArray("\x93NUMPY\x01\x00\x03\x00{a}", 13) << QByteArray("header is damaged");
+        newRow("npz") << QByteArray("PK\x03\x04xxxx") << QByteArray("an archive (.npz or .zip)");
+        newRow("JPEG") << QByteArray("\xff\xd8\xff\xe0\x00\x10JFIF", 10)
+                       << QByteArray("a JPEG image holds no exact numbers");
+        newRow("text") << QByteArray("depth of a scene")
+                       << QByteArray("neither PNG, .npy, OpenEXR, TIFF, PFM, PGM nor COLMAP's .bin");
+        newRow("COLMAP, normals") << "4&3&3&" + bytesOf(numbers<float>())
+                                  << QByteArray("the map of COLMAP has 3 numbers a pixel");
+        newRow("COLMAP, another size") << "3&4&1&" + bytesOf(numbers<float>())
+                                       << QByteArray("3x4 pixels, the scene's window 4x3");
+        newRow("COLMAP, too long") << "4&3&1&" + bytesOf(numbers<float>()) + '\0' << QByteArray("too long");
 #ifdef UNPROJECTOR_PNG
-        QTest::newRow("PNG of colors") << encoded(colors(), "png") << QByteArray("the PNG has red, green and blue");
-        QTest::newRow("PNG with opacity") << encoded(colors().convertToFormat(QImage::Format_ARGB32), "png")
-                                          << QByteArray("the PNG has red, green, blue and opacity");
-        QTest::newRow("PNG with a palette") << encoded(colors().convertToFormat(QImage::Format_Indexed8), "png")
-                                            << QByteArray("the PNG has a palette of colors");
-        QTest::newRow("PNG of 1 bit") << encoded(colors().convertToFormat(QImage::Format_Mono), "png")
-                                      << QByteArray("the PNG has ");
-        QTest::newRow("PNG of another size") << encoded(QImage(5, 3, QImage::Format_Grayscale16), "png")
-                                             << QByteArray("5x3 pixels, the scene's window 4x3");
+        newRow("PNG of colors") << encoded(colors(), "png") << QByteArray("the PNG has red, green and blue");
+        newRow("PNG with opacity") << encoded(colors().convertToFormat(QImage::Format_ARGB32), "png")
+                                   << QByteArray("the PNG has red, green, blue and opacity");
+        newRow("PNG with a palette") << encoded(colors().convertToFormat(QImage::Format_Indexed8), "png")
+                                     << QByteArray("the PNG has a palette of colors");
+        newRow("PNG of 1 bit") << encoded(colors().convertToFormat(QImage::Format_Mono), "png")
+                               << QByteArray("the PNG has ");
+        newRow("PNG of another size") << encoded(QImage(5, 3, QImage::Format_Grayscale16), "png")
+                                      << QByteArray("5x3 pixels, the scene's window 4x3");
         QByteArray damaged = grayPng(QImage::Format_Grayscale16);
         damaged[damaged.size() - 20] = char(damaged[damaged.size() - 20] ^ 0x55);
-        QTest::newRow("PNG, damaged") << damaged << QByteArray("the file is damaged (");
+        newRow("PNG, damaged") << damaged << QByteArray("the file is damaged (");
         QByteArray huge = grayPng(QImage::Format_Grayscale16);
         huge[16] = '\x7f'; // the width; its checksum is wrong then too
-        QTest::newRow("PNG, huge") << huge << QByteArray("the file is damaged (");
+        newRow("PNG, huge") << huge << QByteArray("the file is damaged (");
 #else
-        QTest::newRow("PNG") << QByteArray("\x89PNG\r\n\x1a\n")
-                             << QByteArray("this is PNG, which this program was built without");
+        newRow("PNG") << QByteArray("\x89PNG\r\n\x1a\n")
+                      << QByteArray("this is PNG, which this program was built without");
 #endif
 #ifdef UNPROJECTOR_TIFF
         const QString file = m_folder.path("made.tiff");
-        QTest::newRow("TIFF of colors") << tiffOf<quint8>(file, {.bits = 8, .format = SAMPLEFORMAT_UINT, .channels = 3})
-                                        << QByteArray("the TIFF has 3 channels");
-        QTest::newRow("TIFF, 64 bits of whole numbers")
+        newRow("TIFF of colors") << tiffOf<quint8>(file, {.bits = 8, .format = SAMPLEFORMAT_UINT, .channels = 3})
+                                 << QByteArray("the TIFF has 3 channels");
+        newRow("TIFF, 64 bits of whole numbers")
             << tiffOf<quint64>(file, {.bits = 64, .format = SAMPLEFORMAT_UINT})
             << QByteArray("numbers of 64 bits; give floats, or whole numbers of 8, 16 or 32 bits");
-        QTest::newRow("TIFF, mirrored") << tiffOf<float>(file, {.orientation = ORIENTATION_TOPRIGHT})
-                                        << QByteArray("orientation 2");
-        QTest::newRow("TIFF, damaged")
+        newRow("TIFF, mirrored") << tiffOf<float>(file, {.orientation = ORIENTATION_TOPRIGHT})
+                                 << QByteArray("orientation 2");
+        newRow("TIFF, damaged")
             << tiffOf<float>(file, {.compression = COMPRESSION_ADOBE_DEFLATE}).replace(9, 6, "xxxxxx")
             << QByteArray("the file is damaged (");
 #else
-        QTest::newRow("TIFF") << QByteArray("II*\0", 4)
-                              << QByteArray("this is TIFF, which this program was built without");
+        newRow("TIFF") << QByteArray("II*\0", 4) << QByteArray("this is TIFF, which this program was built without");
 #endif
 #ifndef UNPROJECTOR_OPENEXR
-        QTest::newRow("OpenEXR") << QByteArray("\x76\x2f\x31\x01", 4)
-                                 << QByteArray("this is OpenEXR, which this program was built without");
+        newRow("OpenEXR") << QByteArray("\x76\x2f\x31\x01", 4)
+                          << QByteArray("this is OpenEXR, which this program was built without");
 #endif
     }
 
@@ -507,9 +503,9 @@ private slots:
 
     void everyShorterFileIsRefused_data()
     {
-        QTest::addColumn<QByteArray>("image");
-        QTest::newRow("npy") << npyOf<float>("<f4");
-        QTest::newRow("COLMAP") << "4&3&1&" + bytesOf(numbers<float>());
+        addColumn<QByteArray>("image");
+        newRow("npy") << npyOf<float>("<f4");
+        newRow("COLMAP") << "4&3&1&" + bytesOf(numbers<float>());
         addLibraryFormats();
     }
 
@@ -534,32 +530,32 @@ private:
     void addLibraryFormats()
     {
 #ifdef UNPROJECTOR_PNG
-        QTest::newRow("PNG, 16 bits") << grayPng(QImage::Format_Grayscale16);
-        QTest::newRow("PNG, 8 bits") << grayPng(QImage::Format_Grayscale8);
-        QTest::newRow("PNG, interlaced") << kInterlacedPng;
+        newRow("PNG, 16 bits") << grayPng(QImage::Format_Grayscale16);
+        newRow("PNG, 8 bits") << grayPng(QImage::Format_Grayscale8);
+        newRow("PNG, interlaced") << kInterlacedPng;
 #endif
 #ifdef UNPROJECTOR_TIFF
         const QString file = m_folder.path("made.tiff");
-        QTest::newRow("TIFF, floats") << tiffOf<float>(file, {});
-        QTest::newRow("TIFF, big-endian") << tiffOf<float>(file, {.mode = "wb"});
-        QTest::newRow("TIFF, BigTIFF") << tiffOf<float>(file, {.mode = "w8"});
-        QTest::newRow("TIFF, doubles, from the bottom")
+        newRow("TIFF, floats") << tiffOf<float>(file, {});
+        newRow("TIFF, big-endian") << tiffOf<float>(file, {.mode = "wb"});
+        newRow("TIFF, BigTIFF") << tiffOf<float>(file, {.mode = "w8"});
+        newRow("TIFF, doubles, from the bottom")
             << tiffOf<double>(file, {.bits = 64, .orientation = ORIENTATION_BOTLEFT});
-        QTest::newRow("TIFF, 16 bits, LZW")
-            << tiffOf<quint16>(file, {.bits = 16, .format = SAMPLEFORMAT_UINT, .compression = COMPRESSION_LZW});
-        QTest::newRow("TIFF, 8 bits, deflate")
-            << tiffOf<quint8>(file, {.bits = 8, .format = SAMPLEFORMAT_UINT, .compression = COMPRESSION_ADOBE_DEFLATE});
-        QTest::newRow("TIFF, signed, tiles")
-            << tiffOf<qint16>(file, {.bits = 16, .format = SAMPLEFORMAT_INT, .isTiled = true});
-        QTest::newRow("TIFF, floats, tiles, deflate")
+        newRow("TIFF, 16 bits, LZW") << tiffOf<quint16>(
+            file, {.bits = 16, .format = SAMPLEFORMAT_UINT, .compression = COMPRESSION_LZW});
+        newRow("TIFF, 8 bits, deflate") << tiffOf<quint8>(
+            file, {.bits = 8, .format = SAMPLEFORMAT_UINT, .compression = COMPRESSION_ADOBE_DEFLATE});
+        newRow("TIFF, signed, tiles") << tiffOf<qint16>(file,
+                                                        {.bits = 16, .format = SAMPLEFORMAT_INT, .isTiled = true});
+        newRow("TIFF, floats, tiles, deflate")
             << tiffOf<float>(file, {.compression = COMPRESSION_ADOBE_DEFLATE, .isTiled = true});
 #endif
 #ifdef UNPROJECTOR_OPENEXR
         const QString name = m_folder.path("made.exr");
-        QTest::newRow("OpenEXR, floats") << exr(name, Imf::FLOAT, {"Z"});
-        QTest::newRow("OpenEXR, halves") << exr(name, Imf::HALF, {"Y"}, Imf::PIZ_COMPRESSION);
-        QTest::newRow("OpenEXR, whole numbers") << exr(name, Imf::UINT, {"depth"}, Imf::NO_COMPRESSION);
-        QTest::newRow("OpenEXR, any name") << exr(name, Imf::FLOAT, {"Metres"});
+        newRow("OpenEXR, floats") << exr(name, Imf::FLOAT, {"Z"});
+        newRow("OpenEXR, halves") << exr(name, Imf::HALF, {"Y"}, Imf::PIZ_COMPRESSION);
+        newRow("OpenEXR, whole numbers") << exr(name, Imf::UINT, {"depth"}, Imf::NO_COMPRESSION);
+        newRow("OpenEXR, any name") << exr(name, Imf::FLOAT, {"Metres"});
 #endif
     }
 

@@ -83,10 +83,10 @@ class TestDepthMeanings : public QObject {
 private slots:
     void pointsLieOnThePixelsRay_data()
     {
-        QTest::addColumn<QByteArray>("projection");
-        QTest::addColumn<int>("kind");
-        QTest::addColumn<QString>("meaning");
-        QTest::addColumn<QString>("method");
+        addColumn<QByteArray>("projection");
+        addColumn<int>("kind");
+        addColumn<QString>("meaning");
+        addColumn<QString>("method");
         struct Lens {
             const char *name, *json;
             Kind kind;
@@ -97,7 +97,7 @@ private slots:
             for (const char *method : {"formula", "matrix"}) {
                 for (const char *meaning : {"z", "distance", "disparity"}) {
                     if (lens.kind == Kind::Frustum || qstrcmp(meaning, "disparity") != 0)
-                        QTest::addRow("%s, %s, %s", lens.name, meaning, method)
+                        addRow("%s, %s, %s", lens.name, meaning, method)
                             << QByteArray(lens.json) << int(lens.kind) << QString(meaning) << QString(method);
                 }
             }
@@ -207,23 +207,23 @@ private slots:
 
     void theGreatestNumberIsANote_data()
     {
-        QTest::addColumn<QStringList>("options");
-        QTest::addColumn<int>("count"); // of pixels with the greatest number
-        QTest::addColumn<bool>("isByte");
-        QTest::addColumn<QByteArray>("message");
+        addColumn<QStringList>("options");
+        addColumn<int>("count"); // of pixels with the greatest number
+        addColumn<bool>("isByte");
+        addColumn<QByteArray>("message");
         const QStringList z{"--depth-is", "z", "--depth-scale", "1000"};
         const QByteArray why(" Many cameras write it where they measure nothing: --no-data ");
-        QTest::newRow("two of 16 bits") << z << 2 << false
-                                        << "2 pixels have a point by the greatest possible number, 65535." + why
-                                               + "65535 leaves them out\n";
-        QTest::newRow("one of 8 bits") << QStringList{"--depth-is", "distance", "--depth-scale", "2"} << 1 << true
-                                       << "1 pixel has a point by the greatest possible number, 255." + why
-                                              + "255 leaves it out\n";
-        QTest::newRow("none") << z << 0 << false << QByteArray();
-        QTest::newRow("behind the far plane") << QStringList{"--depth-is", "z"} << 2 << false
-                                              << QByteArray("left out: 2 on the far plane (2000) or behind it\n");
-        QTest::newRow("named") << z + QStringList{"--no-data", "65535"} << 2 << false
-                               << QByteArray("left out: 2 with a number that means no measurement\n");
+        newRow("two of 16 bits") << z << 2 << false
+                                 << "2 pixels have a point by the greatest possible number, 65535." + why
+                                        + "65535 leaves them out\n";
+        newRow("one of 8 bits") << QStringList{"--depth-is", "distance", "--depth-scale", "2"} << 1 << true
+                                << "1 pixel has a point by the greatest possible number, 255." + why
+                                       + "255 leaves it out\n";
+        newRow("none") << z << 0 << false << QByteArray();
+        newRow("behind the far plane") << QStringList{"--depth-is", "z"} << 2 << false
+                                       << QByteArray("left out: 2 on the far plane (2000) or behind it\n");
+        newRow("named") << z + QStringList{"--no-data", "65535"} << 2 << false
+                        << QByteArray("left out: 2 with a number that means no measurement\n");
     }
 
     void theGreatestNumberIsANote()
@@ -249,19 +249,19 @@ private slots:
 
     void theOtherByteOrderIsANote_data()
     {
-        QTest::addColumn<QString>("numbers");
-        QTest::addColumn<bool>("isSwapped"); // against the format's byte order
-        QTest::addColumn<bool>("isRaw");
-        QTest::addColumn<QString>("named"); // by the note
-        QTest::newRow("PGM") << "surface" << false << false << "";
-        QTest::newRow("PGM, little-endian") << "surface" << true << false << "little";
-        QTest::newRow("PGM, noise") << "noise" << false << false << "";
-        QTest::newRow("PGM, 8 bits in the upper byte") << "upper" << false << false << "";
-        QTest::newRow("PGM, 255 in the lower byte") << "upper and 255" << false << false << "";
-        QTest::newRow("PGM, one number") << "flat" << true << false << "";
-        QTest::newRow("raw") << "surface" << false << true << "";
-        QTest::newRow("raw, big-endian") << "surface" << true << true << "big";
-        QTest::newRow("raw, noise") << "noise" << false << true << "";
+        addColumn<QString>("numbers");
+        addColumn<bool>("isSwapped"); // against the format's byte order
+        addColumn<bool>("isRaw");
+        addColumn<QString>("named"); // by the note
+        newRow("PGM") << "surface" << false << false << "";
+        newRow("PGM, little-endian") << "surface" << true << false << "little";
+        newRow("PGM, noise") << "noise" << false << false << "";
+        newRow("PGM, 8 bits in the upper byte") << "upper" << false << false << "";
+        newRow("PGM, 255 in the lower byte") << "upper and 255" << false << false << "";
+        newRow("PGM, one number") << "flat" << true << false << "";
+        newRow("raw") << "surface" << false << true << "";
+        newRow("raw, big-endian") << "surface" << true << true << "big";
+        newRow("raw, noise") << "noise" << false << true << "";
     }
 
     /// The depths of a floor and of a box before it, in millimetres, some without a measurement.
@@ -324,40 +324,36 @@ private slots:
     {
         constexpr float kNaN = std::numeric_limits<float>::quiet_NaN(),
                         kInfinity = std::numeric_limits<float>::infinity();
-        QTest::addColumn<QStringList>("options");
-        QTest::addColumn<QVector<float>>("bad");
-        QTest::addColumn<QByteArray>("message");
+        addColumn<QStringList>("options");
+        addColumn<QVector<float>>("bad");
+        addColumn<QByteArray>("message");
         const QVector<float> all{0, 0, kNaN, kInfinity, -kInfinity, -3, 1.25f, 2000, 2001, 1.5f};
-        QTest::newRow("z") << QStringList{"--depth-is", "z"} << all
-                           << QByteArray(
-                                  "2 with 0, 1 with NaN, 2 infinite, 1 below 0, 1 before the near plane (1.5), 2 on "
+        newRow("z") << QStringList{"--depth-is", "z"} << all
+                    << QByteArray("2 with 0, 1 with NaN, 2 infinite, 1 below 0, 1 before the near plane (1.5), 2 on "
                                   "the far plane (2000) or behind it\n");
-        QTest::newRow("distance") << QStringList{"--depth-is", "distance"} << QVector<float>{0, 1, 4000}
-                                  << QByteArray("1 with 0, 1 before the near plane (1.5), 1 on the far plane (2000) or "
-                                                "behind it\n");
-        QTest::newRow("disparity") << QStringList{"--depth-is", "disparity", "--baseline", "0.125"}
-                                   << QVector<float>{0, -1, kInfinity, 100, 0.001f}
-                                   << QByteArray(
-                                          "1 with 0, 1 infinite, 1 below 0, 1 before the near plane (1.5), 1 on the "
+        newRow("distance") << QStringList{"--depth-is", "distance"} << QVector<float>{0, 1, 4000}
+                           << QByteArray("1 with 0, 1 before the near plane (1.5), 1 on the far plane (2000) or "
+                                         "behind it\n");
+        newRow("disparity") << QStringList{"--depth-is", "disparity", "--baseline", "0.125"}
+                            << QVector<float>{0, -1, kInfinity, 100, 0.001f}
+                            << QByteArray("1 with 0, 1 infinite, 1 below 0, 1 before the near plane (1.5), 1 on the "
                                           "far plane (2000) or behind it\n");
-        QTest::newRow("buffer") << QStringList{} << QVector<float>{kNaN, -0.5f, 1.5f, -kInfinity, 1, 1}
-                                << QByteArray(
-                                       "1 with NaN, 1 infinite, 2 outside the depth range, 2 with the background's "
+        newRow("buffer") << QStringList{} << QVector<float>{kNaN, -0.5f, 1.5f, -kInfinity, 1, 1}
+                         << QByteArray("1 with NaN, 1 infinite, 2 outside the depth range, 2 with the background's "
                                        "depth\n");
-        QTest::newRow("range") << QStringList{"--depth-is", "range"} << QVector<float>{1.5f, 1}
-                               << QByteArray("1 outside the depth range, 1 with the background's depth\n");
-        QTest::newRow("disparity with an offset")
+        newRow("range") << QStringList{"--depth-is", "range"} << QVector<float>{1.5f, 1}
+                        << QByteArray("1 outside the depth range, 1 with the background's depth\n");
+        newRow("disparity with an offset")
             << QStringList{"--depth-is", "disparity", "--baseline", "0.125", "--disparity-offset", "1"}
             << QVector<float>{0, -1.5f, -0.999f}
             << QByteArray("1 with 0, 1 below 0, 1 on the far plane (2000) or behind it\n");
-        QTest::newRow("no data, z") << QStringList{"--depth-is", "z", "--no-data", "-9999,0.1,7"}
-                                    << QVector<float>{7, -9999, 0.1f, 0, 7, -3}
-                                    << QByteArray("4 with a number that means no measurement, 1 with 0, 1 below 0\n");
-        QTest::newRow("no data, buffer") << QStringList{"--no-data", "0.1"} << QVector<float>{0.1f, 1}
-                                         << QByteArray(
-                                                "1 with a number that means no measurement, 1 with the background's "
+        newRow("no data, z") << QStringList{"--depth-is", "z", "--no-data", "-9999,0.1,7"}
+                             << QVector<float>{7, -9999, 0.1f, 0, 7, -3}
+                             << QByteArray("4 with a number that means no measurement, 1 with 0, 1 below 0\n");
+        newRow("no data, buffer") << QStringList{"--no-data", "0.1"} << QVector<float>{0.1f, 1}
+                                  << QByteArray("1 with a number that means no measurement, 1 with the background's "
                                                 "depth\n");
-        QTest::newRow("background alone") << QStringList{} << QVector<float>{1, 1} << QByteArray();
+        newRow("background alone") << QStringList{} << QVector<float>{1, 1} << QByteArray();
     }
 
     void whatHasNoPointIsCounted()
@@ -417,23 +413,22 @@ private slots:
 
     void optionsThatContradict_data()
     {
-        QTest::addColumn<QStringList>("options");
-        QTest::addColumn<QByteArray>("message");
-        QTest::newRow("scale of depths") << QStringList{"--depth-scale", "1000"}
-                                         << QByteArray("--depth-scale goes with");
-        QTest::newRow("no baseline") << QStringList{"--depth-is", "disparity"} << QByteArray("needs --baseline");
-        QTest::newRow("baseline of z") << QStringList{"--depth-is", "z", "--baseline", "1"}
-                                       << QByteArray("--baseline goes with --depth-is disparity");
-        QTest::newRow("offset of z") << QStringList{"--depth-is", "z", "--disparity-offset", "1"}
-                                     << QByteArray("--disparity-offset goes with --depth-is disparity");
-        QTest::newRow("no data, a word") << QStringList{"--depth-is", "z", "--no-data", "0,none"}
-                                         << QByteArray("\"none\" is not a finite number");
-        QTest::newRow("scale 0") << QStringList{"--depth-is", "z", "--depth-scale", "0"}
-                                 << QByteArray("\"0\" is not a number above 0");
-        QTest::newRow("no such meaning") << QStringList{"--depth-is", "metres"}
-                                         << QByteArray("buffer, disparity, distance, range, z");
-        QTest::newRow("disparity of a box") << QStringList{"--depth-is", "disparity", "--baseline", "1"}
-                                            << QByteArray("a parallel projection has no disparities");
+        addColumn<QStringList>("options");
+        addColumn<QByteArray>("message");
+        newRow("scale of depths") << QStringList{"--depth-scale", "1000"} << QByteArray("--depth-scale goes with");
+        newRow("no baseline") << QStringList{"--depth-is", "disparity"} << QByteArray("needs --baseline");
+        newRow("baseline of z") << QStringList{"--depth-is", "z", "--baseline", "1"}
+                                << QByteArray("--baseline goes with --depth-is disparity");
+        newRow("offset of z") << QStringList{"--depth-is", "z", "--disparity-offset", "1"}
+                              << QByteArray("--disparity-offset goes with --depth-is disparity");
+        newRow("no data, a word") << QStringList{"--depth-is", "z", "--no-data", "0,none"}
+                                  << QByteArray("\"none\" is not a finite number");
+        newRow("scale 0") << QStringList{"--depth-is", "z", "--depth-scale", "0"}
+                          << QByteArray("\"0\" is not a number above 0");
+        newRow("no such meaning") << QStringList{"--depth-is", "metres"}
+                                  << QByteArray("buffer, disparity, distance, range, z");
+        newRow("disparity of a box") << QStringList{"--depth-is", "disparity", "--baseline", "1"}
+                                     << QByteArray("a parallel projection has no disparities");
     }
 
     void optionsThatContradict()

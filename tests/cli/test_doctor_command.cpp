@@ -28,15 +28,16 @@ private slots:
     /// depth. Points with other mistakes, and points beside it, leave it as it is.
     void theRightPointDoesNotDependOnTheWrongOne_data()
     {
-        QTest::addColumn<QStringList>("depth");
-        QTest::addColumn<QString>("space");
-        QTest::addColumn<QList<double>>("right");
-        QTest::newRow("on the mesh") << QStringList() << "world"
-                                     << QList<double>{-0.13299627234133754, 0.30059249120590026, 0.15124660325173694};
-        QTest::newRow("on the mesh, eye space")
-            << QStringList() << "eye" << QList<double>{-0.19185909807468562, 0.26445443248132344, -6.008936259069092};
-        QTest::newRow("a depth") << QStringList{"--depth", "0.9243156"} << "world"
-                                 << QList<double>{-0.06961323669434467, 0.33497287258700154, 0.24934078615987723};
+        addColumn<QStringList>("depth");
+        addColumn<QString>("space");
+        addColumn<QList<double>>("right");
+        newRow("on the mesh") << QStringList() << "world"
+                              << QList<double>{-0.13299627234133754, 0.30059249120590026, 0.15124660325173694};
+        newRow("on the mesh, eye space") << QStringList() << "eye"
+                                         << QList<double>{-0.19185909807468562, 0.26445443248132344,
+                                                          -6.008936259069092};
+        newRow("a depth") << QStringList{"--depth", "0.9243156"} << "world"
+                          << QList<double>{-0.06961323669434467, 0.33497287258700154, 0.24934078615987723};
     }
 
     void theRightPointDoesNotDependOnTheWrongOne()
@@ -50,30 +51,28 @@ private slots:
         "projection": {"type": "perspective", "fovy": 45, "near": 0.5, "far": 50},
         "view": {"eye": [3, 2, 5], "center": [0, 0, 0], "up": [0, 1, 0]},
         "objects": [{"name": "leaning", "file": "leaning.obj"}]})");
-        const double places[] = {-7e-5, 0.0, 6e-5, 0.3, 11.0};
-        for (const double along : places) {
-            for (const double beside : places) {
-                QStringList got;
-                for (int axis = 0; axis < 3; ++axis)
-                    got << QString::number(right[axis] + (axis == 1 ? beside : along), 'f', 4);
-                const QStringList words = QStringList{"doctor", scene, "--pixel", "301.5,214.5", "--got-space", space}
-                                          + depth + QStringList{"--got", got.join(u',')};
-                const Run inJson = runCommand(words + QStringList{"--json"});
-                VERIFY_SUCCEEDED(inJson);
-                const QJsonArray point = QJsonDocument::fromJson(inJson.output).object()["right"].toArray();
-                for (int axis = 0; axis < 3; ++axis)
-                    QCOMPARE(point[axis].toDouble(), right[axis]);
-                const Run inWords = runCommand(words);
-                // The number of digits follows those of the typed point; each number is rounded from the right one.
-                static const QRegularExpression line(QStringLiteral("right is +(\\S+) (\\S+) (\\S+)\\n"));
-                const QRegularExpressionMatch shown = line.match(QString::fromUtf8(inWords.output));
-                QVERIFY2(shown.hasMatch(), inWords.output);
-                for (int axis = 0; axis < 3; ++axis) {
-                    const QString number = shown.captured(axis + 1);
-                    const auto decimals = static_cast<int>(number.size() - number.indexOf(u'.') - 1);
-                    QVERIFY2(decimals >= 4, inWords.output);
-                    QCOMPARE(number, QString::number(right[axis], 'f', decimals));
-                }
+        for (const auto &[along, beside] : std::vector<std::pair<double, double>>{
+                 {0.0, 0.0}, {-7e-5, 6e-5}, {6e-5, 0.0}, {0.3, -7e-5}, {0.0, 11.0}, {11.0, 0.3}}) {
+            QStringList got;
+            for (int axis = 0; axis < 3; ++axis)
+                got << QString::number(right[axis] + (axis == 1 ? beside : along), 'f', 4);
+            const QStringList words = QStringList{"doctor", scene, "--pixel", "301.5,214.5", "--got-space", space}
+                                      + depth + QStringList{"--got", got.join(u',')};
+            const Run inJson = runCommand(words + QStringList{"--json"});
+            VERIFY_SUCCEEDED(inJson);
+            const QJsonArray point = QJsonDocument::fromJson(inJson.output).object()["right"].toArray();
+            for (int axis = 0; axis < 3; ++axis)
+                QCOMPARE(point[axis].toDouble(), right[axis]);
+            const Run inWords = runCommand(words);
+            // The number of digits follows those of the typed point; each number is rounded from the right one.
+            static const QRegularExpression line(QStringLiteral("right is +(\\S+) (\\S+) (\\S+)\\n"));
+            const QRegularExpressionMatch shown = line.match(QString::fromUtf8(inWords.output));
+            QVERIFY2(shown.hasMatch(), inWords.output);
+            for (int axis = 0; axis < 3; ++axis) {
+                const QString number = shown.captured(axis + 1);
+                const auto decimals = static_cast<int>(number.size() - number.indexOf(u'.') - 1);
+                QVERIFY2(decimals >= 4, inWords.output);
+                QCOMPARE(number, QString::number(right[axis], 'f', decimals));
             }
         }
     }

@@ -42,10 +42,9 @@ private slots:
 
     void anotherNameOfAnInputIsRefused_data()
     {
-        QTest::addColumn<QStringList>("words");
-        QTest::newRow("cloud over the model")
-            << QStringList{"cloud", "--size", "800x600", "scene.json", "depth.raw", "-o"};
-        QTest::newRow("landmarks over the mesh")
+        addColumn<QStringList>("words");
+        newRow("cloud over the model") << QStringList{"cloud", "--size", "800x600", "scene.json", "depth.raw", "-o"};
+        newRow("landmarks over the mesh")
             << QStringList{"landmarks", "--to", "csv", "--mesh", "face.obj", "points.csv"};
     }
 
@@ -76,10 +75,10 @@ private slots:
 
     void nothingIsAddedToAnInput_data()
     {
-        QTest::addColumn<QStringList>("words");
-        QTest::addColumn<QString>("output");
+        addColumn<QStringList>("words");
+        addColumn<QString>("output");
         const auto add = [](const char *name, const QStringList &words, const QString &output) {
-            QTest::newRow(name) << words << output;
+            newRow(name) << words << output;
         };
         add("info", {"info", "scene.json"}, "scene.json");
         add("info, the materials", {"info", "face.obj"}, "face.mtl");

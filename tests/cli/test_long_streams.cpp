@@ -16,7 +16,7 @@
 
 namespace {
 
-constexpr int kRows = 10000000;
+constexpr int kRows = tests::rounds(10000000);
 
 /// A box 1024 x 512 seen from the origin, a unit a pixel: all results are whole numbers.
 const QByteArray kScene = R"({"unprojector": 1, "window": {"width": 1024, "height": 512},

@@ -87,9 +87,9 @@ private slots:
 
     void aLargePictureTakesLittleMemory_data()
     {
-        QTest::addColumn<QStringList>("what");
-        QTest::newRow("uncertainty") << QStringList{"uncertainty"};
-        QTest::newRow("displacement") << QStringList{"displacement", "--convention", "screen2world"};
+        addColumn<QStringList>("what");
+        newRow("uncertainty") << QStringList{"uncertainty"};
+        newRow("displacement") << QStringList{"displacement", "--convention", "screen2world"};
     }
 
     /// The memory is the one of a small picture, plus a float a pixel, which the statistics need.

@@ -37,12 +37,12 @@ private slots:
 
     void namesAreTaken_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::newRow("plain") << "out";
-        QTest::newRow("blanks") << "a b  c.out";
-        QTest::newRow("Chinese") << QStringLiteral("\u70B9\u4E91.out");
-        QTest::newRow("a dash before") << "./-o.out";
-        QTest::newRow("long") << QString(180, 'a');
+        addColumn<QString>("name");
+        newRow("plain") << "out";
+        newRow("blanks") << "a b  c.out";
+        newRow("Chinese") << QStringLiteral("\u70B9\u4E91.out");
+        newRow("a dash before") << "./-o.out";
+        newRow("long") << QString(180, 'a');
     }
 
     void namesAreTaken()
@@ -63,20 +63,17 @@ private slots:
 
     void namesAreRefused_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QByteArray>("message");
-        QTest::newRow("a folder") << "folder" << QByteArray("this is a folder; give the name of a file\n");
-        QTest::newRow("a folder, with a slash")
-            << "folder/" << QByteArray("this is a folder; give the name of a file\n");
-        QTest::newRow("the folder itself") << "." << QByteArray("this is a folder; give the name of a file\n");
-        QTest::newRow("no such folder") << "none/out"
-                                        << QByteArray("there is no such folder; make it or give another name\n");
-        QTest::newRow("no name") << "none/" << QByteArray("there is no such folder; make it or give another name\n");
-        QTest::newRow("read-only") << "read-only"
-                                   << QByteArray("the file is read-only; allow writing to it or give another name\n");
+        addColumn<QString>("name");
+        addColumn<QByteArray>("message");
+        newRow("a folder") << "folder" << QByteArray("this is a folder; give the name of a file\n");
+        newRow("a folder, with a slash") << "folder/" << QByteArray("this is a folder; give the name of a file\n");
+        newRow("the folder itself") << "." << QByteArray("this is a folder; give the name of a file\n");
+        newRow("no such folder") << "none/out" << QByteArray("there is no such folder; make it or give another name\n");
+        newRow("no name") << "none/" << QByteArray("there is no such folder; make it or give another name\n");
+        newRow("read-only") << "read-only"
+                            << QByteArray("the file is read-only; allow writing to it or give another name\n");
 #ifndef Q_OS_WIN
-        QTest::newRow("too long") << QString(256, 'a')
-                                  << QByteArray("the file cannot be written (File name too long)\n");
+        newRow("too long") << QString(256, 'a') << QByteArray("the file cannot be written (File name too long)\n");
 #endif
     }
 
@@ -100,12 +97,12 @@ private slots:
 
     void anInputIsNotWrittenOver_data()
     {
-        QTest::addColumn<QString>("output");
-        QTest::newRow("the scene") << "scene.json";
-        QTest::newRow("the depths") << "depth.raw";
-        QTest::newRow("by another way") << "files/../depth.raw";
-        QTest::newRow("by a link") << "link";
-        QTest::newRow("the matrices") << "matrices.txt";
+        addColumn<QString>("output");
+        newRow("the scene") << "scene.json";
+        newRow("the depths") << "depth.raw";
+        newRow("by another way") << "files/../depth.raw";
+        newRow("by a link") << "link";
+        newRow("the matrices") << "matrices.txt";
     }
 
     void anInputIsNotWrittenOver()
@@ -189,11 +186,11 @@ private slots:
 
     void anInterruptionLeavesWhatWasThere_data()
     {
-        QTest::addColumn<int>("signal");
-        QTest::newRow("Ctrl+C") << SIGINT;
-        QTest::newRow("kill") << SIGTERM;
+        addColumn<int>("signal");
+        newRow("Ctrl+C") << SIGINT;
+        newRow("kill") << SIGTERM;
 #ifdef SIGHUP
-        QTest::newRow("closed terminal") << SIGHUP;
+        newRow("closed terminal") << SIGHUP;
 #endif
     }
 

@@ -41,19 +41,19 @@ private slots:
 
     void aVertexHasTheDigitsOfTheFile_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QByteArray>("contents");
+        addColumn<QString>("name");
+        addColumn<QByteArray>("contents");
         const QByteArrayList places{"5.8900111 0.1 -3.3333333", "431234.567 5812345.678 0.1",
                                     "431236.891 5812345.123 1.25", "431234.999 5812347.001 -0.7"};
         for (const qsizetype first : {qsizetype{0}, qsizetype{1}}) {
             const QByteArrayList own =
                 first == 0 ? QByteArrayList{places[0], "6.1 0.2 -3.1", "5.9 0.9000000001 -3.2"} : places.mid(1);
             const char *what = first == 0 ? "beside the origin" : "on a map";
-            QTest::newRow(qPrintable(QString("OBJ, %1").arg(what))) << "places.obj"
-                                                                    << "v " + own.join("\nv ") + "\nf 1 2 3\n";
-            QTest::newRow(qPrintable(QString("OFF, %1").arg(what))) << "places.off"
-                                                                    << "OFF 3 1 0\n" + own.join('\n') + "\n3 0 1 2\n";
-            QTest::newRow(qPrintable(QString("PLY, %1").arg(what)))
+            newRow(qPrintable(QString("OBJ, %1").arg(what))) << "places.obj"
+                                                             << "v " + own.join("\nv ") + "\nf 1 2 3\n";
+            newRow(qPrintable(QString("OFF, %1").arg(what))) << "places.off"
+                                                             << "OFF 3 1 0\n" + own.join('\n') + "\n3 0 1 2\n";
+            newRow(qPrintable(QString("PLY, %1").arg(what)))
                 << "places.ply"
                 << "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
                    "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
@@ -67,8 +67,8 @@ private slots:
         QFETCH(QByteArray, contents);
         const QString model = m_folder.write(name, contents);
         QByteArray positions = "px,py\n";
-        for (int y = 5; y < 600; y += 10) {
-            for (int x = 5; x < 800; x += 10)
+        for (int y = 5; y < 600; y += tests::spacing(10)) {
+            for (int x = 5; x < 800; x += tests::spacing(10))
                 positions += QByteArray::number(x) + ',' + QByteArray::number(y) + '\n';
         }
         const Run rows = runCommand({"pick", "--snap", "vertex", "--size", "800x600", model}, positions);

@@ -24,10 +24,10 @@ private slots:
 
     void manyRowsKeepTheirOrder_data()
     {
-        QTest::addColumn<QString>("threads");
-        QTest::newRow("one thread") << "1";
-        QTest::newRow("two threads") << "2";
-        QTest::newRow("five threads") << "5";
+        addColumn<QString>("threads");
+        newRow("one thread") << "1";
+        newRow("two threads") << "2";
+        newRow("five threads") << "5";
     }
 
     /// Enough for many blocks; a bad row among them, and a line longer than any block.

@@ -41,9 +41,9 @@ private slots:
 
     void tablesForPeople_data()
     {
-        QTest::addColumn<QStringList>("words");
-        QTest::newRow("info") << QStringList{"info"};
-        QTest::newRow("pick") << QStringList{"pick", "--at=400.5,300.5"};
+        addColumn<QStringList>("words");
+        newRow("info") << QStringList{"info"};
+        newRow("pick") << QStringList{"pick", "--at=400.5,300.5"};
     }
 
     void tablesForPeople()
@@ -76,25 +76,25 @@ private slots:
 
     void messages_data()
     {
-        QTest::addColumn<QStringList>("words");
-        QTest::newRow("an object that is not there")
+        addColumn<QStringList>("words");
+        newRow("an object that is not there")
             << QStringList{"points", "--space", "object:x" + QString::fromUtf8(kName), m_scene, "-"};
-        QTest::newRow("a command") << QStringList{QString::fromUtf8(kName)};
-        QTest::newRow("a word too many") << QStringList{"info", m_scene, QString::fromUtf8(kName)};
-        QTest::newRow("an option") << QStringList{"info", m_scene, "--" + QString::fromUtf8(kName)};
-        QTest::newRow("a value") << QStringList{"compare", m_scene, "--pixels", QString::fromUtf8(kName)};
-        QTest::newRow("a file that is not there") << QStringList{"info", QString::fromUtf8(kName) + ".json"};
-        QTest::newRow("an output's folder")
-            << QStringList{"code", "--for", "glm", m_scene, "-o", QString::fromUtf8(kName) + "/x"};
-        QTest::newRow("a landmark's name")
-            << QStringList{"landmarks", "--mesh", m_folder.path("face.obj"),
-                           "--to",      "csv",    m_folder.write("distant.csv", "name,x,y,z\n" + kName + ",900,2,3\n"),
-                           "-"};
-        QTest::newRow("a landmark's number") << QStringList{
+        newRow("a command") << QStringList{QString::fromUtf8(kName)};
+        newRow("a word too many") << QStringList{"info", m_scene, QString::fromUtf8(kName)};
+        newRow("an option") << QStringList{"info", m_scene, "--" + QString::fromUtf8(kName)};
+        newRow("a value") << QStringList{"compare", m_scene, "--pixels", QString::fromUtf8(kName)};
+        newRow("a file that is not there") << QStringList{"info", QString::fromUtf8(kName) + ".json"};
+        newRow("an output's folder") << QStringList{"code",  "--for", "glm",
+                                                    m_scene, "-o",    QString::fromUtf8(kName) + "/x"};
+        newRow("a landmark's name") << QStringList{
+            "landmarks", "--mesh", m_folder.path("face.obj"),
+            "--to",      "csv",    m_folder.write("distant.csv", "name,x,y,z\n" + kName + ",900,2,3\n"),
+            "-"};
+        newRow("a landmark's number") << QStringList{
             "landmarks", "--to", "csv", m_folder.write("bad.csv", "name,x,y,z\na," + kName + ",2,3\n"), "-"};
-        QTest::newRow("a scene's key") << QStringList{
+        newRow("a scene's key") << QStringList{
             "info", m_folder.write("key.json", "{\"unprojector\": 1, \"" + kInJson + "\": 1}")};
-        QTest::newRow("a model's word") << QStringList{
+        newRow("a model's word") << QStringList{
             "info", m_folder.write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 " + kName + "\n")};
     }
 

@@ -157,14 +157,14 @@ private slots:
 
     void saysHowFarTheWorkIs_data()
     {
-        QTest::addColumn<qulonglong>("total");
-        QTest::addColumn<bool>("isBytes");
-        QTest::addColumn<qulonglong>("done");
-        QTest::addColumn<int>("seconds");
-        QTest::addColumn<QByteArray>("text");
+        addColumn<qulonglong>("total");
+        addColumn<bool>("isBytes");
+        addColumn<qulonglong>("done");
+        addColumn<int>("seconds");
+        addColumn<QByteArray>("text");
         const auto row = [](const char *name, qulonglong total, bool isBytes, qulonglong done, int seconds,
                             const char *text) {
-            QTest::newRow(name) << total << isBytes << done << seconds << QByteArray(text);
+            newRow(name) << total << isBytes << done << seconds << QByteArray(text);
         };
         row("bytes of a file", 1000000000, true, 420000000, 42,
             " 42% [================>                       ] 420 MB of 1.0 GB, 0:58 left");

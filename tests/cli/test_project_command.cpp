@@ -30,14 +30,14 @@ private slots:
 
     void pointsOnThePlanesComeBack_data()
     {
-        QTest::addColumn<QByteArray>("projection");
-        QTest::addColumn<QByteArray>("depthRange");
-        QTest::newRow("frustum") << QByteArray(kFrustum) << QByteArray("[0, 1]");
-        QTest::newRow("frustum, reversed depths") << QByteArray(kFrustum) << QByteArray("[1, 0]");
-        QTest::newRow("frustum, part of the depths") << QByteArray(kFrustum) << QByteArray("[0.1, 0.3]");
-        QTest::newRow("thin box") << QByteArray(
+        addColumn<QByteArray>("projection");
+        addColumn<QByteArray>("depthRange");
+        newRow("frustum") << QByteArray(kFrustum) << QByteArray("[0, 1]");
+        newRow("frustum, reversed depths") << QByteArray(kFrustum) << QByteArray("[1, 0]");
+        newRow("frustum, part of the depths") << QByteArray(kFrustum) << QByteArray("[0.1, 0.3]");
+        newRow("thin box") << QByteArray(
             R"({"type": "ortho", "left": -1, "right": 1.3, "bottom": -0.7, "top": 1.1, "near": 54.3, "far": 56.1})")
-                                  << QByteArray("[0, 1]");
+                           << QByteArray("[0, 1]");
     }
 
     /// Points of a tilted camera, on its planes as exactly as doubles allow: rounding puts many depths

@@ -21,10 +21,10 @@ class TestSceneCommand : public QObject {
 private slots:
     void whatMatricesPrintsIsTaken_data()
     {
-        QTest::addColumn<QString>("format");
-        QTest::addColumn<QString>("conventions");
+        addColumn<QString>("format");
+        addColumn<QString>("conventions");
         const auto add = [](const char *format, const char *conventions) {
-            QTest::addRow("%s, %s", format, conventions) << format << conventions;
+            addRow("%s, %s", format, conventions) << format << conventions;
         };
         for (const char *format : {"text", "c", "numpy", "json", "latex"}) {
             add(format, "opengl");

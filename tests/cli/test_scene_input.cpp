@@ -100,7 +100,7 @@ class TestSceneInput : public QObject {
 private slots:
     void noTruncationIsRead()
     {
-        for (qsizetype length = 0; length < kPerspectiveScene.size(); ++length) {
+        for (qsizetype length = 0; length < kPerspectiveScene.size(); length += tests::spacing(1)) {
             verifyRefused(kPerspectiveScene.left(length), length == 0 ? ": the file is empty" : ":");
             if (QTest::currentTestFailed())
                 return;
@@ -109,8 +109,8 @@ private slots:
 
     void everyValueHasItsType_data()
     {
-        QTest::addColumn<QByteArray>("scene");
-        QTest::addColumn<QByteArray>("message");
+        addColumn<QByteArray>("scene");
+        addColumn<QByteArray>("message");
         const QList<std::pair<const char *, QJsonValue>> values{{"null", QJsonValue()},   {"true", true},
                                                                 {"a number", 7},          {"a text", "seven"},
                                                                 {"a list", QJsonArray{}}, {"an object", QJsonObject{}}};
@@ -130,7 +130,7 @@ private slots:
                 for (const auto &[name, value] : values) {
                     if (valueAt(root, steps).type() == value.type())
                         continue;
-                    QTest::addRow("%s: %s", path.constData(), name)
+                    addRow("%s: %s", path.constData(), name)
                         << QJsonDocument(replaced(root, steps, value).toObject()).toJson()
                         << ": " + path + ": expected ";
                 }
@@ -147,14 +147,14 @@ private slots:
 
     void noKeyStandsTwice_data()
     {
-        QTest::addColumn<QByteArray>("scene");
-        QTest::addColumn<QByteArray>("message");
+        addColumn<QByteArray>("scene");
+        addColumn<QByteArray>("message");
         QRegularExpressionMatchIterator keys = QRegularExpression("\"(\\w+)\":").globalMatch(QString::fromUtf8(kScene));
         while (keys.hasNext()) {
             const QRegularExpressionMatch key = keys.next();
             const QByteArray name = key.captured(1).toUtf8(), once = '"' + name + "\": [], ";
             const QByteArray scene = QByteArray(kScene).insert(key.capturedStart(), once);
-            QTest::addRow("%s at %d", name.constData(), int(key.capturedStart()))
+            addRow("%s at %d", name.constData(), int(key.capturedStart()))
                 << scene
                 << ':' + lineAndColumn(scene, key.capturedStart() + once.size()) + ": the key \"" + name
                        + "\" is here for the second time\n";
@@ -170,15 +170,15 @@ private slots:
 
     void noNumberIsTooLarge_data()
     {
-        QTest::addColumn<QByteArray>("scene");
-        QTest::addColumn<QByteArray>("message");
+        addColumn<QByteArray>("scene");
+        addColumn<QByteArray>("message");
         QRegularExpressionMatchIterator numbers =
             QRegularExpression("(?<=[ \\[,])-?[0-9.]+(?=[,\\]}])").globalMatch(QString::fromUtf8(kScene));
         while (numbers.hasNext()) {
             const QRegularExpressionMatch number = numbers.next();
             const QByteArray scene =
                 QByteArray(kScene).replace(number.capturedStart(), number.capturedLength(), "-1e400");
-            QTest::addRow("at %d", int(number.capturedStart()))
+            addRow("at %d", int(number.capturedStart()))
                 << scene << ':' + lineAndColumn(scene, number.capturedStart()) + ": -1e400 is too large for a number\n";
         }
     }
@@ -192,14 +192,14 @@ private slots:
 
     void endlessBrackets_data()
     {
-        QTest::addColumn<QByteArray>("scene");
-        QTest::addColumn<QByteArray>("message");
+        addColumn<QByteArray>("scene");
+        addColumn<QByteArray>("message");
         const QByteArray open(10000, '['), deep("brackets are nested deeper than 64 levels\n");
-        QTest::newRow("lists") << open << ":1:65: " + deep;
-        QTest::newRow("lists, closed") << open + QByteArray(10000, ']') << ":1:65: " + deep;
-        QTest::newRow("objects") << QByteArray("{\"a\":").repeated(10000) << ":1:321: " + deep;
-        QTest::newRow("under an unknown key")
-            << QByteArray(kScene).replace("\"window\"", "\"x\": " + open + ", \"window\"") << QByteArray(":2:");
+        newRow("lists") << open << ":1:65: " + deep;
+        newRow("lists, closed") << open + QByteArray(10000, ']') << ":1:65: " + deep;
+        newRow("objects") << QByteArray("{\"a\":").repeated(10000) << ":1:321: " + deep;
+        newRow("under an unknown key") << QByteArray(kScene).replace("\"window\"", "\"x\": " + open + ", \"window\"")
+                                       << QByteArray(":2:");
     }
 
     void endlessBrackets()

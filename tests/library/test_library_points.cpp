@@ -63,14 +63,14 @@ class TestLibraryPoints : public QObject {
 private slots:
     void aBatchGivesTheDigitsOfSinglePoints_data()
     {
-        QTest::addColumn<Method>("method");
-        QTest::addColumn<Space>("space");
-        QTest::addColumn<Digits>("digits");
-        QTest::newRow("formula, exact") << Method::Formula << Space::World << Digits::Exact;
-        QTest::newRow("matrix, exact") << Method::Matrix << Space::World << Digits::Exact;
-        QTest::newRow("formula, double") << Method::Formula << Space::World << Digits::Double;
-        QTest::newRow("matrix, eye, double") << Method::Matrix << Space::Eye << Digits::Double;
-        QTest::newRow("formula, eye, exact") << Method::Formula << Space::Eye << Digits::Exact;
+        addColumn<Method>("method");
+        addColumn<Space>("space");
+        addColumn<Digits>("digits");
+        newRow("formula, exact") << Method::Formula << Space::World << Digits::Exact;
+        newRow("matrix, exact") << Method::Matrix << Space::World << Digits::Exact;
+        newRow("formula, double") << Method::Formula << Space::World << Digits::Double;
+        newRow("matrix, eye, double") << Method::Matrix << Space::Eye << Digits::Double;
+        newRow("formula, eye, exact") << Method::Formula << Space::Eye << Digits::Exact;
     }
 
     void aBatchGivesTheDigitsOfSinglePoints()
@@ -188,12 +188,12 @@ private slots:
 
     void aCloudIsTheUnprojectedImage_data()
     {
-        QTest::addColumn<DepthIs>("depthIs");
-        QTest::addColumn<NumberType>("type");
-        QTest::newRow("window depths, floats") << DepthIs::Buffer << NumberType::Float32;
-        QTest::newRow("window depths, doubles") << DepthIs::Buffer << NumberType::Float64;
-        QTest::newRow("distances, floats") << DepthIs::Z << NumberType::Float32;
-        QTest::newRow("distances, doubles") << DepthIs::Z << NumberType::Float64;
+        addColumn<DepthIs>("depthIs");
+        addColumn<NumberType>("type");
+        newRow("window depths, floats") << DepthIs::Buffer << NumberType::Float32;
+        newRow("window depths, doubles") << DepthIs::Buffer << NumberType::Float64;
+        newRow("distances, floats") << DepthIs::Z << NumberType::Float32;
+        newRow("distances, doubles") << DepthIs::Z << NumberType::Float64;
     }
 
     void aCloudIsTheUnprojectedImage()

@@ -98,10 +98,10 @@ class TestPackaging : public QObject {
 private slots:
     void everythingSaysTheSameVersion_data()
     {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<QString>("start");
+        addColumn<QString>("text");
+        addColumn<QString>("start");
         const auto row = [](const char *name, const QString &text, const QString &start) {
-            QTest::newRow(name) << text << start;
+            newRow(name) << text << start;
         };
         row("unproject", said(QStringLiteral(UNPROJECT_COMMAND), {QStringLiteral("--version")}),
             QStringLiteral("unproject %1\n"));
@@ -143,13 +143,13 @@ private slots:
 
     void everyOptionIsInTheManualAndTheCompletions_data()
     {
-        QTest::addColumn<QString>("program");
-        QTest::addColumn<QString>("command");
-        QTest::newRow("unprojector") << QStringLiteral("unprojector") << QString();
-        QTest::newRow("unproject") << QStringLiteral("unproject") << QString();
+        addColumn<QString>("program");
+        addColumn<QString>("command");
+        newRow("unprojector") << QStringLiteral("unprojector") << QString();
+        newRow("unproject") << QStringLiteral("unproject") << QString();
         const QString help = said(QStringLiteral(UNPROJECT_COMMAND), {QStringLiteral("--help")});
         for (const QString &command : entriesBelow(QStringLiteral("Subcommands:"), help))
-            QTest::newRow(qPrintable(command)) << QStringLiteral("unproject") << command;
+            newRow(qPrintable(command)) << QStringLiteral("unproject") << command;
     }
 
     void everyOptionIsInTheManualAndTheCompletions()
@@ -208,9 +208,9 @@ private slots:
 
     void theShellsReadTheirCompletions_data()
     {
-        QTest::addColumn<QString>("shell");
+        addColumn<QString>("shell");
         for (const char *shell : {"bash", "zsh", "fish"})
-            QTest::newRow(shell) << QString::fromLatin1(shell);
+            newRow(shell) << QString::fromLatin1(shell);
     }
 
     void theShellsReadTheirCompletions()
@@ -226,10 +226,10 @@ private slots:
 
     void bashCompletes_data()
     {
-        QTest::addColumn<QString>("line");
-        QTest::addColumn<QString>("offers");
+        addColumn<QString>("line");
+        addColumn<QString>("offers");
         const auto row = [](const char *line, const char *offers) {
-            QTest::newRow(line) << QString::fromLatin1(line) << QString::fromLatin1(offers);
+            newRow(line) << QString::fromLatin1(line) << QString::fromLatin1(offers);
         };
         row("unproject po", "points");
         row("unproject points --f", "--format");
@@ -260,9 +260,9 @@ private slots:
 
     void theManualIsWellFormed_data()
     {
-        QTest::addColumn<QString>("page");
+        addColumn<QString>("page");
         for (const char *page : {"unproject.1", "unprojector.1"})
-            QTest::newRow(page) << manualFile(QString::fromLatin1(page));
+            newRow(page) << manualFile(QString::fromLatin1(page));
     }
 
     /// Every line begins with a known request or is text, and no escape is unknown.
@@ -295,15 +295,14 @@ private slots:
 
     void theDesktopTakesItsFiles_data()
     {
-        QTest::addColumn<QString>("program");
-        QTest::addColumn<QStringList>("arguments");
+        addColumn<QString>("program");
+        addColumn<QStringList>("arguments");
         const QString base = packagingFile(QStringLiteral("io.github.unprojector.unprojector"));
-        QTest::newRow("menu entry") << QStringLiteral("desktop-file-validate")
-                                    << QStringList{base + QStringLiteral(".desktop")};
-        QTest::newRow("software centre") << QStringLiteral("appstreamcli")
-                                         << QStringList{QStringLiteral("validate"), QStringLiteral("--no-net"),
-                                                        QStringLiteral("--pedantic"),
-                                                        base + QStringLiteral(".metainfo.xml")};
+        newRow("menu entry") << QStringLiteral("desktop-file-validate")
+                             << QStringList{base + QStringLiteral(".desktop")};
+        newRow("software centre") << QStringLiteral("appstreamcli")
+                                  << QStringList{QStringLiteral("validate"), QStringLiteral("--no-net"),
+                                                 QStringLiteral("--pedantic"), base + QStringLiteral(".metainfo.xml")};
     }
 
     void theDesktopTakesItsFiles()

@@ -247,13 +247,13 @@ private slots:
 private:
     static void compiledRows()
     {
-        QTest::addColumn<Compiled>("code");
-        QTest::newRow("frustum") << COMPILED(frustum);
-        QTest::newRow("matrices") << COMPILED(matrices);
-        QTest::newRow("oblique") << COMPILED(oblique);
-        QTest::newRow("off-centre") << COMPILED(off_centre);
-        QTest::newRow("ortho") << COMPILED(ortho);
-        QTest::newRow("perspective") << COMPILED(perspective);
+        addColumn<Compiled>("code");
+        newRow("frustum") << COMPILED(frustum);
+        newRow("matrices") << COMPILED(matrices);
+        newRow("oblique") << COMPILED(oblique);
+        newRow("off-centre") << COMPILED(off_centre);
+        newRow("ortho") << COMPILED(ortho);
+        newRow("perspective") << COMPILED(perspective);
     }
 
     QOffscreenSurface m_surface;

@@ -166,17 +166,17 @@ private slots:
 private:
     static void sceneRows()
     {
-        QTest::addColumn<QString>("projection");
-        QTest::addColumn<bool>("hasFormula");
-        QTest::newRow("frustum") << "# glFrustum" << true;
-        QTest::newRow("general_matrix") << "clip_from_eye = np.array([" << false;
-        QTest::newRow("matrices") << "z = m[2, 3] / (" << true;
-        QTest::newRow("oblique") << "cot_theta, cot_phi = " << true;
-        QTest::newRow("off_centre") << "# glFrustum" << true;
-        QTest::newRow("ortho") << "# glOrtho" << true;
-        QTest::newRow("perspective") << "# gluPerspective" << true;
-        QTest::newRow("ortho_matrix") << "z = (m[3, 3] * z_ndc" << true;
-        QTest::newRow("perspective_matrix") << "z = m[2, 3] / (" << true;
+        addColumn<QString>("projection");
+        addColumn<bool>("hasFormula");
+        newRow("frustum") << "# glFrustum" << true;
+        newRow("general_matrix") << "clip_from_eye = np.array([" << false;
+        newRow("matrices") << "z = m[2, 3] / (" << true;
+        newRow("oblique") << "cot_theta, cot_phi = " << true;
+        newRow("off_centre") << "# glFrustum" << true;
+        newRow("ortho") << "# glOrtho" << true;
+        newRow("perspective") << "# gluPerspective" << true;
+        newRow("ortho_matrix") << "z = (m[3, 3] * z_ndc" << true;
+        newRow("perspective_matrix") << "z = m[2, 3] / (" << true;
     }
 
     QString m_python;

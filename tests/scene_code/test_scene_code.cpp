@@ -143,12 +143,12 @@ private slots:
 
     void numbersKeepAllTheirDigits_data()
     {
-        QTest::addColumn<CodeDialect>("dialect");
-        QTest::newRow("GLU") << CodeDialect::Glu;
-        QTest::newRow("GLM") << CodeDialect::Glm;
-        QTest::newRow("Qt") << CodeDialect::Qt;
-        QTest::newRow("three.js") << CodeDialect::ThreeJs;
-        QTest::newRow("NumPy") << CodeDialect::NumPy;
+        addColumn<CodeDialect>("dialect");
+        newRow("GLU") << CodeDialect::Glu;
+        newRow("GLM") << CodeDialect::Glm;
+        newRow("Qt") << CodeDialect::Qt;
+        newRow("three.js") << CodeDialect::ThreeJs;
+        newRow("NumPy") << CodeDialect::NumPy;
     }
 
     /// The numbers are read out of the text: three.js' is not run.
@@ -247,20 +247,20 @@ private slots:
 private:
     static void compiledRows()
     {
-        QTest::addColumn<Compiled>("code");
+        addColumn<Compiled>("code");
         const std::vector<glm::dmat4> none;
-        QTest::newRow("frustum, GLM") << COMPILED(frustum, glm, modelsInGlm(), kInDouble);
-        QTest::newRow("matrices, GLM") << COMPILED(matrices, glm, none, kInDouble);
-        QTest::newRow("oblique, GLM") << COMPILED(oblique, glm, none, kInDouble);
-        QTest::newRow("off-centre, GLM") << COMPILED(off_centre, glm, none, kInDouble);
-        QTest::newRow("ortho, GLM") << COMPILED(ortho, glm, none, kInDouble);
-        QTest::newRow("perspective, GLM") << COMPILED(perspective, glm, none, kInDouble);
-        QTest::newRow("frustum, Qt") << COMPILED(frustum, qt, modelsInQt(), kInFloat);
-        QTest::newRow("matrices, Qt") << COMPILED(matrices, qt, none, kInFloat);
-        QTest::newRow("oblique, Qt") << COMPILED(oblique, qt, none, kInFloat);
-        QTest::newRow("off-centre, Qt") << COMPILED(off_centre, qt, none, kInFloat);
-        QTest::newRow("ortho, Qt") << COMPILED(ortho, qt, none, kInFloat);
-        QTest::newRow("perspective, Qt") << COMPILED(perspective, qt, none, kInFloat);
+        newRow("frustum, GLM") << COMPILED(frustum, glm, modelsInGlm(), kInDouble);
+        newRow("matrices, GLM") << COMPILED(matrices, glm, none, kInDouble);
+        newRow("oblique, GLM") << COMPILED(oblique, glm, none, kInDouble);
+        newRow("off-centre, GLM") << COMPILED(off_centre, glm, none, kInDouble);
+        newRow("ortho, GLM") << COMPILED(ortho, glm, none, kInDouble);
+        newRow("perspective, GLM") << COMPILED(perspective, glm, none, kInDouble);
+        newRow("frustum, Qt") << COMPILED(frustum, qt, modelsInQt(), kInFloat);
+        newRow("matrices, Qt") << COMPILED(matrices, qt, none, kInFloat);
+        newRow("oblique, Qt") << COMPILED(oblique, qt, none, kInFloat);
+        newRow("off-centre, Qt") << COMPILED(off_centre, qt, none, kInFloat);
+        newRow("ortho, Qt") << COMPILED(ortho, qt, none, kInFloat);
+        newRow("perspective, Qt") << COMPILED(perspective, qt, none, kInFloat);
     }
 };
 

@@ -7,6 +7,11 @@
 #include <memory>
 #include <vector>
 
+// Every table of a test is made of these.
+using QTest::addColumn;
+using QTest::addRow;
+using QTest::newRow;
+
 /// What a test class needs to be run by its folder's program.
 namespace tests {
 
@@ -34,6 +39,16 @@ constexpr int rounds(int count)
     return (count + 9) / 10;
 #else
     return count;
+#endif
+}
+
+/// The distance of the places that a test looks at on a grid: three times as far under a sanitizer.
+constexpr int spacing(int distance)
+{
+#ifdef UNPROJECTOR_IS_SANITIZED
+    return 3 * distance;
+#else
+    return distance;
 #endif
 }
 

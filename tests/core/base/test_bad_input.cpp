@@ -79,14 +79,14 @@ private slots:
 
     void aBadProjectionIsRefusedEverywhere_data()
     {
-        QTest::addColumn<Projection>("projection");
-        QTest::addColumn<ErrorCode>("code");
-        QTest::addColumn<double>("value");
-        QTest::addColumn<double>("other");
+        addColumn<Projection>("projection");
+        addColumn<ErrorCode>("code");
+        addColumn<double>("value");
+        addColumn<double>("other");
 
         using enum ErrorCode;
         const auto row = [](const QByteArray &name, const Projection &projection, ErrorCode code, double value,
-                            double other = kNan) { QTest::newRow(name) << projection << code << value << other; };
+                            double other = kNan) { newRow(name) << projection << code << value << other; };
 
         // The six numbers that a frustum, a box and a sheared box have in common.
         const auto sixNumbers = [&](const QByteArray &kind, const auto &make) {
@@ -160,17 +160,17 @@ private slots:
 
     void aBadTargetIsRefusedByBothMethods_data()
     {
-        QTest::addColumn<Viewport>("viewport");
-        QTest::addColumn<DepthRange>("range");
-        QTest::addColumn<WindowPoint>("window");
-        QTest::addColumn<ErrorCode>("code");
-        QTest::addColumn<double>("value");
-        QTest::addColumn<double>("other");
+        addColumn<Viewport>("viewport");
+        addColumn<DepthRange>("range");
+        addColumn<WindowPoint>("window");
+        addColumn<ErrorCode>("code");
+        addColumn<double>("value");
+        addColumn<double>("other");
 
         using enum ErrorCode;
         const auto row = [](const QByteArray &name, const Viewport &viewport, const DepthRange &range,
                             const WindowPoint &window, ErrorCode code, double value, double other = kNan) {
-            QTest::newRow(name) << viewport << range << window << code << value << other;
+            newRow(name) << viewport << range << window << code << value << other;
         };
         row("empty viewport", {0, 0, 0, 0}, {}, kWindow, EmptyViewport, 0, 0);
         row("viewport without width", {0, 0, 0, 480}, {}, kWindow, EmptyViewport, 0, 480);
@@ -213,17 +213,17 @@ private slots:
 
     void aBadDepthIsRefusedByTheClosedForm_data()
     {
-        QTest::addColumn<DepthRange>("range");
-        QTest::addColumn<double>("depth");
-        QTest::addColumn<bool>("matrixHasAnAnswer"); // a matrix does not care whether a depth is inside the range
+        addColumn<DepthRange>("range");
+        addColumn<double>("depth");
+        addColumn<bool>("matrixHasAnAnswer"); // a matrix does not care whether a depth is inside the range
 
-        QTest::newRow("NaN") << DepthRange{} << kNan << false;
-        QTest::newRow("infinite") << DepthRange{} << kInfinity << false;
-        QTest::newRow("-0.1") << DepthRange{} << -0.1 << true;
-        QTest::newRow("1.0001") << DepthRange{} << 1.0001 << true;
-        QTest::newRow("-0.1 of a reversed range") << DepthRange{1, 0} << -0.1 << true;
-        QTest::newRow("below a partial range") << DepthRange{0.25, 0.75} << 0.2 << true;
-        QTest::newRow("above a partial range") << DepthRange{0.25, 0.75} << 0.7501 << true;
+        newRow("NaN") << DepthRange{} << kNan << false;
+        newRow("infinite") << DepthRange{} << kInfinity << false;
+        newRow("-0.1") << DepthRange{} << -0.1 << true;
+        newRow("1.0001") << DepthRange{} << 1.0001 << true;
+        newRow("-0.1 of a reversed range") << DepthRange{1, 0} << -0.1 << true;
+        newRow("below a partial range") << DepthRange{0.25, 0.75} << 0.2 << true;
+        newRow("above a partial range") << DepthRange{0.25, 0.75} << 0.7501 << true;
     }
 
     void aBadDepthIsRefusedByTheClosedForm()
@@ -247,10 +247,10 @@ private slots:
 
     void bothEndsOfTheDepthRangeAreAccepted_data()
     {
-        QTest::addColumn<DepthRange>("range");
-        QTest::newRow("default") << DepthRange{};
-        QTest::newRow("reversed") << DepthRange{1, 0};
-        QTest::newRow("partial") << DepthRange{0.1, 0.7};
+        addColumn<DepthRange>("range");
+        newRow("default") << DepthRange{};
+        newRow("reversed") << DepthRange{1, 0};
+        newRow("partial") << DepthRange{0.1, 0.7};
     }
 
     void bothEndsOfTheDepthRangeAreAccepted()
@@ -271,15 +271,15 @@ private slots:
 
     void aBadMatrixIsRefused_data()
     {
-        QTest::addColumn<glm::dmat4>("matrix");
-        QTest::addColumn<WindowPoint>("window");
-        QTest::addColumn<ErrorCode>("code");
-        QTest::addColumn<double>("value");
+        addColumn<glm::dmat4>("matrix");
+        addColumn<WindowPoint>("window");
+        addColumn<ErrorCode>("code");
+        addColumn<double>("value");
 
         using enum ErrorCode;
         const glm::dmat4 identity(1.0);
         const auto row = [](const QByteArray &name, const glm::dmat4 &matrix, const WindowPoint &window, ErrorCode code,
-                            double value = kNan) { QTest::newRow(name) << matrix << window << code << value; };
+                            double value = kNan) { newRow(name) << matrix << window << code << value; };
         row("zero matrix", glm::dmat4(0.0), kWindow, SingularMatrix);
         row("no depth row", with(identity, [](glm::dmat4 &m) { m[2][2] = 0.0; }), kWindow, SingularMatrix);
         row("equal columns", with(identity, [](glm::dmat4 &m) { m[1] = m[0]; }), kWindow, SingularMatrix);
@@ -316,11 +316,11 @@ private slots:
     void anObjectOutOfReachIsRefused_data()
     {
         using enum ErrorCode;
-        QTest::addColumn<TransformStep>("step");
-        QTest::addColumn<std::optional<ErrorCode>>("code");
-        QTest::addColumn<double>("value");
+        addColumn<TransformStep>("step");
+        addColumn<std::optional<ErrorCode>>("code");
+        addColumn<double>("value");
         const auto row = [](const char *name, const TransformStep &step, std::optional<ErrorCode> code, double value) {
-            QTest::newRow(name) << step << code << value;
+            newRow(name) << step << code << value;
         };
         row("as far as can be", Translate{{0, 9e99, 0}}, {}, 0.0);
         row("too far", Translate{{0, 2e100, 0}}, ObjectTooFar, 2e100);
@@ -347,9 +347,9 @@ private slots:
 
     void aMatrixOfAnyScaleIsInverted_data()
     {
-        QTest::addColumn<double>("scale");
+        addColumn<double>("scale");
         for (const double scale : {0x1p-200, 0x1p-100, 1.0, 0x1p+100, 0x1p+200})
-            QTest::addRow("%g", scale) << scale;
+            addRow("%g", scale) << scale;
     }
 
     /// A homogeneous matrix times a number is the same transform; its determinant is 10^-240 or 10^240
@@ -366,13 +366,13 @@ private slots:
 
     void aBadCameraIsRefused_data()
     {
-        QTest::addColumn<LookAt>("camera");
-        QTest::addColumn<ErrorCode>("code");
-        QTest::addColumn<double>("value");
+        addColumn<LookAt>("camera");
+        addColumn<ErrorCode>("code");
+        addColumn<double>("value");
 
         using enum ErrorCode;
         const auto row = [](const QByteArray &name, const LookAt &camera, ErrorCode code, double value = kNan) {
-            QTest::newRow(name) << camera << code << value;
+            newRow(name) << camera << code << value;
         };
         const WorldPoint eye(1, 2, 3), center(4, 6, 3);
         const WorldVector up(0, 1, 0), along(3, 4, 0);

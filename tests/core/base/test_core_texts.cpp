@@ -176,17 +176,17 @@ private slots:
 
     void whatHidesATextIsSeen_data()
     {
-        QTest::addColumn<QString>("code");
-        QTest::addColumn<bool>("seen");
+        addColumn<QString>("code");
+        addColumn<bool>("seen");
 
-        QTest::newRow("literal") << QStringLiteral(R"(tr("a" "b", c))") << true;
-        QTest::newRow("choice") << QStringLiteral(R"(tr(x == ',' ? "a" : "b" "c", d))") << true;
-        QTest::newRow("name") << QStringLiteral("tr(remedyOf(part).sentence)") << true;
-        QTest::newRow("in-a-comment") << QStringLiteral("int a; // what tr() says") << true;
-        QTest::newRow("comma-of-a-template") << QStringLiteral(R"(tr(std::is_same_v<S, double> ? "a" : "b"))") << false;
-        QTest::newRow("half-a-choice") << QStringLiteral(R"(tr(isFew ? few : "b"))") << false;
-        QTest::newRow("choice-of-names") << QStringLiteral("tr(isFew ? few : many)") << false;
-        QTest::newRow("sum") << QStringLiteral("tr(a + b)") << false;
+        newRow("literal") << QStringLiteral(R"(tr("a" "b", c))") << true;
+        newRow("choice") << QStringLiteral(R"(tr(x == ',' ? "a" : "b" "c", d))") << true;
+        newRow("name") << QStringLiteral("tr(remedyOf(part).sentence)") << true;
+        newRow("in-a-comment") << QStringLiteral("int a; // what tr() says") << true;
+        newRow("comma-of-a-template") << QStringLiteral(R"(tr(std::is_same_v<S, double> ? "a" : "b"))") << false;
+        newRow("half-a-choice") << QStringLiteral(R"(tr(isFew ? few : "b"))") << false;
+        newRow("choice-of-names") << QStringLiteral("tr(isFew ? few : many)") << false;
+        newRow("sum") << QStringLiteral("tr(a + b)") << false;
     }
 
     void whatHidesATextIsSeen()
@@ -299,31 +299,28 @@ private slots:
 
     void controlsAreWrittenOut_data()
     {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QByteArray>("line");
-        QTest::newRow("nothing") << QByteArray() << QByteArray();
-        QTest::newRow("letters, a tab, an escape that is written out")
-            << QByteArray("a\tb \\x1b") << QByteArray("a\tb \\x1b");
-        QTest::newRow("Chinese, joiners") << QByteArray("\u9762\u200d\u8138") << QByteArray("\u9762\u200d\u8138");
-        QTest::newRow("a colour") << QByteArray("\033[31mred") << QByteArray("\\x1b[31mred");
-        QTest::newRow("a title") << QByteArray("\033]0;title\a") << QByteArray("\\x1b]0;title\\x07");
-        QTest::newRow("NUL, DEL") << QByteArray("a\0b\x7f", 4) << QByteArray("a\\x00b\\x7f");
-        QTest::newRow("line ends") << QByteArray("a\r\nb") << QByteArray("a\\x0d\\x0ab");
-        QTest::newRow("C1") << QByteArray("\xc2\x9b"
-                                          "31m")
-                            << QByteArray("\\u009b31m");
-        QTest::newRow("C1 as a byte") << QByteArray("\x9b"
-                                                    "31m")
-                                      << QByteArray("\\x9b31m");
-        QTest::newRow("Latin-1 between UTF-8")
-            << QByteArray("\u9762\xe9\u8138\xe9") << QByteArray("\u9762\\xe9\u8138\\xe9");
-        QTest::newRow("cut off") << QByteArray("a\xe2\x80") << QByteArray("a\\xe2\\x80");
-        QTest::newRow("overrides") << QByteArray("\u202a\u202b\u202c\u202d\u202e")
-                                   << QByteArray("\\u202a\\u202b\\u202c\\u202d\\u202e");
-        QTest::newRow("isolates") << QByteArray("\u2066\u2067\u2068\u2069")
-                                  << QByteArray("\\u2066\\u2067\\u2068\\u2069");
-        QTest::newRow("separators") << QByteArray("\u2028\u2029") << QByteArray("\\u2028\\u2029");
-        QTest::newRow("a tag") << QByteArray("\U000e0041") << QByteArray("\\U000e0041");
+        addColumn<QByteArray>("text");
+        addColumn<QByteArray>("line");
+        newRow("nothing") << QByteArray() << QByteArray();
+        newRow("letters, a tab, an escape that is written out") << QByteArray("a\tb \\x1b") << QByteArray("a\tb \\x1b");
+        newRow("Chinese, joiners") << QByteArray("\u9762\u200d\u8138") << QByteArray("\u9762\u200d\u8138");
+        newRow("a colour") << QByteArray("\033[31mred") << QByteArray("\\x1b[31mred");
+        newRow("a title") << QByteArray("\033]0;title\a") << QByteArray("\\x1b]0;title\\x07");
+        newRow("NUL, DEL") << QByteArray("a\0b\x7f", 4) << QByteArray("a\\x00b\\x7f");
+        newRow("line ends") << QByteArray("a\r\nb") << QByteArray("a\\x0d\\x0ab");
+        newRow("C1") << QByteArray("\xc2\x9b"
+                                   "31m")
+                     << QByteArray("\\u009b31m");
+        newRow("C1 as a byte") << QByteArray("\x9b"
+                                             "31m")
+                               << QByteArray("\\x9b31m");
+        newRow("Latin-1 between UTF-8") << QByteArray("\u9762\xe9\u8138\xe9") << QByteArray("\u9762\\xe9\u8138\\xe9");
+        newRow("cut off") << QByteArray("a\xe2\x80") << QByteArray("a\\xe2\\x80");
+        newRow("overrides") << QByteArray("\u202a\u202b\u202c\u202d\u202e")
+                            << QByteArray("\\u202a\\u202b\\u202c\\u202d\\u202e");
+        newRow("isolates") << QByteArray("\u2066\u2067\u2068\u2069") << QByteArray("\\u2066\\u2067\\u2068\\u2069");
+        newRow("separators") << QByteArray("\u2028\u2029") << QByteArray("\\u2028\\u2029");
+        newRow("a tag") << QByteArray("\U000e0041") << QByteArray("\\U000e0041");
     }
 
     void controlsAreWrittenOut()
@@ -357,20 +354,20 @@ private slots:
 
     void linesAreWrappedBetweenCharacters_data()
     {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<int>("columns");
-        QTest::addColumn<int>("indent");
-        QTest::addColumn<QString>("wrapped");
+        addColumn<QString>("text");
+        addColumn<int>("columns");
+        addColumn<int>("indent");
+        addColumn<QString>("wrapped");
 
-        QTest::newRow("fits") << "一二三" << 6 << 0 << "一二三";
-        QTest::newRow("too-long") << "一二三四" << 7 << 0 << "一二三\n四";
-        QTest::newRow("no-sign-first") << "一二三，四" << 6 << 0 << "一二\n三，四";
-        QTest::newRow("no-opening-last") << "一二（三四" << 6 << 0 << "一二\n（三四";
-        QTest::newRow("words-stay-whole") << "一 world二" << 6 << 0 << "一\nworld\n二";
-        QTest::newRow("blank-at-the-end") << "ab cd" << 2 << 0 << "ab\ncd";
-        QTest::newRow("word-too-long") << "abcdef 一" << 4 << 0 << "abcdef\n一";
-        QTest::newRow("indented") << "一二三" << 6 << 2 << "一二\n  三";
-        QTest::newRow("own-line-ends") << "一\n\n二" << 6 << 2 << "一\n\n  二";
+        newRow("fits") << "一二三" << 6 << 0 << "一二三";
+        newRow("too-long") << "一二三四" << 7 << 0 << "一二三\n四";
+        newRow("no-sign-first") << "一二三，四" << 6 << 0 << "一二\n三，四";
+        newRow("no-opening-last") << "一二（三四" << 6 << 0 << "一二\n（三四";
+        newRow("words-stay-whole") << "一 world二" << 6 << 0 << "一\nworld\n二";
+        newRow("blank-at-the-end") << "ab cd" << 2 << 0 << "ab\ncd";
+        newRow("word-too-long") << "abcdef 一" << 4 << 0 << "abcdef\n一";
+        newRow("indented") << "一二三" << 6 << 2 << "一二\n  三";
+        newRow("own-line-ends") << "一\n\n二" << 6 << 2 << "一\n\n  二";
     }
 
     void linesAreWrappedBetweenCharacters()

@@ -57,19 +57,19 @@ private slots:
 
     void operationsKeepThirtyDigits_data()
     {
-        QTest::addColumn<Operation>("operation");
-        QTest::addColumn<Truth>("truth");
-        QTest::addColumn<bool>("ofLargerOperand");
-        QTest::newRow("sum") << Operation([](const auto &a, const auto &b) { return a + b; })
-                             << Truth([](const auto &a, const auto &b) { return a + b; }) << true;
-        QTest::newRow("difference") << Operation([](const auto &a, const auto &b) { return a - b; })
-                                    << Truth([](const auto &a, const auto &b) { return a - b; }) << true;
-        QTest::newRow("product") << Operation([](const auto &a, const auto &b) { return a * b; })
-                                 << Truth([](const auto &a, const auto &b) { return a * b; }) << false;
-        QTest::newRow("quotient") << Operation([](const auto &a, const auto &b) { return a / b; })
-                                  << Truth([](const auto &a, const auto &b) { return a / b; }) << false;
-        QTest::newRow("root") << Operation([](const auto &a, const auto &) { return sqrt(a * a + 1.0); })
-                              << Truth([](const auto &a, const auto &) { return sqrt(a * a + 1); }) << false;
+        addColumn<Operation>("operation");
+        addColumn<Truth>("truth");
+        addColumn<bool>("ofLargerOperand");
+        newRow("sum") << Operation([](const auto &a, const auto &b) { return a + b; })
+                      << Truth([](const auto &a, const auto &b) { return a + b; }) << true;
+        newRow("difference") << Operation([](const auto &a, const auto &b) { return a - b; })
+                             << Truth([](const auto &a, const auto &b) { return a - b; }) << true;
+        newRow("product") << Operation([](const auto &a, const auto &b) { return a * b; })
+                          << Truth([](const auto &a, const auto &b) { return a * b; }) << false;
+        newRow("quotient") << Operation([](const auto &a, const auto &b) { return a / b; })
+                           << Truth([](const auto &a, const auto &b) { return a / b; }) << false;
+        newRow("root") << Operation([](const auto &a, const auto &) { return sqrt(a * a + 1.0); })
+                       << Truth([](const auto &a, const auto &) { return sqrt(a * a + 1); }) << false;
     }
 
     void operationsKeepThirtyDigits()
@@ -95,15 +95,15 @@ private slots:
 
     void tangentsKeepTheirDigits_data()
     {
-        QTest::addColumn<double>("radians");
-        QTest::newRow("half of 45 degrees") << std::numbers::pi / 8.0;
-        QTest::newRow("a thousandth") << 1e-3;
-        QTest::newRow("1e-200") << 1e-200;
-        QTest::newRow("1") << 1.0;
-        QTest::newRow("half of 179.9 degrees") << 179.9 / 360.0 * std::numbers::pi;
-        QTest::newRow("obtuse") << 2.5;
-        QTest::newRow("almost pi") << 3.14;
-        QTest::newRow("negative") << -0.7;
+        addColumn<double>("radians");
+        newRow("half of 45 degrees") << std::numbers::pi / 8.0;
+        newRow("a thousandth") << 1e-3;
+        newRow("1e-200") << 1e-200;
+        newRow("1") << 1.0;
+        newRow("half of 179.9 degrees") << 179.9 / 360.0 * std::numbers::pi;
+        newRow("obtuse") << 2.5;
+        newRow("almost pi") << 3.14;
+        newRow("negative") << -0.7;
     }
 
     void tangentsKeepTheirDigits()

@@ -45,14 +45,14 @@ class TestFiles : public QObject {
 private slots:
     void aNameIsWritten_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::newRow("plain") << "a.json";
-        QTest::newRow("blanks") << " a b .json ";
-        QTest::newRow("Chinese") << QStringLiteral("\u7403\u4F53.json");
-        QTest::newRow("no suffix") << "a";
-        QTest::newRow("the longest") << QString(250, 'a') + ".json";
-        QTest::newRow("the longest, Chinese") << QString(83, QChar(0x7403)) + ".json";
-        QTest::newRow("by way of a folder") << "none/../a.json";
+        addColumn<QString>("name");
+        newRow("plain") << "a.json";
+        newRow("blanks") << " a b .json ";
+        newRow("Chinese") << QStringLiteral("\u7403\u4F53.json");
+        newRow("no suffix") << "a";
+        newRow("the longest") << QString(250, 'a') + ".json";
+        newRow("the longest, Chinese") << QString(83, QChar(0x7403)) + ".json";
+        newRow("by way of a folder") << "none/../a.json";
     }
 
     void aNameIsWritten()
@@ -102,22 +102,22 @@ private slots:
 
     void aNameThatTakesNoFile_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QString>("text");
+        addColumn<QString>("name");
+        addColumn<QString>("text");
         const QString isFolder = "this is a folder; give the name of a file";
         const QString noFolder = "there is no such folder; make it or give another name";
-        QTest::newRow("a folder") << "folder" << isFolder;
-        QTest::newRow("a folder, with a slash") << "folder/" << isFolder;
-        QTest::newRow(".") << "." << isFolder;
-        QTest::newRow("..") << "folder/.." << isFolder;
-        QTest::newRow("missing folder") << "none/a.json" << noFolder;
-        QTest::newRow("no name, missing folder") << "none/" << noFolder;
-        QTest::newRow("a file for a folder") << "file/a.json"
-                                             << "*";
-        QTest::newRow("a file with a slash") << "file/"
-                                             << "*";
+        newRow("a folder") << "folder" << isFolder;
+        newRow("a folder, with a slash") << "folder/" << isFolder;
+        newRow(".") << "." << isFolder;
+        newRow("..") << "folder/.." << isFolder;
+        newRow("missing folder") << "none/a.json" << noFolder;
+        newRow("no name, missing folder") << "none/" << noFolder;
+        newRow("a file for a folder") << "file/a.json"
+                                      << "*";
+        newRow("a file with a slash") << "file/"
+                                      << "*";
 #ifndef Q_OS_WIN
-        QTest::newRow("too long") << QString(256, 'a') << "the file cannot be written (File name too long)";
+        newRow("too long") << QString(256, 'a') << "the file cannot be written (File name too long)";
 #endif
     }
 
@@ -175,20 +175,20 @@ private slots:
 
     void anothersFileIsNotOpenedToMore_data()
     {
-        QTest::addColumn<bool>("isOwn");
-        QTest::addColumn<bool>("isOfOwnGroup");
-        QTest::addColumn<int>("before");
-        QTest::addColumn<int>("after");
+        addColumn<bool>("isOwn");
+        addColumn<bool>("isOfOwnGroup");
+        addColumn<int>("before");
+        addColumn<int>("after");
         // The rights of the new file's owner, its group, and all others; 4000 and 2000 run it as its
         // owner or group. A group that could not be kept gets no rights.
-        QTest::newRow("all kept") << true << true << 0664 << 0664;
-        QTest::newRow("all kept, set-id") << true << true << 06775 << 06775;
-        QTest::newRow("another group") << true << false << 0664 << 0604;
-        QTest::newRow("another group, set-id") << true << false << 06775 << 04705;
-        QTest::newRow("another owner") << false << true << 0664 << 0664;
-        QTest::newRow("another owner, set-id") << false << true << 06775 << 0775;
-        QTest::newRow("another owner and group") << false << false << 0666 << 0606;
-        QTest::newRow("another owner and group, set-id") << false << false << 06777 << 0707;
+        newRow("all kept") << true << true << 0664 << 0664;
+        newRow("all kept, set-id") << true << true << 06775 << 06775;
+        newRow("another group") << true << false << 0664 << 0604;
+        newRow("another group, set-id") << true << false << 06775 << 04705;
+        newRow("another owner") << false << true << 0664 << 0664;
+        newRow("another owner, set-id") << false << true << 06775 << 0775;
+        newRow("another owner and group") << false << false << 0666 << 0606;
+        newRow("another owner and group, set-id") << false << false << 06777 << 0707;
     }
 
     void anothersFileIsNotOpenedToMore()

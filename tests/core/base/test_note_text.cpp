@@ -16,13 +16,13 @@ class TestNoteText : public QObject {
 private slots:
     void saysWhatIsNotAsInTheFile_data()
     {
-        QTest::addColumn<int>("kind");
-        QTest::addColumn<int>("count");
-        QTest::addColumn<QByteArray>("detail");
-        QTest::addColumn<QByteArray>("expected");
+        addColumn<int>("kind");
+        addColumn<int>("count");
+        addColumn<QByteArray>("detail");
+        addColumn<QByteArray>("expected");
         const auto row = [](const char *name, ModelNote::Kind kind, int count, const char *detail,
                             const char *expected) {
-            QTest::newRow(name) << int(kind) << count << QByteArray(detail) << QByteArray(expected);
+            newRow(name) << int(kind) << count << QByteArray(detail) << QByteArray(expected);
         };
         using enum ModelNote::Kind;
         row("no picture", TextureMissing, 0, "皮.png",

@@ -149,14 +149,14 @@ private slots:
 
     void pixelsAreTheProgramsOwn_data()
     {
-        QTest::addColumn<int>("index");
-        QTest::addColumn<int>("spelling");
+        addColumn<int>("index");
+        addColumn<int>("spelling");
         for (int i = 0; i < int(cameraExamples().size()); ++i) {
             const CameraExample &example = cameraExamples()[std::size_t(i)];
-            QTest::newRow(example.name.c_str()) << i << -1;
+            newRow(example.name.c_str()) << i << -1;
             const bool isJson = std::string_view("{[\"").find(example.texts[0].text[0]) != std::string_view::npos;
             for (int k = 0; isJson && k < int(std::size(kSpellings)); ++k)
-                QTest::addRow("%s, %s", example.name.c_str(), kSpellings[k].name) << i << k;
+                addRow("%s, %s", example.name.c_str(), kSpellings[k].name) << i << k;
         }
     }
 
@@ -216,16 +216,15 @@ private slots:
 
     void otherTextsAreNotTaken_data()
     {
-        QTest::addColumn<QString>("text");
-        QTest::newRow("matrices of OpenGL")
-            << "view: 1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1\nprojection: 1 0 0 0 0 1 0 0 0 0 -1 "
-               "-1 0 0 -2 0\nviewport 0 0 800 600";
-        QTest::newRow("three.js") << "{\"matrixWorld\":{\"elements\":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,5,1]},\"fov\":50}";
-        QTest::newRow("calls") << "gluLookAt(0, 0, 5, 0, 0, 0, 0, 1, 0);\ngluPerspective(45, 1.33, 0.1, 100);";
-        QTest::newRow("a glTF model without camera") << "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}]}";
-        QTest::newRow("an angle in a text") << "The fov = 60 and the position (1, 2, 3) are given.";
-        QTest::newRow("nothing") << "";
-        QTest::newRow("points with names") << "pitch 3, yaw 4, roll 5\nx 1 y 2 z 3";
+        addColumn<QString>("text");
+        newRow("matrices of OpenGL") << "view: 1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1\nprojection: 1 0 0 0 0 1 0 0 0 0 -1 "
+                                        "-1 0 0 -2 0\nviewport 0 0 800 600";
+        newRow("three.js") << "{\"matrixWorld\":{\"elements\":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,5,1]},\"fov\":50}";
+        newRow("calls") << "gluLookAt(0, 0, 5, 0, 0, 0, 0, 1, 0);\ngluPerspective(45, 1.33, 0.1, 100);";
+        newRow("a glTF model without camera") << "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}]}";
+        newRow("an angle in a text") << "The fov = 60 and the position (1, 2, 3) are given.";
+        newRow("nothing") << "";
+        newRow("points with names") << "pitch 3, yaw 4, roll 5\nx 1 y 2 z 3";
     }
 
     void otherTextsAreNotTaken()
@@ -248,12 +247,12 @@ private slots:
 
     void faultsAreNamed_data()
     {
-        QTest::addColumn<QString>("program");
-        QTest::addColumn<QString>("from");
-        QTest::addColumn<QString>("to");
-        QTest::addColumn<QString>("reason");
+        addColumn<QString>("program");
+        addColumn<QString>("from");
+        addColumn<QString>("to");
+        addColumn<QString>("reason");
         const auto row = [](const char *name, const char *program, const char *from, const char *to,
-                            const char *reason) { QTest::newRow(name) << program << from << to << reason; };
+                            const char *reason) { newRow(name) << program << from << to << reason; };
         row("fisheye", "COLMAP", "2 PINHOLE 3072 2304 2559.81 2561.25 1536.5 1151.75",
             "2 OPENCV_FISHEYE 3072 2304 2559.81 2561.25 1536.5 1151.75 0 0 0 0",
             "the camera model OPENCV_FISHEYE is not");
@@ -301,24 +300,24 @@ private slots:
 
     void assumptionsAreSaid_data()
     {
-        QTest::addColumn<QString>("program");
-        QTest::addColumn<QString>("said");
-        QTest::newRow("NeRF's centre") << "NeRF, made with Blender"
-                                       << "in the image's centre, because cx and cy";
-        QTest::newRow("NeRF's halves") << "NeRF"
-                                       << "Pixel centres are read at halves";
-        QTest::newRow("what Instant-NGP adds") << "NeRF"
-                                               << "aabb_scale: not applied";
-        QTest::newRow("another angle") << "NeRF"
-                                       << "fl_x is 1375.52, but camera_angle_x gives 1479.34";
-        QTest::newRow("Unity's world") << "Unity, transform"
-                                       << "(x, y, -z) here";
-        QTest::newRow("Unreal's world") << "Unreal"
-                                        << "(x, -y, z) here, in centimetres";
-        QTest::newRow("Unreal's angle") << "Unreal, BugItGo"
-                                        << "assumed to be 90 degrees";
-        QTest::newRow("pixels not square") << "trimesh"
-                                           << "pixels are not square";
+        addColumn<QString>("program");
+        addColumn<QString>("said");
+        newRow("NeRF's centre") << "NeRF, made with Blender"
+                                << "in the image's centre, because cx and cy";
+        newRow("NeRF's halves") << "NeRF"
+                                << "Pixel centres are read at halves";
+        newRow("what Instant-NGP adds") << "NeRF"
+                                        << "aabb_scale: not applied";
+        newRow("another angle") << "NeRF"
+                                << "fl_x is 1375.52, but camera_angle_x gives 1479.34";
+        newRow("Unity's world") << "Unity, transform"
+                                << "(x, y, -z) here";
+        newRow("Unreal's world") << "Unreal"
+                                 << "(x, -y, z) here, in centimetres";
+        newRow("Unreal's angle") << "Unreal, BugItGo"
+                                 << "assumed to be 90 degrees";
+        newRow("pixels not square") << "trimesh"
+                                    << "pixels are not square";
     }
 
     void assumptionsAreSaid()
@@ -486,10 +485,10 @@ private slots:
 
     void computedCentresStayInTheMiddle_data()
     {
-        QTest::addColumn<QString>("program");
+        addColumn<QString>("program");
         for (const char *name : {"Unity, transform", "Unreal", "Unity, matrices", "NeRF, made with Blender", "Blender",
                                  "Gaussian splatting, cameras.json"})
-            QTest::newRow(name) << name;
+            newRow(name) << name;
     }
 
     /// No pixel's coordinates are in the text, so the first pixel's centre does not count.

@@ -116,30 +116,29 @@ private slots:
     void pixelsAreThoseOfProjectPoints_data()
     {
         using namespace opencv_camera;
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<QString>("image");
-        QTest::newRow("cv::FileStorage, YAML") << kYaml << QString();
-        QTest::newRow("cv::FileStorage, XML") << kXml << QString();
-        QTest::newRow("cv::FileStorage, JSON") << kJson << QString();
-        QTest::newRow("NumPy, printed") << kNumPy << QString();
-        QTest::newRow("NumPy, repr, with vectors") << kReprs << QString();
-        QTest::newRow("C++") << kCpp << QString();
-        QTest::newRow("cv::Mat, printed") << "size: 640x480\ncamera matrix:\n[812.3456789, 0, 331.25;\n 0, 805.125, "
-                                             "236.875;\n 0, 0, 1]\nrvec:\n[0.31;\n "
-                                             "-0.52;\n 0.113]\ntvec:\n[0.2;\n -0.1;\n 6.5]\n"
-                                          << QString();
-        QTest::newRow("MATLAB, with a common factor, transposed")
+        addColumn<QString>("text");
+        addColumn<QString>("image");
+        newRow("cv::FileStorage, YAML") << kYaml << QString();
+        newRow("cv::FileStorage, XML") << kXml << QString();
+        newRow("cv::FileStorage, JSON") << kJson << QString();
+        newRow("NumPy, printed") << kNumPy << QString();
+        newRow("NumPy, repr, with vectors") << kReprs << QString();
+        newRow("C++") << kCpp << QString();
+        newRow("cv::Mat, printed") << "size: 640x480\ncamera matrix:\n[812.3456789, 0, 331.25;\n 0, 805.125, "
+                                      "236.875;\n 0, 0, 1]\nrvec:\n[0.31;\n "
+                                      "-0.52;\n 0.113]\ntvec:\n[0.2;\n -0.1;\n 6.5]\n"
+                                   << QString();
+        newRow("MATLAB, with a common factor, transposed")
             << "IntrinsicMatrix =\n\n   1.0e+02 *\n\n   8.123456789 0 0\n   0 8.05125 0\n   3.3125 2.36875 "
                "0.01\n\nrvec = "
                "0.31 "
                "-0.52 0.113\ntvec = 0.2 -0.1 6.5\nImageSize = [640 480]\n"
             << QString();
-        QTest::newRow("fx, fy, cx, cy")
-            << "width: 640 height: 480 fx: 812.3456789 fy: 805.125 ppx: 331.25 ppy: 236.875\n"
-               "rvec = (0.31, -0.52, 0.113), tvec = (0.2, -0.1, 6.5)\n"
-            << QString();
-        QTest::newRow("P = K [R t]") << kMatrixP << QString();
-        QTest::newRow("OpenCV's calibration, second view") << kCalibration << "1";
+        newRow("fx, fy, cx, cy") << "width: 640 height: 480 fx: 812.3456789 fy: 805.125 ppx: 331.25 ppy: 236.875\n"
+                                    "rvec = (0.31, -0.52, 0.113), tvec = (0.2, -0.1, 6.5)\n"
+                                 << QString();
+        newRow("P = K [R t]") << kMatrixP << QString();
+        newRow("OpenCV's calibration, second view") << kCalibration << "1";
     }
 
     void pixelsAreThoseOfProjectPoints()
@@ -234,16 +233,16 @@ private slots:
 
     void mistakesBehindAnEmptyPictureAreNamed_data()
     {
-        QTest::addColumn<QString>("pose");
-        QTest::addColumn<QString>("said");
-        QTest::newRow("t is the camera's position") << "R = 1 0 0  0 0 -1  0 1 0\nt = 0 -5 0"
-                                                    << "it would";
-        QTest::newRow("direction") << "rvec = 0 0 0\ntvec = 0 0 -5"
-                                   << "with --pose camera-to-world --axes opencv it would";
-        QTest::newRow("units") << "rvec = 0 0 0\ntvec = 3 0 0.005"
-                               << "check the units";
-        QTest::newRow("elsewhere") << "rvec = 0 0 0\ntvec = 1e9 0 1"
-                                   << "check the pose and its units";
+        addColumn<QString>("pose");
+        addColumn<QString>("said");
+        newRow("t is the camera's position") << "R = 1 0 0  0 0 -1  0 1 0\nt = 0 -5 0"
+                                             << "it would";
+        newRow("direction") << "rvec = 0 0 0\ntvec = 0 0 -5"
+                            << "with --pose camera-to-world --axes opencv it would";
+        newRow("units") << "rvec = 0 0 0\ntvec = 3 0 0.005"
+                        << "check the units";
+        newRow("elsewhere") << "rvec = 0 0 0\ntvec = 1e9 0 1"
+                            << "check the pose and its units";
     }
 
     void mistakesBehindAnEmptyPictureAreNamed()
@@ -316,11 +315,11 @@ private slots:
 
     void wholePrincipalPointsGiveEvenSides_data()
     {
-        QTest::addColumn<double>("cx");
-        QTest::addColumn<int>("width");
-        QTest::newRow("half of the size") << 320.0 << 640;
-        QTest::newRow("between the middle pixels") << 319.5 << 640;
-        QTest::newRow("calibrated") << 321.3 << 644;
+        addColumn<double>("cx");
+        addColumn<int>("width");
+        newRow("half of the size") << 320.0 << 640;
+        newRow("between the middle pixels") << 319.5 << 640;
+        newRow("calibrated") << 321.3 << 644;
     }
 
     void wholePrincipalPointsGiveEvenSides()
@@ -351,14 +350,13 @@ private slots:
 
     void quaternionsOfRosAreRead_data()
     {
-        QTest::addColumn<QString>("pose");
-        QTest::newRow("a transform")
+        addColumn<QString>("pose");
+        newRow("a transform")
             << "transform:\n  translation:\n    x: 1.0\n    y: 2.0\n    z: -5.0\n  rotation:\n    x: 0.0\n"
                "    y: 0.0\n    z: 0.6\n    w: 0.8\n";
-        QTest::newRow("a pose, w first")
-            << "{\"position\": {\"x\": 1, \"y\": 2, \"z\": -5}, \"orientation\": {\"w\": 0.8, "
-               "\"x\": 0, \"y\": 0, \"z\": 0.6}}\n";
-        QTest::newRow("t as a list") << "rotation: {x: 0, y: 0, z: 0.6, w: 0.8}\ntranslation: [1, 2, -5]\n";
+        newRow("a pose, w first") << "{\"position\": {\"x\": 1, \"y\": 2, \"z\": -5}, \"orientation\": {\"w\": 0.8, "
+                                     "\"x\": 0, \"y\": 0, \"z\": 0.6}}\n";
+        newRow("t as a list") << "rotation: {x: 0, y: 0, z: 0.6, w: 0.8}\ntranslation: [1, 2, -5]\n";
     }
 
     /// z = 0.6 and w = 0.8 turn x to (0.28, 0.96, 0).
@@ -390,13 +388,13 @@ private slots:
 
     void clicksAreRoundedOnce_data()
     {
-        QTest::addColumn<double>("farDistance");
-        QTest::addColumn<double>("skew");
-        QTest::addColumn<bool>("areCentersWhole");
+        addColumn<double>("farDistance");
+        addColumn<double>("skew");
+        addColumn<bool>("areCentersWhole");
         for (const double farDistance : {10.0, 1000.0, 10000.0}) {
-            QTest::addRow("far %g", farDistance) << farDistance << 0.0 << true;
-            QTest::addRow("far %g, skewed", farDistance) << farDistance << 1.7 << true;
-            QTest::addRow("far %g, centres at halves", farDistance) << farDistance << 0.0 << false;
+            addRow("far %g", farDistance) << farDistance << 0.0 << true;
+            addRow("far %g, skewed", farDistance) << farDistance << 1.7 << true;
+            addRow("far %g, centres at halves", farDistance) << farDistance << 0.0 << false;
         }
     }
 
@@ -511,11 +509,11 @@ projection_matrix:
 
     void coefficientsAreReadFromEachForm_data()
     {
-        QTest::addColumn<QString>("text");
-        QTest::newRow("a list") << "dist = [[-0.3, 0.1, 0.001, -0.002, 0.05]]";
-        QTest::newRow("eight, the last ones 0") << "distCoeffs: [-0.3, 0.1, 0.001, -0.002, 0.05, 0, 0, 0]";
-        QTest::newRow("names") << "k1 = -0.3, k2 = 0.1, p1 = 0.001, p2 = -0.002, k3 = 0.05";
-        QTest::newRow("JSON") << "\"distortion_coefficients\": [-0.3, 0.1, 0.001, -0.002, 0.05]";
+        addColumn<QString>("text");
+        newRow("a list") << "dist = [[-0.3, 0.1, 0.001, -0.002, 0.05]]";
+        newRow("eight, the last ones 0") << "distCoeffs: [-0.3, 0.1, 0.001, -0.002, 0.05, 0, 0, 0]";
+        newRow("names") << "k1 = -0.3, k2 = 0.1, p1 = 0.001, p2 = -0.002, k3 = 0.05";
+        newRow("JSON") << "\"distortion_coefficients\": [-0.3, 0.1, 0.001, -0.002, 0.05]";
     }
 
     void coefficientsAreReadFromEachForm()
@@ -530,27 +528,27 @@ projection_matrix:
 
     void unknownLensesAreNamed_data()
     {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<QString>("reason");
-        QTest::newRow("rational") << "D: [0.1, 0.2, 0, 0, 0.3, 0.4, 0, 0.6]"
+        addColumn<QString>("text");
+        addColumn<QString>("reason");
+        newRow("rational") << "D: [0.1, 0.2, 0, 0, 0.3, 0.4, 0, 0.6]"
+                           << "k4 = 0.4, k6 = 0.6";
+        newRow("thin prism") << "D: [0.1, 0.2, 0, 0, 0, 0, 0, 0, 0.01, 0, 0, 0]"
+                             << "s1 = 0.01";
+        newRow("fisheye") << "distortion_model: equidistant\nD: [0.1, 0, 0, 0]"
+                          << "equidistant";
+        newRow("Kalibr's, a pinhole before it") << "camera_model: pinhole\ndistortion_model: equidistant\n"
+                                                   "distortion_coeffs: [0.1, 0, 0, 0]"
+                                                << "equidistant";
+        newRow("a name that is not known") << "distortion_model: double_sphere\nD: [0.1, 0, 0, 0]"
+                                           << "double_sphere";
+        newRow("RealSense's inverse") << "model: distortion.inverse_brown_conrady\ncoeffs: [0.1, 0, 0, 0, 0]"
+                                      << "distortion.inverse_brown_conrady";
+        newRow("a flag") << "fisheye_model: 1\nD: [0.1, 0, 0, 0]"
+                         << "fisheye";
+        newRow("named k4 and k6") << "k1 = 0.1, k2 = 0.2, k3 = 0.3, k4 = 0.4, k6 = 0.6"
                                   << "k4 = 0.4, k6 = 0.6";
-        QTest::newRow("thin prism") << "D: [0.1, 0.2, 0, 0, 0, 0, 0, 0, 0.01, 0, 0, 0]"
-                                    << "s1 = 0.01";
-        QTest::newRow("fisheye") << "distortion_model: equidistant\nD: [0.1, 0, 0, 0]"
-                                 << "equidistant";
-        QTest::newRow("Kalibr's, a pinhole before it") << "camera_model: pinhole\ndistortion_model: equidistant\n"
-                                                          "distortion_coeffs: [0.1, 0, 0, 0]"
-                                                       << "equidistant";
-        QTest::newRow("a name that is not known") << "distortion_model: double_sphere\nD: [0.1, 0, 0, 0]"
-                                                  << "double_sphere";
-        QTest::newRow("RealSense's inverse") << "model: distortion.inverse_brown_conrady\ncoeffs: [0.1, 0, 0, 0, 0]"
-                                             << "distortion.inverse_brown_conrady";
-        QTest::newRow("a flag") << "fisheye_model: 1\nD: [0.1, 0, 0, 0]"
-                                << "fisheye";
-        QTest::newRow("named k4 and k6") << "k1 = 0.1, k2 = 0.2, k3 = 0.3, k4 = 0.4, k6 = 0.6"
-                                         << "k4 = 0.4, k6 = 0.6";
-        QTest::newRow("too few") << "D: [0.1, 0.2]"
-                                 << "there are 2 distortion coefficients";
+        newRow("too few") << "D: [0.1, 0.2]"
+                          << "there are 2 distortion coefficients";
     }
 
     void unknownLensesAreNamed()
@@ -567,58 +565,54 @@ projection_matrix:
 
     void faultsNameValueAndLine_data()
     {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<QString>("reason");
-        QTest::newRow("eight numbers") << "\nK = 800 0 320 0 800 240 0 0\n"
-                                       << "K: it has 8 numbers; a camera matrix has nine, by rows @2";
-        QTest::newRow("no camera matrix")
+        addColumn<QString>("text");
+        addColumn<QString>("reason");
+        newRow("eight numbers") << "\nK = 800 0 320 0 800 240 0 0\n"
+                                << "K: it has 8 numbers; a camera matrix has nine, by rows @2";
+        newRow("no camera matrix")
             << "K = 800 0 320 5 800 240 0 0 1\n"
             << "K: this is no camera matrix; it must have the rows fx skew cx, 0 fy cy, 0 0 1 @1";
-        QTest::newRow("R mirrors") << "K = 800 0 320 0 800 240 0 0 1\nR = 1 0 0 0 1 0 0 0 -1\nt = 0 0 5\n"
-                                   << "R: its determinant is -1: it mirrors. Check the sign of a row or a column @2";
-        QTest::newRow("R has seven")
-            << "K = 800 0 320 0 800 240 0 0 1\nR = 1 0 0 0 1 0 0\n"
-            << "R: it has 7 numbers; a rotation has nine, by rows, or three of a rotation vector @2";
-        QTest::newRow("t has two") << "K = 800 0 320 0 800 240 0 0 1\nt = 1 0\n"
-                                   << "t: it has 2 numbers; a translation has three @2";
-        QTest::newRow("no rotation") << "K = 800 0 320 0 800 240 0 0 1\nR = 1 0.5 0 0 1 0 0 0 1\nt = 0 0 5\n"
-                                     << "the pose's axes are not perpendicular and of equal length: off by 0.5; give a "
-                                        "rotation";
-        QTest::newRow("no K") << "rvec = 0 0 0\ntvec = 0 0 5\n"
-                              << "there is a pose, but no camera matrix; give K, nine numbers by rows @0";
-        QTest::newRow("P is flat") << "P = 1 0 0 0 0 1 0 0 1 1 0 0\n"
-                                   << "P: its first three columns have no inverse; a camera's P has one @1";
-        QTest::newRow("fx alone") << "fx = 800\nfy = 800\n"
-                                  << "fx and fy are given without cx and cy; give all four @0";
-        QTest::newRow("two K, one R")
-            << "{\"left\": {\"K\": [500, 0, 320, 0, 500, 240, 0, 0, 1]},\n\"right\": {\"K\": [600, "
-               "0, 320, 0, 600, 240, 0, 0, 1], \"R\": [1, 0, 0, 0, 1, 0, 0, 0, 1], \"T\": [0.1, 0, "
-               "0]}}\n"
-            << "R: the text has 2 camera matrices, but 1 of this. Give the text of one camera @2";
-        QTest::newRow("two fx")
-            << "\"left\": {\"fx\": 500, \"fy\": 500, \"cx\": 320, \"cy\": 240},\n\"right\": {\"fx\": 600, "
-               "\"fy\": 500, \"cx\": 320, \"cy\": 240}\n"
-            << "fx has several values. Give the text of one camera @1";
-        QTest::newRow("a quaternion without names") << "K = 800 0 320 0 800 240 0 0 1\nq = [0, 0, 0, 1]\nt = 0 0 5\n"
-                                                    << "q: the order of a quaternion's four numbers is not known; name "
-                                                       "them, {x: 0, y: 0, z: 0, w: 1}, or give R "
-                                                       "@2";
-        QTest::newRow("a quaternion of 0")
+        newRow("R mirrors") << "K = 800 0 320 0 800 240 0 0 1\nR = 1 0 0 0 1 0 0 0 -1\nt = 0 0 5\n"
+                            << "R: its determinant is -1: it mirrors. Check the sign of a row or a column @2";
+        newRow("R has seven") << "K = 800 0 320 0 800 240 0 0 1\nR = 1 0 0 0 1 0 0\n"
+                              << "R: it has 7 numbers; a rotation has nine, by rows, or three of a rotation vector @2";
+        newRow("t has two") << "K = 800 0 320 0 800 240 0 0 1\nt = 1 0\n"
+                            << "t: it has 2 numbers; a translation has three @2";
+        newRow("no rotation") << "K = 800 0 320 0 800 240 0 0 1\nR = 1 0.5 0 0 1 0 0 0 1\nt = 0 0 5\n"
+                              << "the pose's axes are not perpendicular and of equal length: off by 0.5; give a "
+                                 "rotation";
+        newRow("no K") << "rvec = 0 0 0\ntvec = 0 0 5\n"
+                       << "there is a pose, but no camera matrix; give K, nine numbers by rows @0";
+        newRow("P is flat") << "P = 1 0 0 0 0 1 0 0 1 1 0 0\n"
+                            << "P: its first three columns have no inverse; a camera's P has one @1";
+        newRow("fx alone") << "fx = 800\nfy = 800\n"
+                           << "fx and fy are given without cx and cy; give all four @0";
+        newRow("two K, one R") << "{\"left\": {\"K\": [500, 0, 320, 0, 500, 240, 0, 0, 1]},\n\"right\": {\"K\": [600, "
+                                  "0, 320, 0, 600, 240, 0, 0, 1], \"R\": [1, 0, 0, 0, 1, 0, 0, 0, 1], \"T\": [0.1, 0, "
+                                  "0]}}\n"
+                               << "R: the text has 2 camera matrices, but 1 of this. Give the text of one camera @2";
+        newRow("two fx") << "\"left\": {\"fx\": 500, \"fy\": 500, \"cx\": 320, \"cy\": 240},\n\"right\": {\"fx\": 600, "
+                            "\"fy\": 500, \"cx\": 320, \"cy\": 240}\n"
+                         << "fx has several values. Give the text of one camera @1";
+        newRow("a quaternion without names") << "K = 800 0 320 0 800 240 0 0 1\nq = [0, 0, 0, 1]\nt = 0 0 5\n"
+                                             << "q: the order of a quaternion's four numbers is not known; name "
+                                                "them, {x: 0, y: 0, z: 0, w: 1}, or give R "
+                                                "@2";
+        newRow("a quaternion of 0")
             << "K = 800 0 320 0 800 240 0 0 1\nrotation: {x: 0, y: 0, z: 0, w: 0}\ntranslation: {x: 0, y: 0, z: 5}\n"
             << "rotation: x, y, z and w are 0; give a quaternion @2";
-        QTest::newRow("t has four, the first a power of ten") << "K = 800 0 320 0 800 240 0 0 1\nt = [10, 2, 5, 1]\n"
-                                                              << "t: it has 4 numbers; a translation has three @2";
-        QTest::newRow("a quaternion as rotation")
+        newRow("t has four, the first a power of ten") << "K = 800 0 320 0 800 240 0 0 1\nt = [10, 2, 5, 1]\n"
+                                                       << "t: it has 4 numbers; a translation has three @2";
+        newRow("a quaternion as rotation")
             << "K = 800 0 320 0 800 240 0 0 1\nrotation = [1, .1, .2, .3]\nt = 0 0 5\n"
             << "rotation: the order of a quaternion's four numbers is not known; name them, {x: 0, y: 0, z: 0, w: 1}, "
                "or "
                "give R @2";
         const auto computed = [](const char *name, const char *line, const char *what) {
-            QTest::newRow(line) << QStringLiteral("K = 800 0 320 0 800 240 0 0 1\n%1\n").arg(QLatin1String(line))
-                                << QStringLiteral(
-                                       "%1: the text computes with it (%2), and only numbers are read; write "
-                                       "the result @2")
-                                       .arg(QLatin1String(name), QLatin1String(what));
+            newRow(line) << QStringLiteral("K = 800 0 320 0 800 240 0 0 1\n%1\n").arg(QLatin1String(line))
+                         << QStringLiteral("%1: the text computes with it (%2), and only numbers are read; write "
+                                           "the result @2")
+                                .arg(QLatin1String(name), QLatin1String(what));
         };
         computed("t", "t = np.array([1000, 2000, 5000]) / 1000", "/ 1000");
         computed("t", "t = np.array([1000, 2000, 5000]) * 0.001", "* 0.001");
@@ -628,24 +622,22 @@ projection_matrix:
         computed("t", "t = -R @ np.array([1, 2, 5])", "-");
         computed("R", "R = np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 1]]).T", ".T");
         computed("R", "R = np.linalg.inv(np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 1]]))", "inv");
-        QTest::newRow("nan") << "K = 800 0 320 0 nan 240 0 0 1\n"
-                             << "K: a number is not finite @1";
-        QTest::newRow("YAML's nan") << "K: [800, 0, 320, 0, 800, 240, 0, 0, 1]\nD: [.Nan, 0.1, 0, 0, 0]\n"
-                                    << "D: a number is not finite @2";
-        QTest::newRow("one coefficient")
-            << "K = 800 0 320 0 800 240 0 0 1\nD: [0.1]\n"
-            << "D: there is 1 distortion coefficient; give four or five: k1, k2, p1, p2, k3 "
-               "@2";
-        QTest::newRow("a focal length below 0") << "K = 800 0 320 0 -800 240 0 0 1\n"
-                                                << "the focal length fy is -800; it must be greater than 0 @0";
-        QTest::newRow("normalized")
-            << "K = 1.2 0 0.5 0 1.6 0.5 0 0 1\nsize = 640x480\n"
-            << "fx 1.2, fy 1.6, cx 0.5, cy 0.5 are no pixels; they look normalized. Multiply fx "
-               "and cx by the image's width, fy and cy by its height @0";
-        QTest::newRow("a stereo pair") << "K1 = 800 0 320 0 800 240 0 0 1\nK2 = 800 0 320 0 800 240 0 0 1\n"
-                                       << "k1 is of a stereo pair; give one camera, its matrix under the name K @1";
-        QTest::newRow("focal length 0") << "fx = 0, fy = 800, cx = 320, cy = 240\n"
-                                        << "the focal lengths are 0 and 800; they must be finite and not 0";
+        newRow("nan") << "K = 800 0 320 0 nan 240 0 0 1\n"
+                      << "K: a number is not finite @1";
+        newRow("YAML's nan") << "K: [800, 0, 320, 0, 800, 240, 0, 0, 1]\nD: [.Nan, 0.1, 0, 0, 0]\n"
+                             << "D: a number is not finite @2";
+        newRow("one coefficient") << "K = 800 0 320 0 800 240 0 0 1\nD: [0.1]\n"
+                                  << "D: there is 1 distortion coefficient; give four or five: k1, k2, p1, p2, k3 "
+                                     "@2";
+        newRow("a focal length below 0") << "K = 800 0 320 0 -800 240 0 0 1\n"
+                                         << "the focal length fy is -800; it must be greater than 0 @0";
+        newRow("normalized") << "K = 1.2 0 0.5 0 1.6 0.5 0 0 1\nsize = 640x480\n"
+                             << "fx 1.2, fy 1.6, cx 0.5, cy 0.5 are no pixels; they look normalized. Multiply fx "
+                                "and cx by the image's width, fy and cy by its height @0";
+        newRow("a stereo pair") << "K1 = 800 0 320 0 800 240 0 0 1\nK2 = 800 0 320 0 800 240 0 0 1\n"
+                                << "k1 is of a stereo pair; give one camera, its matrix under the name K @1";
+        newRow("focal length 0") << "fx = 0, fy = 800, cx = 320, cy = 240\n"
+                                 << "the focal lengths are 0 and 800; they must be finite and not 0";
     }
 
     void faultsNameValueAndLine()
@@ -657,14 +649,13 @@ projection_matrix:
 
     void otherTextsAreLeftToOthers_data()
     {
-        QTest::addColumn<QString>("text");
-        QTest::newRow("empty") << "";
-        QTest::newRow("matrices")
+        addColumn<QString>("text");
+        newRow("empty") << "";
+        newRow("matrices")
             << "modelview 1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1 projection 1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0";
-        QTest::newRow("a projection named P")
-            << "P = 1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0 V = 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1";
-        QTest::newRow("words") << "R and t are lost";
-        QTest::newRow("a letter before a number") << "K = 3\nR = 8\n";
+        newRow("a projection named P") << "P = 1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0 V = 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1";
+        newRow("words") << "R and t are lost";
+        newRow("a letter before a number") << "K = 3\nR = 8\n";
     }
 
     void otherTextsAreLeftToOthers()
@@ -685,15 +676,15 @@ projection_matrix:
 
     void distortionIsUndone_data()
     {
-        QTest::addColumn<double>("k1");
-        QTest::addColumn<double>("k2");
-        QTest::addColumn<double>("p1");
-        QTest::addColumn<double>("p2");
-        QTest::addColumn<double>("k3");
-        QTest::newRow("barrel") << -0.28 << 0.11 << 0.0012 << -0.0007 << 0.02;
-        QTest::newRow("pincushion") << 0.4 << 0.2 << -0.01 << 0.02 << 0.1;
-        QTest::newRow("strong barrel") << -0.5 << 0.3 << 0.0 << 0.0 << 0.0;
-        QTest::newRow("tangential only") << 0.0 << 0.0 << 0.05 << -0.03 << 0.0;
+        addColumn<double>("k1");
+        addColumn<double>("k2");
+        addColumn<double>("p1");
+        addColumn<double>("p2");
+        addColumn<double>("k3");
+        newRow("barrel") << -0.28 << 0.11 << 0.0012 << -0.0007 << 0.02;
+        newRow("pincushion") << 0.4 << 0.2 << -0.01 << 0.02 << 0.1;
+        newRow("strong barrel") << -0.5 << 0.3 << 0.0 << 0.0 << 0.0;
+        newRow("tangential only") << 0.0 << 0.0 << 0.05 << -0.03 << 0.0;
     }
 
     /// The coefficients' polynomial is written apart: by angle and radius for its radial part, by

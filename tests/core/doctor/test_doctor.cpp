@@ -115,10 +115,10 @@ class TestDoctor : public QObject {
 private slots:
     void aMistakeIsNamed_data()
     {
-        QTest::addColumn<QString>("id");
-        QTest::addColumn<QList<double>>("got");
+        addColumn<QString>("id");
+        addColumn<QList<double>>("got");
         const auto row = [](const char *name, const char *id, double x, double y, double z) {
-            QTest::newRow(name) << QString(id) << QList<double>{x, y, z};
+            newRow(name) << QString(id) << QList<double>{x, y, z};
         };
         row("y not flipped", "y-not-flipped", 0.7051, -0.4122, 0.0918);
         row("row above", "row-above", 0.4986, 0.7577, -0.2523);
@@ -210,9 +210,9 @@ private slots:
 
     void aRightPointIsRight_data()
     {
-        QTest::addColumn<int>("decimals");
+        addColumn<int>("decimals");
         for (const int decimals : {0, 1, 2, 4, 8})
-            QTest::addRow("%d decimals", decimals) << decimals;
+            addRow("%d decimals", decimals) << decimals;
     }
 
     void aRightPointIsRight()
@@ -609,13 +609,13 @@ private slots:
 
     void oneOfSeveralPointsIsTheException_data()
     {
-        QTest::addColumn<int>("count");
-        QTest::addColumn<int>("place");
-        QTest::addColumn<bool>("isWrong");
-        QTest::newRow("a typo") << 5 << 2 << true;
-        QTest::newRow("a typo in the first") << 5 << 0 << true;
-        QTest::newRow("a typo, three points") << 3 << 1 << true;
-        QTest::newRow("a typo among right ones") << 5 << 3 << false;
+        addColumn<int>("count");
+        addColumn<int>("place");
+        addColumn<bool>("isWrong");
+        newRow("a typo") << 5 << 2 << true;
+        newRow("a typo in the first") << 5 << 0 << true;
+        newRow("a typo, three points") << 3 << 1 << true;
+        newRow("a typo among right ones") << 5 << 3 << false;
     }
 
     void oneOfSeveralPointsIsTheException()

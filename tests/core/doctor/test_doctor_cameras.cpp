@@ -139,9 +139,9 @@ class TestDoctorCameras : public QObject {
 private slots:
     void aMistakeOfTheCameraIsNamed_data()
     {
-        QTest::addColumn<QString>("id");
-        QTest::addColumn<Program>("program");
-        const auto row = [](const char *id, Program program) { QTest::newRow(id) << QString(id) << program; };
+        addColumn<QString>("id");
+        addColumn<Program>("program");
+        const auto row = [](const char *id, Program program) { newRow(id) << QString(id) << program; };
         row("focal-lengths-swapped", [](const Camera &c, const Shot &s) {
             return c.fromAxes((s.pixel.x - c.cx) / c.fy * s.z, (s.pixel.y - c.cy) / c.fx * s.z, s.z);
         });
@@ -298,41 +298,39 @@ private slots:
 
     void valuesOfSeveralPoints_data()
     {
-        QTest::addColumn<QString>("id");
-        QTest::addColumn<Program>("program");
-        QTest::addColumn<QList<QPair<QString, double>>>("values");
+        addColumn<QString>("id");
+        addColumn<Program>("program");
+        addColumn<QList<QPair<QString, double>>>("values");
         using Values = QList<QPair<QString, double>>;
-        QTest::newRow("shift and scale") << QStringLiteral("pixel-scaled-and-moved")
-                                         << Program([](const Camera &c, const Shot &s) {
-                                                return c.world(1.25 * s.pixel + dvec2(12, -7), s.z);
-                                            })
-                                         << Values{{"dx", 12}, {"dy", -7}, {"scale", 1.25}};
-        QTest::newRow("shift") << QStringLiteral("pixel-shifted") << Program([](const Camera &c, const Shot &s) {
-            return c.world(s.pixel + dvec2(31, 9), s.z);
-        }) << Values{{"dx", 31}, {"dy", 9}};
+        newRow("shift and scale") << QStringLiteral("pixel-scaled-and-moved")
+                                  << Program([](const Camera &c, const Shot &s) {
+                                         return c.world(1.25 * s.pixel + dvec2(12, -7), s.z);
+                                     })
+                                  << Values{{"dx", 12}, {"dy", -7}, {"scale", 1.25}};
+        newRow("shift") << QStringLiteral("pixel-shifted")
+                        << Program([](const Camera &c, const Shot &s) { return c.world(s.pixel + dvec2(31, 9), s.z); })
+                        << Values{{"dx", 31}, {"dy", 9}};
         // A viewport (40, 25, 800, 450) of OpenGL with this K's projection: NDC as there.
-        QTest::newRow("rectangle") << QStringLiteral("viewport-size-differs")
+        newRow("rectangle") << QStringLiteral("viewport-size-differs") << Program([](const Camera &c, const Shot &s) {
+            const double x = (s.pixel.x - 40) / 800 * 640;
+            const double y = 480 - (480 - s.pixel.y - 25) / 450 * 480;
+            return c.world({x, y}, s.z);
+        }) << Values{{"width", 800}, {"height", 450}, {"x", 40}, {"y", 25}};
+        newRow("focal lengths") << QStringLiteral("focal-lengths-differ")
+                                << Program([](const Camera &c, const Shot &s) {
+                                       Camera other = c;
+                                       other.fx = 525;
+                                       other.fy = 480;
+                                       return other.world(s.pixel, s.z);
+                                   })
+                                << Values{{"fx", 525}, {"fy", 480}};
+        newRow("one focal length") << QStringLiteral("focal-lengths-differ")
                                    << Program([](const Camera &c, const Shot &s) {
-                                          const double x = (s.pixel.x - 40) / 800 * 640;
-                                          const double y = 480 - (480 - s.pixel.y - 25) / 450 * 480;
-                                          return c.world({x, y}, s.z);
+                                          Camera other = c;
+                                          other.fy = 437.31;
+                                          return other.world(s.pixel, s.z);
                                       })
-                                   << Values{{"width", 800}, {"height", 450}, {"x", 40}, {"y", 25}};
-        QTest::newRow("focal lengths") << QStringLiteral("focal-lengths-differ")
-                                       << Program([](const Camera &c, const Shot &s) {
-                                              Camera other = c;
-                                              other.fx = 525;
-                                              other.fy = 480;
-                                              return other.world(s.pixel, s.z);
-                                          })
-                                       << Values{{"fx", 525}, {"fy", 480}};
-        QTest::newRow("one focal length")
-            << QStringLiteral("focal-lengths-differ") << Program([](const Camera &c, const Shot &s) {
-                   Camera other = c;
-                   other.fy = 437.31;
-                   return other.world(s.pixel, s.z);
-               })
-            << Values{{"fx", 600}, {"fy", 437.31}};
+                                   << Values{{"fx", 600}, {"fy", 437.31}};
     }
 
     void valuesOfSeveralPoints()
@@ -523,17 +521,16 @@ private slots:
     /// 50. The right point of the click is (0.5, 0.75, -0.25).
     void publicQuestions_data()
     {
-        QTest::addColumn<dvec3>("got");
-        QTest::addColumn<QString>("verdict");
-        QTest::newRow("focal length H/2") << dvec3(0.7649, 1.2316, -0.6016) << QStringLiteral("fovy-differs");
-        QTest::newRow("P[0][0] as focal length, z ahead, y down")
+        addColumn<dvec3>("got");
+        addColumn<QString>("verdict");
+        newRow("focal length H/2") << dvec3(0.7649, 1.2316, -0.6016) << QStringLiteral("fovy-differs");
+        newRow("P[0][0] as focal length, z ahead, y down")
             << dvec3(310.0089, -332.9363, -37.9808) << QStringLiteral("opencv-axes+focal-length-not-in-pixels");
-        QTest::newRow("unproject(x, z, ...)") << dvec3(0.0663, 3.2070, -0.9728) << QStringLiteral("y-is-depth");
-        QTest::newRow("another point's w")
-            << dvec3(-18.2566, -8.6283, 2455.3611) << QStringLiteral("w-of-another-point");
-        QTest::newRow("the eye") << dvec3(3, 2, 5) << QStringLiteral("known-point");
+        newRow("unproject(x, z, ...)") << dvec3(0.0663, 3.2070, -0.9728) << QStringLiteral("y-is-depth");
+        newRow("another point's w") << dvec3(-18.2566, -8.6283, 2455.3611) << QStringLiteral("w-of-another-point");
+        newRow("the eye") << dvec3(3, 2, 5) << QStringLiteral("known-point");
         // One point leaves near and far open: the candidates are told with their values.
-        QTest::newRow("near 0.01, far 1000") << dvec3(2.7174, 1.8587, 4.4066) << QStringLiteral("unknown");
+        newRow("near 0.01, far 1000") << dvec3(2.7174, 1.8587, 4.4066) << QStringLiteral("unknown");
     }
 
     void publicQuestions()

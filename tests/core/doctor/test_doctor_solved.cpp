@@ -88,14 +88,14 @@ class TestDoctorSolved : public QObject {
 private slots:
     void aRoundValueIsTheVerdict_data()
     {
-        QTest::addColumn<QString>("id");
-        QTest::addColumn<QStringList>("names");
-        QTest::addColumn<QList<double>>("numbers");
-        QTest::addColumn<QString>("word");
-        QTest::addColumn<QString>("name");
+        addColumn<QString>("id");
+        addColumn<QStringList>("names");
+        addColumn<QList<double>>("numbers");
+        addColumn<QString>("word");
+        addColumn<QString>("name");
         const auto row = [](const char *title, const char *id, const QStringList &names, const QList<double> &numbers,
                             const char *word, const char *name) {
-            QTest::newRow(title) << QString(id) << names << numbers << QString(word) << QString(name);
+            newRow(title) << QString(id) << names << numbers << QString(word) << QString(name);
         };
         row("far", "far-differs", {"far"}, {50}, "", "another far plane (far is 50, the scene has 100)");
         row("near", "near-differs", {"near"}, {0.25}, "", "another near plane (near is 0.25, the scene has 0.1)");
@@ -144,11 +144,11 @@ private slots:
 
     void everyValueStandsInItsLines_data()
     {
-        QTest::addColumn<WrongValue>("wrong");
-        QTest::addColumn<int>("points");
-        QTest::addColumn<int>("values");
+        addColumn<WrongValue>("wrong");
+        addColumn<int>("points");
+        addColumn<int>("values");
         const auto row = [](const char *title, const WrongValue &wrong, int points, int values) {
-            QTest::newRow(title) << wrong << points << values;
+            newRow(title) << wrong << points << values;
         };
         row("far", {"far-differs", {{"far", {50}}}, "", 0}, 1, 1);
         row("near", {"near-differs", {{"near", {0.25}}}, "", 0}, 1, 1);
@@ -193,13 +193,13 @@ private slots:
     /// A program whose pixels are too large must not multiply them once more.
     void theLinesOfARatioFollowItsDirection_data()
     {
-        QTest::addColumn<double>("ratio");
-        QTest::addColumn<int>("variant");
-        QTest::addColumn<QString>("as");
-        QTest::newRow("logical pixels") << 1.6 << 0 << "ratio-logical-in-device";
-        QTest::newRow("logical pixels and flip") << 1.6 << 1 << "ratio-logical-both";
-        QTest::newRow("logical viewport, logical flip") << 1.0 / 1.6 << 0 << "ratio-device-in-logical";
-        QTest::newRow("logical viewport") << 1.0 / 1.6 << 1 << "ratio-device-in-logical";
+        addColumn<double>("ratio");
+        addColumn<int>("variant");
+        addColumn<QString>("as");
+        newRow("logical pixels") << 1.6 << 0 << "ratio-logical-in-device";
+        newRow("logical pixels and flip") << 1.6 << 1 << "ratio-logical-both";
+        newRow("logical viewport, logical flip") << 1.0 / 1.6 << 0 << "ratio-device-in-logical";
+        newRow("logical viewport") << 1.0 / 1.6 << 1 << "ratio-device-in-logical";
     }
 
     void theLinesOfARatioFollowItsDirection()
@@ -306,7 +306,7 @@ private slots:
         const glm::dvec3 eye = shot.scene.eye, truth(0.5, 0.75, -0.25);
         oracle::Random random(31);
         int verdicts = 0;
-        constexpr int kPoints = 60;
+        constexpr int kPoints = tests::rounds(60);
         for (int i = 0; i < kPoints; ++i) {
             const glm::dvec3 got = eye + random.uniform(0.3, 3.0) * (truth - eye);
             verdicts += diagnosed(shot, pointOf(shot, got)).verdict == "unknown" ? 0 : 1;
@@ -316,19 +316,19 @@ private slots:
 
     void aValueIsWrittenAsPeopleWriteIt_data()
     {
-        QTest::addColumn<double>("value");
-        QTest::addColumn<double>("unsure");
-        QTest::addColumn<double>("expected");
-        QTest::addColumn<bool>("isRound");
-        QTest::newRow("50") << 49.998 << 0.0035 << 50.0 << true;
-        QTest::newRow("0.1") << 0.10002 << 0.00004 << 0.1 << true;
-        QTest::newRow("power of ten from below") << 0.009999 << 0.00002 << 0.01 << true;
-        QTest::newRow("1.5") << 1.4997 << 0.0006 << 1.5 << true;
-        QTest::newRow("1366") << 1365.99 << 0.02 << 1366.0 << true;
-        QTest::newRow("25.4, a unit") << 25.3999 << 0.0002 << 25.4 << true;
-        QTest::newRow("negative") << -31.004 << 0.01 << -31.0 << true;
-        QTest::newRow("not round") << 37.8312 << 0.0035 << 37.83 << false;
-        QTest::newRow("too unsure") << 49.1 << 1.2 << 50.0 << false;
+        addColumn<double>("value");
+        addColumn<double>("unsure");
+        addColumn<double>("expected");
+        addColumn<bool>("isRound");
+        newRow("50") << 49.998 << 0.0035 << 50.0 << true;
+        newRow("0.1") << 0.10002 << 0.00004 << 0.1 << true;
+        newRow("power of ten from below") << 0.009999 << 0.00002 << 0.01 << true;
+        newRow("1.5") << 1.4997 << 0.0006 << 1.5 << true;
+        newRow("1366") << 1365.99 << 0.02 << 1366.0 << true;
+        newRow("25.4, a unit") << 25.3999 << 0.0002 << 25.4 << true;
+        newRow("negative") << -31.004 << 0.01 << -31.0 << true;
+        newRow("not round") << 37.8312 << 0.0035 << 37.83 << false;
+        newRow("too unsure") << 49.1 << 1.2 << 50.0 << false;
     }
 
     void aValueIsWrittenAsPeopleWriteIt()
@@ -354,10 +354,10 @@ private slots:
 
     void twoPointsGiveRoundPlanes_data()
     {
-        QTest::addColumn<double>("nearPlane");
-        QTest::addColumn<double>("farPlane");
-        QTest::newRow("0.5, 60") << 0.5 << 60.0;
-        QTest::newRow("0.1, 50") << 0.1 << 50.0;
+        addColumn<double>("nearPlane");
+        addColumn<double>("farPlane");
+        newRow("0.5, 60") << 0.5 << 60.0;
+        newRow("0.1, 50") << 0.1 << 50.0;
     }
 
     /// The bounds of near and far belong together: each alone leaves other round numbers.
@@ -368,7 +368,7 @@ private slots:
         const WrongValue wrong{"near-far-differ", {{"near", {nearPlane}}, {"far", {farPlane}}}, "", 0};
         oracle::Random random(41);
         int named = 0;
-        constexpr int kRuns = 30;
+        constexpr int kRuns = tests::rounds(30);
         for (int i = 0; i < kRuns; ++i) {
             const auto shot = [&](double low, double high) {
                 const double s = random.uniform(low, high);
@@ -412,7 +412,7 @@ private slots:
     {
         const WrongValue wrong{"scaled", {{"factor", {0.001}}}, "origin", 0};
         oracle::Random random(42);
-        for (int i = 0; i < 20; ++i) {
+        for (int i = 0; i < tests::rounds(20); ++i) {
             const doctor_bar::Shot shot =
                 testShot({random.uniform(1.0, 2.0), random.uniform(0.2, 1.0), random.uniform(-1.0, 1.0)});
             const Diagnosis diagnosis = diagnosed(shot, pointOf(shot, wrong));
@@ -441,10 +441,10 @@ private slots:
 
     void theValueIsASentence_data()
     {
-        QTest::addColumn<WrongValue>("wrong");
-        QTest::addColumn<QString>("sentence");
+        addColumn<WrongValue>("wrong");
+        addColumn<QString>("sentence");
         const auto row = [](const char *title, const WrongValue &wrong, const char *sentence) {
-            QTest::newRow(title) << wrong << QString(sentence);
+            newRow(title) << wrong << QString(sentence);
         };
         row("far", {"far-differs", {{"far", {50}}}, "", 0}, "Your program's far plane is at 50, the scene's at 100. ");
         row("scaled", {"scaled", {{"factor", {1000}}}, "origin", 0},

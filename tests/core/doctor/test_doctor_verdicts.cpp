@@ -92,11 +92,11 @@ class TestDoctorVerdicts : public QObject {
 private slots:
     void aPointOfTheSceneIsNamed_data()
     {
-        QTest::addColumn<glm::dvec3>("got");
-        QTest::addColumn<double>("lastDigit");
-        QTest::addColumn<std::vector<Kind>>("kinds");
+        addColumn<glm::dvec3>("got");
+        addColumn<double>("lastDigit");
+        addColumn<std::vector<Kind>>("kinds");
         const auto row = [](const char *name, const glm::dvec3 &got, double lastDigit, const std::vector<Kind> &kinds) {
-            QTest::newRow(name) << got << lastDigit << kinds;
+            newRow(name) << got << lastDigit << kinds;
         };
         row("the eye, six decimals", {3, 2, 5}, 1e-6, {Kind::Eye});
         row("the eye, two decimals", {3, 2, 5}, 1e-2, {Kind::Eye});

@@ -91,9 +91,9 @@ class TestWrongPrograms : public QObject {
 private slots:
     void theRightProgramPrintsTheTruth_data()
     {
-        QTest::addColumn<bool>("isPerspective");
-        QTest::newRow("gluPerspective") << true;
-        QTest::newRow("glOrtho") << false;
+        addColumn<bool>("isPerspective");
+        newRow("gluPerspective") << true;
+        newRow("glOrtho") << false;
     }
 
     void theRightProgramPrintsTheTruth()
@@ -116,9 +116,9 @@ private slots:
 
     void eachMistakePrintsItsPoint_data()
     {
-        QTest::addColumn<int>("row");
+        addColumn<int>("row");
         for (std::size_t i = 0; i < kRows.size(); ++i)
-            QTest::newRow(kRows[i].id) << int(i);
+            newRow(kRows[i].id) << int(i);
     }
 
     void eachMistakePrintsItsPoint()

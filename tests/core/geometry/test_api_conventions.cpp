@@ -101,9 +101,9 @@ class TestApiConventions : public QObject {
 private slots:
     void aClickHasEachApisNumbers_data()
     {
-        QTest::addColumn<std::vector<double>>("numbers");
+        addColumn<std::vector<double>>("numbers");
         // position, depth, NDC, clip, eye, world
-        const auto row = [](const char *key, const std::vector<double> &numbers) { QTest::newRow(key) << numbers; };
+        const auto row = [](const char *key, const std::vector<double> &numbers) { newRow(key) << numbers; };
         row("opengl", {568.647484851, 425.662250382, 0.838330504968, 0.171618712128, 0.285540834606, 0.676661009936,
                        1.00920838731, 1.6791304493, 3.97912301126, 5.88052651599, 0.557370401713, 0.695518605093,
                        -5.88052651599, 0.5, 0.75, -0.25});
@@ -195,9 +195,9 @@ private slots:
 
     void matricesOfAnApiMakeThePictureThatTheyMakeThere_data()
     {
-        QTest::addColumn<QByteArray>("text");
-        QTest::newRow("vulkan") << textOf(R"("conventions": "vulkan", )", kFlippedProjection, kRightHandedView);
-        QTest::newRow("direct3d") << textOf(R"("conventions": "direct3d", )", kLeftHandedProjection, kTurnedView);
+        addColumn<QByteArray>("text");
+        newRow("vulkan") << textOf(R"("conventions": "vulkan", )", kFlippedProjection, kRightHandedView);
+        newRow("direct3d") << textOf(R"("conventions": "direct3d", )", kLeftHandedProjection, kTurnedView);
     }
 
     void matricesOfAnApiMakeThePictureThatTheyMakeThere()

@@ -36,13 +36,13 @@ class TestCamera : public QObject {
 private slots:
     void literalAxes_data()
     {
-        QTest::addColumn<LookAt>("camera");
-        QTest::addColumn<WorldVector>("side");
-        QTest::addColumn<WorldVector>("upward");
-        QTest::addColumn<WorldVector>("forward");
+        addColumn<LookAt>("camera");
+        addColumn<WorldVector>("side");
+        addColumn<WorldVector>("upward");
+        addColumn<WorldVector>("forward");
 
         const auto row = [](const char *name, const LookAt &camera, const WorldVector &side, const WorldVector &upward,
-                            const WorldVector &forward) { QTest::newRow(name) << camera << side << upward << forward; };
+                            const WorldVector &forward) { newRow(name) << camera << side << upward << forward; };
         const WorldPoint origin;
         // World x points right when the camera looks down -z: the paper's figure has it to the left.
         row("from the front", {WorldPoint(0, 0, 5), origin, {0, 1, 0}}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1});
@@ -69,10 +69,10 @@ private slots:
 
     void axesAreOrthonormalAndRightHanded_data()
     {
-        QTest::addColumn<quint64>("seed");
-        QTest::addColumn<double>("eyeHigh");
-        QTest::newRow("eyes up to 10 away") << quint64(21) << 10.0;
-        QTest::newRow("eyes up to 10^6 away") << quint64(22) << 1e6;
+        addColumn<quint64>("seed");
+        addColumn<double>("eyeHigh");
+        newRow("eyes up to 10 away") << quint64(21) << 10.0;
+        newRow("eyes up to 10^6 away") << quint64(22) << 1e6;
     }
 
     void axesAreOrthonormalAndRightHanded()

@@ -68,17 +68,17 @@ Setup geometryWith(const Projection &projection)
 
 void addProjections()
 {
-    QTest::addColumn<Setup>("geometry");
+    addColumn<Setup>("geometry");
     const Ortho box{-4.0, 8.0, -3.0, 5.0, -2.0, 40.0};
-    QTest::newRow("frustum") << geometryWith(Frustum{-0.6, 0.6, -0.4, 0.4, 1.0, 100.0});
-    QTest::newRow("frustum, off-centre") << geometryWith(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0});
-    QTest::newRow("perspective") << geometryWith(Perspective{kPi / 4.0, 1.5, 0.1, 100.0});
-    QTest::newRow("ortho") << geometryWith(Ortho{-6.0, 6.0, -4.0, 4.0, -2.0, 40.0});
-    QTest::newRow("ortho, off-centre") << geometryWith(box);
-    QTest::newRow("oblique") << geometryWith(Oblique{box, kPi / 3.0, 2.0 * kPi / 3.0});
+    newRow("frustum") << geometryWith(Frustum{-0.6, 0.6, -0.4, 0.4, 1.0, 100.0});
+    newRow("frustum, off-centre") << geometryWith(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0});
+    newRow("perspective") << geometryWith(Perspective{kPi / 4.0, 1.5, 0.1, 100.0});
+    newRow("ortho") << geometryWith(Ortho{-6.0, 6.0, -4.0, 4.0, -2.0, 40.0});
+    newRow("ortho, off-centre") << geometryWith(box);
+    newRow("oblique") << geometryWith(Oblique{box, kPi / 3.0, 2.0 * kPi / 3.0});
     Setup offset = geometryWith(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0});
     offset.viewport = {100.0, 50.0, 600.0, 400.0};
-    QTest::newRow("frustum, off-centre, in an offset viewport") << offset;
+    newRow("frustum, off-centre, in an offset viewport") << offset;
 }
 
 /// A box that the oblique camera looks at, its eight corners.
@@ -160,13 +160,13 @@ private slots:
 
     void orbitStopsShortOfThePoles_data()
     {
-        QTest::addColumn<double>("pitch");
-        QTest::addColumn<double>("elevation");
+        addColumn<double>("pitch");
+        addColumn<double>("elevation");
         constexpr double kLimit = kPi / 2.0 - 0.01;
-        QTest::newRow("over the top") << 5.0 << -kLimit;
-        QTest::newRow("a quarter turn") << kPi / 2.0 << -kLimit;
-        QTest::newRow("under the bottom") << -5.0 << kLimit;
-        QTest::newRow("to the horizon and back") << 0.0 << std::asin(-4.0 / std::sqrt(68.0));
+        newRow("over the top") << 5.0 << -kLimit;
+        newRow("a quarter turn") << kPi / 2.0 << -kLimit;
+        newRow("under the bottom") << -5.0 << kLimit;
+        newRow("to the horizon and back") << 0.0 << std::asin(-4.0 / std::sqrt(68.0));
     }
 
     void orbitStopsShortOfThePoles()
@@ -186,13 +186,13 @@ private slots:
 
     void orbitLeavesAPoleItStandsAt_data()
     {
-        QTest::addColumn<int>("side");
-        QTest::addColumn<double>("pitch");
-        QTest::addColumn<double>("elevation");
-        QTest::newRow("from the top, on") << static_cast<int>(StandardView::Top) << 0.3 << -kPi / 2.0;
-        QTest::newRow("from the top, back") << static_cast<int>(StandardView::Top) << -0.3 << -kPi / 2.0 + 0.3;
-        QTest::newRow("from the bottom, on") << static_cast<int>(StandardView::Bottom) << -0.3 << kPi / 2.0;
-        QTest::newRow("from the bottom, back") << static_cast<int>(StandardView::Bottom) << 0.3 << kPi / 2.0 - 0.3;
+        addColumn<int>("side");
+        addColumn<double>("pitch");
+        addColumn<double>("elevation");
+        newRow("from the top, on") << static_cast<int>(StandardView::Top) << 0.3 << -kPi / 2.0;
+        newRow("from the top, back") << static_cast<int>(StandardView::Top) << -0.3 << -kPi / 2.0 + 0.3;
+        newRow("from the bottom, on") << static_cast<int>(StandardView::Bottom) << -0.3 << kPi / 2.0;
+        newRow("from the bottom, back") << static_cast<int>(StandardView::Bottom) << 0.3 << kPi / 2.0 - 0.3;
     }
 
     void orbitLeavesAPoleItStandsAt()
@@ -233,14 +233,12 @@ private slots:
 
     void seenFromLooksAlongTheNamedAxis_data()
     {
-        QTest::addColumn<int>("side");
-        QTest::addColumn<glm::dvec3>("eye");
-        QTest::addColumn<glm::dvec3>("rightInPicture");
-        QTest::addColumn<glm::dvec3>("upInPicture");
+        addColumn<int>("side");
+        addColumn<glm::dvec3>("eye");
+        addColumn<glm::dvec3>("rightInPicture");
+        addColumn<glm::dvec3>("upInPicture");
         const auto row = [](const char *name, StandardView side, const glm::dvec3 &eye, const glm::dvec3 &right,
-                            const glm::dvec3 &up) {
-            QTest::newRow(name) << static_cast<int>(side) << eye << right << up;
-        };
+                            const glm::dvec3 &up) { newRow(name) << static_cast<int>(side) << eye << right << up; };
         // The centre (1, 2, 3) at a distance of 10.
         row("front", StandardView::Front, {1.0, 2.0, 13.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0});
         row("back", StandardView::Back, {1.0, 2.0, -7.0}, {-1.0, 0.0, 0.0}, {0.0, 1.0, 0.0});

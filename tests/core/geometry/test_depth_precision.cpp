@@ -59,8 +59,8 @@ class TestDepthPrecision : public QObject {
 private slots:
     void noRoundedDepthIsFartherOff_data()
     {
-        QTest::addColumn<DepthScale>("scale");
-        QTest::addColumn<DepthFormat>("format");
+        addColumn<DepthScale>("scale");
+        addColumn<DepthFormat>("format");
         const double infinite = std::numeric_limits<double>::infinity();
         const std::array formats{std::pair("16 bits", DepthFormat(16)), std::pair("24 bits", DepthFormat(24)),
                                  std::pair("32 bits", DepthFormat(32)),
@@ -74,7 +74,7 @@ private slots:
                                 std::pair("box, reversed", DepthScale{false, -3.0, 40.0, {1.0, 0.0}})};
         for (const auto &[scaleName, scale] : scales)
             for (const auto &[formatName, format] : formats)
-                QTest::addRow("%s, %s", scaleName, formatName) << scale << format;
+                addRow("%s, %s", scaleName, formatName) << scale << format;
     }
 
     /// No distance comes back farther off than the bound, and over many some come close to it.

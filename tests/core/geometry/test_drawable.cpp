@@ -29,12 +29,12 @@ class TestDrawable : public QObject {
 private slots:
     void numbersAreThoseOfOpenGl_data()
     {
-        QTest::addColumn<double>("atNear");
-        QTest::addColumn<double>("atFar");
-        QTest::newRow("as usual") << 0.0 << 1.0;
-        QTest::newRow("reversed") << 1.0 << 0.0;
-        QTest::newRow("a part") << 0.2 << 0.9;
-        QTest::newRow("the front") << 0.0 << 0.65;
+        addColumn<double>("atNear");
+        addColumn<double>("atFar");
+        newRow("as usual") << 0.0 << 1.0;
+        newRow("reversed") << 1.0 << 0.0;
+        newRow("a part") << 0.2 << 0.9;
+        newRow("the front") << 0.0 << 0.65;
     }
 
     void numbersAreThoseOfOpenGl()
@@ -56,25 +56,24 @@ private slots:
 
     void whatOpenGlWouldChangeIsRefused_data()
     {
-        QTest::addColumn<Setup>("picture");
-        QTest::addColumn<ErrorCode>("code");
-        QTest::addColumn<double>("value");
+        addColumn<Setup>("picture");
+        addColumn<ErrorCode>("code");
+        addColumn<double>("value");
         const Viewport whole{0, 0, 800, 600};
-        QTest::newRow("x with a fraction") << pictureWith({0.5, 0, 800, 600}, {}) << ErrorCode::ViewportNotWhole << 0.5;
-        QTest::newRow("height with a fraction")
-            << pictureWith({0, 0, 800, 599.75}, {}) << ErrorCode::ViewportNotWhole << 599.75;
-        QTest::newRow("too wide") << pictureWith({0, 0, 16385, 600}, {}) << ErrorCode::ViewportTooLarge << 16385.0;
-        QTest::newRow("too far left") << pictureWith({-16385, 0, 800, 600}, {}) << ErrorCode::ViewportTooLarge
-                                      << -16385.0;
-        QTest::newRow("far above 1") << pictureWith(whole, {0.0, 1.5}) << ErrorCode::DepthRangeNotDrawable << 1.5;
-        QTest::newRow("near below 0") << pictureWith(whole, {-0.25, 1.0}) << ErrorCode::DepthRangeNotDrawable << -0.25;
-        QTest::newRow("ends that are one float")
+        newRow("x with a fraction") << pictureWith({0.5, 0, 800, 600}, {}) << ErrorCode::ViewportNotWhole << 0.5;
+        newRow("height with a fraction") << pictureWith({0, 0, 800, 599.75}, {}) << ErrorCode::ViewportNotWhole
+                                         << 599.75;
+        newRow("too wide") << pictureWith({0, 0, 16385, 600}, {}) << ErrorCode::ViewportTooLarge << 16385.0;
+        newRow("too far left") << pictureWith({-16385, 0, 800, 600}, {}) << ErrorCode::ViewportTooLarge << -16385.0;
+        newRow("far above 1") << pictureWith(whole, {0.0, 1.5}) << ErrorCode::DepthRangeNotDrawable << 1.5;
+        newRow("near below 0") << pictureWith(whole, {-0.25, 1.0}) << ErrorCode::DepthRangeNotDrawable << -0.25;
+        newRow("ends that are one float")
             << pictureWith(whole, {0.5, 0.5 + 1e-12}) << ErrorCode::EmptyDepthRange << 0.5;
         Setup large = pictureWith(whole, {});
         large.surface = {20000, 600, 1.0};
-        QTest::newRow("a window that no driver draws") << large << ErrorCode::FramebufferTooLarge << 20000.0;
+        newRow("a window that no driver draws") << large << ErrorCode::FramebufferTooLarge << 20000.0;
         Setup broken = pictureWith({0, 0, kNan, 600}, {});
-        QTest::newRow("no number") << broken << ErrorCode::NotFinite << kNan;
+        newRow("no number") << broken << ErrorCode::NotFinite << kNan;
     }
 
     void whatOpenGlWouldChangeIsRefused()

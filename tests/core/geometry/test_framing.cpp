@@ -93,15 +93,15 @@ class TestFraming : public QObject {
 private slots:
     void pointsFillThePicture_data()
     {
-        QTest::addColumn<Setup>("picture");
-        QTest::addColumn<glm::dvec3>("half");
+        addColumn<Setup>("picture");
+        addColumn<glm::dvec3>("half");
         const Ortho box{-4.0, 8.0, -3.0, 5.0, -2.0, 40.0};
         for (const auto &[shape, half] :
              {std::pair("ball", glm::dvec3(2.0)), std::pair("wide", glm::dvec3(9.0, 1.0, 0.5)),
               std::pair("high", glm::dvec3(0.2, 7.0, 0.4)), std::pair("deep", glm::dvec3(0.5, 0.4, 30.0)),
               std::pair("tiny", glm::dvec3(1e-4, 1e-4, 1e-4))}) {
             const auto row = [shape = shape, half = half](const char *name, const Setup &setup) {
-                QTest::addRow("%s, %s", name, shape) << setup << half;
+                addRow("%s, %s", name, shape) << setup << half;
             };
             row("frustum", pictureWith(Frustum{-0.6, 0.6, -0.4, 0.4, 1.0, 100.0}));
             row("frustum, off-centre", pictureWith(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0}));
@@ -164,11 +164,11 @@ private slots:
 
     void aModelIsFramedByItsTriangles_data()
     {
-        QTest::addColumn<int>("count");
-        QTest::addColumn<bool>("isSoup");
+        addColumn<int>("count");
+        addColumn<bool>("isSoup");
         for (const int count : {3, 200, 3000, 30000}) {
-            QTest::addRow("%d", count) << count << false;
-            QTest::addRow("%d, a soup", count) << count << true;
+            addRow("%d", count) << count << false;
+            addRow("%d, a soup", count) << count << true;
         }
     }
 
@@ -196,9 +196,9 @@ private slots:
 
     void littleIsShownWithItsSurroundings_data()
     {
-        QTest::addColumn<Setup>("picture");
-        QTest::newRow("frustum") << pictureWith(Frustum{-0.6, 0.6, -0.4, 0.4, 1.0, 100.0});
-        QTest::newRow("ortho") << pictureWith(Ortho{-4.0, 8.0, -3.0, 5.0, -2.0, 40.0});
+        addColumn<Setup>("picture");
+        newRow("frustum") << pictureWith(Frustum{-0.6, 0.6, -0.4, 0.4, 1.0, 100.0});
+        newRow("ortho") << pictureWith(Ortho{-4.0, 8.0, -3.0, 5.0, -2.0, 40.0});
     }
 
     void littleIsShownWithItsSurroundings()

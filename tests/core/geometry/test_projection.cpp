@@ -33,16 +33,16 @@ glm::dvec3 ndcFromEye(const Projection &projection, const glm::dvec3 &eye)
 
 void addProjections()
 {
-    QTest::addColumn<Projection>("projection");
-    QTest::newRow("frustum") << Projection(Frustum{-1, 1, -1, 1, 1, 10});
-    QTest::newRow("off-centre frustum") << Projection(Frustum{-1, 3, -2, 1, 1, 10});
-    QTest::newRow("mirrored frustum") << Projection(Frustum{3, -1, 1, -2, 1, 10});
-    QTest::newRow("skewed frustum") << Projection(Frustum{-1, 3, -2, 1, 1, 10, 0.25});
-    QTest::newRow("ortho") << Projection(Ortho{-4, 4, -3, 3, 1, 10});
-    QTest::newRow("off-centre ortho") << Projection(Ortho{-1, 5, 2, 4, 1, 10});
-    QTest::newRow("mirrored ortho") << Projection(Ortho{5, -1, 4, 2, 1, 10});
-    QTest::newRow("perspective") << Projection(Perspective{1, 1.5, 1, 10});
-    QTest::newRow("oblique") << Projection(Oblique{{-4, 4, -3, 3, 1, 10}, 1, 2});
+    addColumn<Projection>("projection");
+    newRow("frustum") << Projection(Frustum{-1, 1, -1, 1, 1, 10});
+    newRow("off-centre frustum") << Projection(Frustum{-1, 3, -2, 1, 1, 10});
+    newRow("mirrored frustum") << Projection(Frustum{3, -1, 1, -2, 1, 10});
+    newRow("skewed frustum") << Projection(Frustum{-1, 3, -2, 1, 1, 10, 0.25});
+    newRow("ortho") << Projection(Ortho{-4, 4, -3, 3, 1, 10});
+    newRow("off-centre ortho") << Projection(Ortho{-1, 5, 2, 4, 1, 10});
+    newRow("mirrored ortho") << Projection(Ortho{5, -1, 4, 2, 1, 10});
+    newRow("perspective") << Projection(Perspective{1, 1.5, 1, 10});
+    newRow("oblique") << Projection(Oblique{{-4, 4, -3, 3, 1, 10}, 1, 2});
 }
 
 } // namespace
@@ -53,13 +53,13 @@ class TestProjection : public QObject {
 private slots:
     void cornersOfTheViewVolumeAreTheCornersOfNdc_data()
     {
-        QTest::addColumn<Projection>("projection");
-        QTest::addColumn<glm::dvec3>("nearBottomLeft");
-        QTest::addColumn<glm::dvec3>("farTopRight");
+        addColumn<Projection>("projection");
+        addColumn<glm::dvec3>("nearBottomLeft");
+        addColumn<glm::dvec3>("farTopRight");
 
         const auto row = [](const char *name, const Projection &projection, const glm::dvec3 &nearBottomLeft,
                             const glm::dvec3 &farTopRight) {
-            QTest::newRow(name) << projection << nearBottomLeft << farTopRight;
+            newRow(name) << projection << nearBottomLeft << farTopRight;
         };
         row("frustum", Frustum{-1, 3, -2, 1, 2, 10}, {-1, -2, -2}, {15, 5, -10});
         row("mirrored frustum", Frustum{3, -1, 1, -2, 2, 10}, {3, 1, -2}, {-5, -10, -10});

@@ -20,11 +20,11 @@ class TestProportions : public QObject {
 private slots:
     void aCircleIsDrawnSoMuchWiderThanHigh_data()
     {
-        QTest::addColumn<Viewport>("viewport");
-        QTest::addColumn<Projection>("projection");
-        QTest::addColumn<double>("aspect");
+        addColumn<Viewport>("viewport");
+        addColumn<Projection>("projection");
+        addColumn<double>("aspect");
         const auto row = [](const char *name, const Viewport &viewport, const Projection &projection, double aspect) {
-            QTest::newRow(name) << viewport << projection << aspect;
+            newRow(name) << viewport << projection << aspect;
         };
         const Viewport wide{0, 0, 800, 600}, square{0, 0, 300, 300};
         // projection-derivation's glFrustum(-1, 1, -1, 1, ...) and its gluPerspective(90, w / h, ...).
@@ -52,13 +52,13 @@ private slots:
 
     void aWindowPositionHasItsPlaceInTheProjectionWindow_data()
     {
-        QTest::addColumn<Viewport>("viewport");
-        QTest::addColumn<glm::dvec2>("window");
-        QTest::addColumn<glm::dvec2>("share");
-        QTest::addColumn<glm::dvec2>("position");
+        addColumn<Viewport>("viewport");
+        addColumn<glm::dvec2>("window");
+        addColumn<glm::dvec2>("share");
+        addColumn<glm::dvec2>("position");
         const auto row = [](const char *name, const Viewport &viewport, double x, double y, double shareX,
                             double shareY, double xw, double yw) {
-            QTest::newRow(name) << viewport << glm::dvec2(x, y) << glm::dvec2(shareX, shareY) << glm::dvec2(xw, yw);
+            newRow(name) << viewport << glm::dvec2(x, y) << glm::dvec2(shareX, shareY) << glm::dvec2(xw, yw);
         };
         // The projection window is [-4, 12] x [-3, 1].
         const Viewport whole{0, 0, 800, 600}, quarter{400, 0, 400, 300};

@@ -323,11 +323,11 @@ class TestSourceErrors : public QObject {
 private slots:
     void anErrorIsOne_data()
     {
-        QTest::addColumn<double>("printed");
-        QTest::addColumn<double>("right");
-        QTest::addColumn<double>("computed");
+        addColumn<double>("printed");
+        addColumn<double>("right");
+        addColumn<double>("computed");
         for (const Erratum &error : errorsOfAll().all)
-            QTest::addRow("%s: %s", error.anchor, error.what) << error.printed << error.right << error.computed;
+            addRow("%s: %s", error.anchor, error.what) << error.printed << error.right << error.computed;
     }
 
     void anErrorIsOne()

@@ -41,7 +41,7 @@ std::string asPrinted(double number, const std::string &printed)
 
 void row(const std::string &place, const char *printed, double computed)
 {
-    QTest::newRow(place.c_str()) << QByteArray(printed) << computed;
+    newRow(place.c_str()) << QByteArray(printed) << computed;
 }
 
 void rows(const std::string &place, const std::vector<const char *> &printed, const glm::dvec4 &computed)
@@ -322,8 +322,8 @@ class TestSourceNumbers : public QObject {
 private slots:
     void whatIsPrintedIsComputed_data()
     {
-        QTest::addColumn<QByteArray>("printed");
-        QTest::addColumn<double>("computed");
+        addColumn<QByteArray>("printed");
+        addColumn<double>("computed");
         zhangciInThePlane();
         zhangciInSpace();
         projectionDerivation();

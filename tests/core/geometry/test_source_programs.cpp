@@ -59,19 +59,17 @@ private slots:
 
     void theWorldOriginIsTheMiddleOfTheWidgetAndBack_data()
     {
-        QTest::addColumn<Projection>("projection");
-        QTest::addColumn<WorldPoint>("eye");
-        QTest::addColumn<double>("depth");
+        addColumn<Projection>("projection");
+        addColumn<WorldPoint>("eye");
+        addColumn<double>("depth");
 
         // The origin is 5, or sqrt(3^2 + 4^2 + 12^2) = 13, in front of the eye.
-        QTest::newRow("perspective from the front")
+        newRow("perspective from the front")
             << Projection(Perspective{kRightAngle, 1, 1, 100}) << WorldPoint(0, 0, 5) << 400.0 / 495.0;
-        QTest::newRow("perspective from aside")
-            << Projection(Perspective{kRightAngle, 1, 1, 100}) << WorldPoint(3, 4, 12) << 1200.0 / 1287.0;
-        QTest::newRow("ortho from the front")
-            << Projection(Ortho{-10, 10, -10, 10, 1, 9}) << WorldPoint(0, 0, 5) << 0.5;
-        QTest::newRow("ortho from aside")
-            << Projection(Ortho{-10, 10, -10, 10, 3, 33}) << WorldPoint(3, 4, 12) << 1.0 / 3.0;
+        newRow("perspective from aside") << Projection(Perspective{kRightAngle, 1, 1, 100}) << WorldPoint(3, 4, 12)
+                                         << 1200.0 / 1287.0;
+        newRow("ortho from the front") << Projection(Ortho{-10, 10, -10, 10, 1, 9}) << WorldPoint(0, 0, 5) << 0.5;
+        newRow("ortho from aside") << Projection(Ortho{-10, 10, -10, 10, 3, 33}) << WorldPoint(3, 4, 12) << 1.0 / 3.0;
     }
 
     void theWorldOriginIsTheMiddleOfTheWidgetAndBack()
@@ -98,14 +96,14 @@ private slots:
 
     void threeProjectionsGiveOnePictureOnlyInASquareWindow_data()
     {
-        QTest::addColumn<double>("width");
-        QTest::addColumn<double>("height");
-        QTest::addColumn<double>("handMade");
-        QTest::addColumn<double>("gluPerspective");
+        addColumn<double>("width");
+        addColumn<double>("height");
+        addColumn<double>("handMade");
+        addColumn<double>("gluPerspective");
 
-        QTest::newRow("800x600: the pictures differ") << 800.0 << 600.0 << 1.3333333 << 0.75;
-        QTest::newRow("600x600: the pictures agree") << 600.0 << 600.0 << 1.0 << 1.0;
-        QTest::newRow("600x800: the pictures differ the other way") << 600.0 << 800.0 << 0.75 << 1.3333333;
+        newRow("800x600: the pictures differ") << 800.0 << 600.0 << 1.3333333 << 0.75;
+        newRow("600x600: the pictures agree") << 600.0 << 600.0 << 1.0 << 1.0;
+        newRow("600x800: the pictures differ the other way") << 600.0 << 800.0 << 0.75 << 1.3333333;
     }
 
     void threeProjectionsGiveOnePictureOnlyInASquareWindow()
@@ -139,10 +137,10 @@ private slots:
 
     void programVerticesGoToTheirPixelsAndBack_data()
     {
-        QTest::addColumn<Projection>("projection");
-        QTest::addColumn<Viewport>("viewport");
-        QTest::addColumn<EyePoint>("vertex");
-        QTest::addColumn<glm::dvec3>("window");
+        addColumn<Projection>("projection");
+        addColumn<Viewport>("viewport");
+        addColumn<EyePoint>("vertex");
+        addColumn<glm::dvec3>("window");
 
         // projection-derivation. x_n = x / |z| * 4/3 for the hand-made matrix, * 3/4 for
         // gluPerspective.
@@ -151,23 +149,23 @@ private slots:
         const Projection perspective = Perspective{kRightAngle, 800.0 / 600.0, 5, 80000};
         const double at10 = 0.5000312519532471, at20 = 0.7500468779298706, at30 = 0.8333854199220785,
                      at40 = 0.8750546909181824;
-        QTest::newRow("fan, hand-made, as printed: apex")
+        newRow("fan, hand-made, as printed: apex")
             << handMade << wide << EyePoint(0, 0, -20) << glm::dvec3(400, 300, at20);
-        QTest::newRow("fan, hand-made, as printed: second")
+        newRow("fan, hand-made, as printed: second")
             << handMade << wide << EyePoint(30, 20, -40) << glm::dvec3(800, 450, at40);
-        QTest::newRow("fan, hand-made, as printed: third, right of the window")
+        newRow("fan, hand-made, as printed: third, right of the window")
             << handMade << wide << EyePoint(40, 10, -30) << glm::dvec3(400 + 400 * 16.0 / 9.0, 400, at30);
-        QTest::newRow("fan, hand-made, translated: apex")
+        newRow("fan, hand-made, translated: apex")
             << handMade << wide << EyePoint(0, 0, -10) << glm::dvec3(400, 300, at10);
-        QTest::newRow("fan, hand-made, translated: second")
+        newRow("fan, hand-made, translated: second")
             << handMade << wide << EyePoint(30, 20, -30) << glm::dvec3(400 + 400 * 4.0 / 3.0, 500, at30);
-        QTest::newRow("fan, gluPerspective, as printed: apex")
+        newRow("fan, gluPerspective, as printed: apex")
             << perspective << wide << EyePoint(0, 0, -20) << glm::dvec3(400, 300, at20);
-        QTest::newRow("fan, gluPerspective, as printed: second")
+        newRow("fan, gluPerspective, as printed: second")
             << perspective << wide << EyePoint(30, 20, -40) << glm::dvec3(625, 450, at40);
-        QTest::newRow("fan, gluPerspective, as printed: third")
+        newRow("fan, gluPerspective, as printed: third")
             << perspective << wide << EyePoint(40, 10, -30) << glm::dvec3(800, 400, at30);
-        QTest::newRow("fan, gluPerspective, translated: third")
+        newRow("fan, gluPerspective, translated: third")
             << perspective << wide << EyePoint(40, 10, -20) << glm::dvec3(1000, 450, at20);
 
         // parallel-projection 1: SIZE = 4.5 is truncated to 4, so the corners are at 4/9 of the half
@@ -175,12 +173,12 @@ private slots:
         const Projection box = Ortho{-9, 9, -9, 9, 2, 9};
         const double left = 400 - 1600.0 / 9.0, right = 400 + 1600.0 / 9.0, below = 300 - 1200.0 / 9.0,
                      above = 300 + 1200.0 / 9.0;
-        QTest::newRow("quad A, red") << box << wide << EyePoint(-4, 4, -4) << glm::dvec3(left, above, 2.0 / 7.0);
-        QTest::newRow("quad B, green") << box << wide << EyePoint(4, 4, -4) << glm::dvec3(right, above, 2.0 / 7.0);
-        QTest::newRow("quad C, blue") << box << wide << EyePoint(4, -4, -4) << glm::dvec3(right, below, 2.0 / 7.0);
-        QTest::newRow("quad D, white") << box << wide << EyePoint(-4, -4, -4) << glm::dvec3(left, below, 2.0 / 7.0);
-        QTest::newRow("quad on the near plane") << box << wide << EyePoint(9, -9, -2) << glm::dvec3(800, 0, 0);
-        QTest::newRow("quad on the far plane") << box << wide << EyePoint(-9, 9, -9) << glm::dvec3(0, 600, 1);
+        newRow("quad A, red") << box << wide << EyePoint(-4, 4, -4) << glm::dvec3(left, above, 2.0 / 7.0);
+        newRow("quad B, green") << box << wide << EyePoint(4, 4, -4) << glm::dvec3(right, above, 2.0 / 7.0);
+        newRow("quad C, blue") << box << wide << EyePoint(4, -4, -4) << glm::dvec3(right, below, 2.0 / 7.0);
+        newRow("quad D, white") << box << wide << EyePoint(-4, -4, -4) << glm::dvec3(left, below, 2.0 / 7.0);
+        newRow("quad on the near plane") << box << wide << EyePoint(9, -9, -2) << glm::dvec3(800, 0, 0);
+        newRow("quad on the far plane") << box << wide << EyePoint(-9, 9, -9) << glm::dvec3(0, 600, 1);
 
         // parallel-projection 2: x_n = (x - 1.0108550 |z|) / 10. With cot = 1 the front corner would be
         // at 0.15, not 0.1467.
@@ -188,24 +186,22 @@ private slots:
         const Viewport square{0, 0, 600, 600};
         const auto at = [](double ndc) { return 300.0 * (1.0 + ndc); };
         const double front = 1.0 / 7.0, back = 2.5 / 7.0;
-        QTest::newRow("box H, front top right") << sheared << square << EyePoint(4.5, 4.5, -3)
-                                                << glm::dvec3(at(0.1467434911629235), at(0.1467434911629235), front);
-        QTest::newRow("box A, front bottom left")
-            << sheared << square << EyePoint(-4.5, -4.5, -3)
-            << glm::dvec3(at(-0.7532565088370765), at(-0.7532565088370765), front);
-        QTest::newRow("box C, front top left") << sheared << square << EyePoint(-4.5, 4.5, -3)
-                                               << glm::dvec3(at(-0.7532565088370765), at(0.1467434911629235), front);
-        QTest::newRow("box D, front bottom right")
-            << sheared << square << EyePoint(4.5, -4.5, -3)
-            << glm::dvec3(at(0.1467434911629235), at(-0.7532565088370765), front);
-        QTest::newRow("box F, back top left") << sheared << square << EyePoint(-4.5, 4.5, -4.5)
-                                              << glm::dvec3(at(-0.9048847632556147), at(-0.0048847632556147), back);
-        QTest::newRow("box B, back bottom left") << sheared << square << EyePoint(-4.5, -4.5, -4.5)
-                                                 << glm::dvec3(at(-0.9048847632556147), at(-0.9048847632556147), back);
-        QTest::newRow("box E, back top right") << sheared << square << EyePoint(4.5, 4.5, -4.5)
-                                               << glm::dvec3(at(-0.0048847632556147), at(-0.0048847632556147), back);
-        QTest::newRow("box G, back bottom right") << sheared << square << EyePoint(4.5, -4.5, -4.5)
-                                                  << glm::dvec3(at(-0.0048847632556147), at(-0.9048847632556147), back);
+        newRow("box H, front top right") << sheared << square << EyePoint(4.5, 4.5, -3)
+                                         << glm::dvec3(at(0.1467434911629235), at(0.1467434911629235), front);
+        newRow("box A, front bottom left") << sheared << square << EyePoint(-4.5, -4.5, -3)
+                                           << glm::dvec3(at(-0.7532565088370765), at(-0.7532565088370765), front);
+        newRow("box C, front top left") << sheared << square << EyePoint(-4.5, 4.5, -3)
+                                        << glm::dvec3(at(-0.7532565088370765), at(0.1467434911629235), front);
+        newRow("box D, front bottom right") << sheared << square << EyePoint(4.5, -4.5, -3)
+                                            << glm::dvec3(at(0.1467434911629235), at(-0.7532565088370765), front);
+        newRow("box F, back top left") << sheared << square << EyePoint(-4.5, 4.5, -4.5)
+                                       << glm::dvec3(at(-0.9048847632556147), at(-0.0048847632556147), back);
+        newRow("box B, back bottom left") << sheared << square << EyePoint(-4.5, -4.5, -4.5)
+                                          << glm::dvec3(at(-0.9048847632556147), at(-0.9048847632556147), back);
+        newRow("box E, back top right") << sheared << square << EyePoint(4.5, 4.5, -4.5)
+                                        << glm::dvec3(at(-0.0048847632556147), at(-0.0048847632556147), back);
+        newRow("box G, back bottom right") << sheared << square << EyePoint(4.5, -4.5, -4.5)
+                                           << glm::dvec3(at(-0.0048847632556147), at(-0.9048847632556147), back);
     }
 
     void programVerticesGoToTheirPixelsAndBack()

@@ -64,30 +64,30 @@ class TestViewVolume : public QObject {
 private slots:
     void cornersAreWhereTheArgumentsPutThem_data()
     {
-        QTest::addColumn<Projection>("projection");
-        QTest::addColumn<int>("index");
-        QTest::addColumn<double>("x");
-        QTest::addColumn<double>("y");
-        QTest::addColumn<double>("z");
+        addColumn<Projection>("projection");
+        addColumn<int>("index");
+        addColumn<double>("x");
+        addColumn<double>("y");
+        addColumn<double>("z");
         const Projection frustum = Frustum{-0.25, 1.0, -0.75, 0.5, 2.0, 20.0};
-        QTest::newRow("frustum, near left bottom") << frustum << 0 << -0.25 << -0.75 << -2.0;
-        QTest::newRow("frustum, near right bottom") << frustum << 1 << 1.0 << -0.75 << -2.0;
+        newRow("frustum, near left bottom") << frustum << 0 << -0.25 << -0.75 << -2.0;
+        newRow("frustum, near right bottom") << frustum << 1 << 1.0 << -0.75 << -2.0;
         // x + y / 4 reaches the edges.
         const Projection skewed = Frustum{-1.0, 3.0, -2.0, 1.0, 2.0, 10.0, 0.25};
-        QTest::newRow("skewed frustum, near left bottom") << skewed << 0 << -0.5 << -2.0 << -2.0;
-        QTest::newRow("skewed frustum, far right top") << skewed << 7 << 13.75 << 5.0 << -10.0;
-        QTest::newRow("frustum, far left top") << frustum << 6 << -2.5 << 5.0 << -20.0;
-        QTest::newRow("frustum, far right top") << frustum << 7 << 10.0 << 5.0 << -20.0;
+        newRow("skewed frustum, near left bottom") << skewed << 0 << -0.5 << -2.0 << -2.0;
+        newRow("skewed frustum, far right top") << skewed << 7 << 13.75 << 5.0 << -10.0;
+        newRow("frustum, far left top") << frustum << 6 << -2.5 << 5.0 << -20.0;
+        newRow("frustum, far right top") << frustum << 7 << 10.0 << 5.0 << -20.0;
         const Projection perspective = Perspective{kPi / 2.0, 1.5, 1.0, 10.0};
-        QTest::newRow("perspective, near right top") << perspective << 3 << 1.5 << 1.0 << -1.0;
-        QTest::newRow("perspective, far left bottom") << perspective << 4 << -15.0 << -10.0 << -10.0;
+        newRow("perspective, near right top") << perspective << 3 << 1.5 << 1.0 << -1.0;
+        newRow("perspective, far left bottom") << perspective << 4 << -15.0 << -10.0 << -10.0;
         const Ortho box{-4.0, 8.0, -3.0, 5.0, -2.0, 40.0};
-        QTest::newRow("ortho, near plane behind the eye") << Projection(box) << 2 << -4.0 << 5.0 << 2.0;
-        QTest::newRow("ortho, far right bottom") << Projection(box) << 5 << 8.0 << -3.0 << -40.0;
+        newRow("ortho, near plane behind the eye") << Projection(box) << 2 << -4.0 << 5.0 << 2.0;
+        newRow("ortho, far right bottom") << Projection(box) << 5 << 8.0 << -3.0 << -40.0;
         // cot(45 deg) = 1: one to the right for each unit of distance; y is not sheared.
         const Projection oblique = Oblique{box, kPi / 4.0, kPi / 2.0};
-        QTest::newRow("oblique, near left bottom") << oblique << 0 << -6.0 << -3.0 << 2.0;
-        QTest::newRow("oblique, far left bottom") << oblique << 4 << 36.0 << -3.0 << -40.0;
+        newRow("oblique, near left bottom") << oblique << 0 << -6.0 << -3.0 << 2.0;
+        newRow("oblique, far left bottom") << oblique << 4 << 36.0 << -3.0 << -40.0;
     }
 
     void cornersAreWhereTheArgumentsPutThem()
@@ -331,16 +331,15 @@ private slots:
 
     void aDraggedPlaneFollowsThePointer_data()
     {
-        QTest::addColumn<Projection>("projection");
-        QTest::addColumn<int>("corner");
-        QTest::addColumn<double>("wanted");
-        QTest::newRow("frustum, near closer") << Projection(Frustum{-0.2, 1.0, -0.7, 0.1, 2.0, 10.0}) << 3 << 1.5;
-        QTest::newRow("frustum, near deeper") << Projection(Frustum{-0.2, 1.0, -0.7, 0.1, 2.0, 10.0}) << 0 << 4.0;
-        QTest::newRow("perspective, far deeper") << Projection(Perspective{0.8, 1.5, 2.0, 10.0}) << 6 << 12.0;
-        QTest::newRow("ortho, near to behind the eye")
-            << Projection(Ortho{-3.0, 3.0, -2.0, 2.0, 1.0, 10.0}) << 1 << -2.0;
-        QTest::newRow("oblique, far closer")
-            << Projection(Oblique{{-3.0, 3.0, -2.0, 2.0, 1.0, 10.0}, kPi / 3.0, kPi / 4.0}) << 5 << 8.0;
+        addColumn<Projection>("projection");
+        addColumn<int>("corner");
+        addColumn<double>("wanted");
+        newRow("frustum, near closer") << Projection(Frustum{-0.2, 1.0, -0.7, 0.1, 2.0, 10.0}) << 3 << 1.5;
+        newRow("frustum, near deeper") << Projection(Frustum{-0.2, 1.0, -0.7, 0.1, 2.0, 10.0}) << 0 << 4.0;
+        newRow("perspective, far deeper") << Projection(Perspective{0.8, 1.5, 2.0, 10.0}) << 6 << 12.0;
+        newRow("ortho, near to behind the eye") << Projection(Ortho{-3.0, 3.0, -2.0, 2.0, 1.0, 10.0}) << 1 << -2.0;
+        newRow("oblique, far closer") << Projection(Oblique{{-3.0, 3.0, -2.0, 2.0, 1.0, 10.0}, kPi / 3.0, kPi / 4.0})
+                                      << 5 << 8.0;
     }
 
     void aDraggedPlaneFollowsThePointer()
@@ -407,17 +406,17 @@ private slots:
 private:
     static void addProjections()
     {
-        QTest::addColumn<Projection>("projection");
+        addColumn<Projection>("projection");
         const Ortho box{-4.0, 8.0, -3.0, 5.0, 2.0, 40.0};
-        QTest::newRow("frustum, off-centre") << Projection(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0});
-        QTest::newRow("frustum, skewed") << Projection(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0, 0.3});
-        QTest::newRow("frustum, mirrored") << Projection(Frustum{0.6, -0.6, 0.4, -0.4, 1.0, 100.0});
-        QTest::newRow("frustum, window beside the axis") << Projection(Frustum{0.5, 1.0, 0.5, 1.0, 1.0, 20.0});
-        QTest::newRow("perspective") << Projection(Perspective{kPi / 4.0, 1.5, 5.0, 25.0});
-        QTest::newRow("perspective, near at the eye") << Projection(Perspective{kPi / 3.0, 1.5, 0.001, 1000.0});
-        QTest::newRow("ortho") << Projection(box);
-        QTest::newRow("ortho, begins behind the eye") << Projection(Ortho{-1.0, 1.0, -1.0, 1.0, -10.0, 10.0});
-        QTest::newRow("oblique") << Projection(Oblique{box, kPi / 3.0, 2.0 * kPi / 3.0});
+        newRow("frustum, off-centre") << Projection(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0});
+        newRow("frustum, skewed") << Projection(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0, 0.3});
+        newRow("frustum, mirrored") << Projection(Frustum{0.6, -0.6, 0.4, -0.4, 1.0, 100.0});
+        newRow("frustum, window beside the axis") << Projection(Frustum{0.5, 1.0, 0.5, 1.0, 1.0, 20.0});
+        newRow("perspective") << Projection(Perspective{kPi / 4.0, 1.5, 5.0, 25.0});
+        newRow("perspective, near at the eye") << Projection(Perspective{kPi / 3.0, 1.5, 0.001, 1000.0});
+        newRow("ortho") << Projection(box);
+        newRow("ortho, begins behind the eye") << Projection(Ortho{-1.0, 1.0, -1.0, 1.0, -10.0, 10.0});
+        newRow("oblique") << Projection(Oblique{box, kPi / 3.0, 2.0 * kPi / 3.0});
     }
 };
 

@@ -57,21 +57,21 @@ private slots:
 
     void aClickGoesThroughPixelRowAndWindowToNdc_data()
     {
-        QTest::addColumn<double>("ratio");
-        QTest::addColumn<Viewport>("viewport");
-        QTest::addColumn<WidgetPoint>("click");
-        QTest::addColumn<int>("i");
-        QTest::addColumn<int>("j");
-        QTest::addColumn<int>("row");
-        QTest::addColumn<glm::dvec2>("window");
-        QTest::addColumn<glm::dvec2>("ndc");
+        addColumn<double>("ratio");
+        addColumn<Viewport>("viewport");
+        addColumn<WidgetPoint>("click");
+        addColumn<int>("i");
+        addColumn<int>("j");
+        addColumn<int>("row");
+        addColumn<glm::dvec2>("window");
+        addColumn<glm::dvec2>("ndc");
 
         // A widget of 400 x 300 logical pixels; the clicks are on logical (0, 0), (399, 0), (0, 299),
         // (399, 299), (200, 150).
         const auto row = [](const char *name, double ratio, const Viewport &viewport, double x, double y, int i, int j,
                             int framebufferRow, double windowX, double windowY, double ndcX, double ndcY) {
-            QTest::newRow(name) << ratio << viewport << WidgetPoint(x, y) << i << j << framebufferRow
-                                << glm::dvec2(windowX, windowY) << glm::dvec2(ndcX, ndcY);
+            newRow(name) << ratio << viewport << WidgetPoint(x, y) << i << j << framebufferRow
+                         << glm::dvec2(windowX, windowY) << glm::dvec2(ndcX, ndcY);
         };
         const Viewport at1{0, 0, 400, 300};
         row("top-left@1x", 1, at1, 0, 0, 0, 0, 299, 0.5, 299.5, -0.9975, 299 / 300.0);
@@ -161,19 +161,19 @@ private slots:
 
     void theSurfaceOfAWidgetIsRoundedHalvesUp_data()
     {
-        QTest::addColumn<int>("width");
-        QTest::addColumn<int>("height");
-        QTest::addColumn<double>("ratio");
-        QTest::addColumn<int>("widthPixels");
-        QTest::addColumn<int>("heightPixels");
+        addColumn<int>("width");
+        addColumn<int>("height");
+        addColumn<double>("ratio");
+        addColumn<int>("widthPixels");
+        addColumn<int>("heightPixels");
 
-        QTest::newRow("whole@1x") << 400 << 300 << 1.0 << 400 << 300;
-        QTest::newRow("whole@1.25x") << 400 << 300 << 1.25 << 500 << 375;
-        QTest::newRow("halves@1.5x") << 401 << 301 << 1.5 << 602 << 452;           // 601.5, 451.5
-        QTest::newRow("quarters@1.25x") << 401 << 301 << 1.25 << 501 << 376;       // 501.25, 376.25
-        QTest::newRow("three quarters@1.75x") << 401 << 301 << 1.75 << 702 << 527; // 701.75, 526.75
-        QTest::newRow("whole@2x") << 401 << 301 << 2.0 << 802 << 602;
-        QTest::newRow("empty") << 0 << 0 << 2.0 << 0 << 0;
+        newRow("whole@1x") << 400 << 300 << 1.0 << 400 << 300;
+        newRow("whole@1.25x") << 400 << 300 << 1.25 << 500 << 375;
+        newRow("halves@1.5x") << 401 << 301 << 1.5 << 602 << 452;           // 601.5, 451.5
+        newRow("quarters@1.25x") << 401 << 301 << 1.25 << 501 << 376;       // 501.25, 376.25
+        newRow("three quarters@1.75x") << 401 << 301 << 1.75 << 702 << 527; // 701.75, 526.75
+        newRow("whole@2x") << 401 << 301 << 2.0 << 802 << 602;
+        newRow("empty") << 0 << 0 << 2.0 << 0 << 0;
     }
 
     void theSurfaceOfAWidgetIsRoundedHalvesUp()
@@ -188,20 +188,20 @@ private slots:
 
     void aPixelReachesFromItsEdgeToTheNext_data()
     {
-        QTest::addColumn<double>("ratio");
-        QTest::addColumn<double>("x");
-        QTest::addColumn<int>("i");
+        addColumn<double>("ratio");
+        addColumn<double>("x");
+        addColumn<int>("i");
 
-        QTest::newRow("its left edge@1x") << 1.0 << 7.0 << 7;
-        QTest::newRow("its centre@1x") << 1.0 << 7.5 << 7;
-        QTest::newRow("just before the next@1x") << 1.0 << 7.99 << 7;
-        QTest::newRow("within the snap of the next@1x") << 1.0 << 7.9999999 << 8;
-        QTest::newRow("just outside the snap@1x") << 1.0 << 7.999998 << 7;
-        QTest::newRow("just behind an edge@1x") << 1.0 << 8.0000001 << 8;
-        QTest::newRow("first half@2x") << 2.0 << 7.0 << 14;
-        QTest::newRow("second half@2x") << 2.0 << 7.5 << 15;
-        QTest::newRow("61 / 1.75, whose product falls short of 61") << 1.75 << 61 / 1.75 << 61;
-        QTest::newRow("within the snap of the left edge") << 1.0 << -1e-7 << 0;
+        newRow("its left edge@1x") << 1.0 << 7.0 << 7;
+        newRow("its centre@1x") << 1.0 << 7.5 << 7;
+        newRow("just before the next@1x") << 1.0 << 7.99 << 7;
+        newRow("within the snap of the next@1x") << 1.0 << 7.9999999 << 8;
+        newRow("just outside the snap@1x") << 1.0 << 7.999998 << 7;
+        newRow("just behind an edge@1x") << 1.0 << 8.0000001 << 8;
+        newRow("first half@2x") << 2.0 << 7.0 << 14;
+        newRow("second half@2x") << 2.0 << 7.5 << 15;
+        newRow("61 / 1.75, whose product falls short of 61") << 1.75 << 61 / 1.75 << 61;
+        newRow("within the snap of the left edge") << 1.0 << -1e-7 << 0;
     }
 
     void aPixelReachesFromItsEdgeToTheNext()
@@ -216,9 +216,9 @@ private slots:
 
     void everyDeviceColumnIsFoundFromItsWidgetPosition_data()
     {
-        QTest::addColumn<double>("ratio");
+        addColumn<double>("ratio");
         for (const double ratio : {1.0, 1.1, 1.25, 1.3, 1.5, 1.75, 2.0, 2.25, 3.0})
-            QTest::addRow("%gx", ratio) << ratio;
+            addRow("%gx", ratio) << ratio;
     }
 
     void everyDeviceColumnIsFoundFromItsWidgetPosition()
@@ -248,15 +248,15 @@ private slots:
 
     void aPositionOffTheSurfaceIsRefused_data()
     {
-        QTest::addColumn<Surface>("surface");
-        QTest::addColumn<WidgetPoint>("position");
-        QTest::addColumn<ErrorCode>("code");
-        QTest::addColumn<double>("value");
-        QTest::addColumn<double>("other");
+        addColumn<Surface>("surface");
+        addColumn<WidgetPoint>("position");
+        addColumn<ErrorCode>("code");
+        addColumn<double>("value");
+        addColumn<double>("other");
 
         const Surface surface{500, 375, 1.25};
         const auto row = [](const char *name, const Surface &s, double x, double y, ErrorCode code, double value,
-                            double other) { QTest::newRow(name) << s << WidgetPoint(x, y) << code << value << other; };
+                            double other) { newRow(name) << s << WidgetPoint(x, y) << code << value << other; };
         using enum ErrorCode;
         row("left of it", surface, -0.01, 5, OutsideFramebuffer, -0.01, 5);
         row("above it", surface, 5, -0.01, OutsideFramebuffer, 5, -0.01);

@@ -15,13 +15,13 @@ class TestViewportNdc : public QObject {
 private slots:
     void ndcCornersAreTheViewportsCorners_data()
     {
-        QTest::addColumn<Viewport>("viewport");
-        QTest::addColumn<DepthRange>("range");
-        QTest::addColumn<glm::dvec3>("ndc");
-        QTest::addColumn<glm::dvec3>("window");
+        addColumn<Viewport>("viewport");
+        addColumn<DepthRange>("range");
+        addColumn<glm::dvec3>("ndc");
+        addColumn<glm::dvec3>("window");
 
         const auto row = [](const char *name, const Viewport &viewport, const DepthRange &range, const glm::dvec3 &ndc,
-                            const glm::dvec3 &window) { QTest::newRow(name) << viewport << range << ndc << window; };
+                            const glm::dvec3 &window) { newRow(name) << viewport << range << ndc << window; };
         const Viewport square{0, 0, 50, 50}, offset{100, -20, 640, 480};
         row("near bottom left", square, {}, {-1, -1, -1}, {0, 0, 0});
         row("far top right", square, {}, {1, 1, 1}, {50, 50, 1});
@@ -82,12 +82,12 @@ private slots:
 
     void depthIsMappedBackToUnitDepth_data()
     {
-        QTest::addColumn<DepthRange>("range");
-        QTest::addColumn<double>("depth");
-        QTest::addColumn<double>("unit");
+        addColumn<DepthRange>("range");
+        addColumn<double>("depth");
+        addColumn<double>("unit");
 
         const auto row = [](const char *name, const DepthRange &range, double depth, double unit) {
-            QTest::newRow(name) << range << depth << unit;
+            newRow(name) << range << depth << unit;
         };
         row("near end", {}, 0, 0);
         row("far end", {}, 1, 1);
@@ -115,13 +115,13 @@ private slots:
 
     void depthOutsideTheRangeIsRefused_data()
     {
-        QTest::addColumn<DepthRange>("range");
-        QTest::addColumn<double>("depth");
-        QTest::addColumn<ErrorCode>("code");
-        QTest::addColumn<double>("value");
+        addColumn<DepthRange>("range");
+        addColumn<double>("depth");
+        addColumn<ErrorCode>("code");
+        addColumn<double>("value");
 
         const auto row = [](const char *name, const DepthRange &range, double depth, ErrorCode code, double value) {
-            QTest::newRow(name) << range << depth << code << value;
+            newRow(name) << range << depth << code << value;
         };
         using enum ErrorCode;
         row("NaN", {}, kNan, DepthOutsideRange, kNan);

@@ -46,16 +46,16 @@ class TestAbsentLandmarks : public QObject {
 private slots:
     void reasonsComeBack_data()
     {
-        QTest::addColumn<Format>("format");
-        QTest::addColumn<bool>("hasSkipped");
-        QTest::addColumn<bool>("hasMissing");
-        QTest::newRow("csv") << Format::Csv << true << true;
-        QTest::newRow("mrk.json") << Format::SlicerJson << false << true;
-        QTest::newRow("fcsv") << Format::SlicerCsv << false << true;
-        QTest::newRow("pp") << Format::MeshLab << false << false;
-        QTest::newRow("pts") << Format::Idav << false << false;
-        QTest::newRow("tps") << Format::Tps << false << false;
-        QTest::newRow("nts") << Format::Nts << false << false;
+        addColumn<Format>("format");
+        addColumn<bool>("hasSkipped");
+        addColumn<bool>("hasMissing");
+        newRow("csv") << Format::Csv << true << true;
+        newRow("mrk.json") << Format::SlicerJson << false << true;
+        newRow("fcsv") << Format::SlicerCsv << false << true;
+        newRow("pp") << Format::MeshLab << false << false;
+        newRow("pts") << Format::Idav << false << false;
+        newRow("tps") << Format::Tps << false << false;
+        newRow("nts") << Format::Nts << false << false;
     }
 
     void reasonsComeBack()
@@ -83,18 +83,18 @@ private slots:
 
     void reasonsThatAreLostAreReported_data()
     {
-        QTest::addColumn<Format>("format");
-        QTest::addColumn<QString>("note");
+        addColumn<Format>("format");
+        addColumn<QString>("note");
         const QString alike =
                           "3 points have no position, for different reasons (not placed: 1, skipped: 1, missing: 1); "
                           "the reasons are left out",
                       skipped = "1 skipped point is written as not placed";
-        QTest::newRow("csv") << Format::Csv << QString();
-        QTest::newRow("pptpl") << Format::MeshLabTemplate << QString();
-        QTest::newRow("mrk.json") << Format::SlicerJson << skipped;
-        QTest::newRow("fcsv") << Format::SlicerCsv << skipped;
+        newRow("csv") << Format::Csv << QString();
+        newRow("pptpl") << Format::MeshLabTemplate << QString();
+        newRow("mrk.json") << Format::SlicerJson << skipped;
+        newRow("fcsv") << Format::SlicerCsv << skipped;
         for (const Format format : {Format::MeshLab, Format::Idav, Format::Tps, Format::Nts})
-            QTest::newRow(suffixOf(format)) << format << alike;
+            newRow(suffixOf(format)) << format << alike;
     }
 
     void reasonsThatAreLostAreReported()

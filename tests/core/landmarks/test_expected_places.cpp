@@ -79,7 +79,7 @@ private slots:
         simulated::Random random(3);
         for (const std::size_t known : {std::size_t(3), std::size_t(10)}) {
             double squares = 0.0, count = 0.0;
-            for (int i = 0; i < 50; ++i) {
+            for (int i = 0; i < tests::rounds(50); ++i) {
                 simulated::Kind kind;
                 kind.hasMistakes = false;
                 const simulated::Series series = simulated::series(random, kind);

@@ -47,17 +47,16 @@ class TestForeignLandmarks : public QObject {
 private slots:
     void textsAreReadOrRefused_data()
     {
-        QTest::addColumn<Format>("format");
-        QTest::addColumn<data_files::Case>("example");
+        addColumn<Format>("format");
+        addColumn<data_files::Case>("example");
         for (const Format format : kFormats) {
             for (const data_files::Case &example : data_files::cases(suffixOf(format)))
-                QTest::addRow("%s: %s", suffixOf(format), example.name.c_str()) << format << example;
+                addRow("%s: %s", suffixOf(format), example.name.c_str()) << format << example;
         }
-        QTest::newRow("pp: too deep") << Format::MeshLab
-                                      << data_files::Case{
-                                             "",
-                                             QByteArray("<a>").repeated(100000).toStdString(),
-                                             {{"refused", "f:1: elements are nested deeper than 64 levels; …"}}};
+        newRow("pp: too deep") << Format::MeshLab
+                               << data_files::Case{"",
+                                                   QByteArray("<a>").repeated(100000).toStdString(),
+                                                   {{"refused", "f:1: elements are nested deeper than 64 levels; …"}}};
     }
 
     /// Words of the cases: "refused", where … stands for more, or "points" of each specimen or the

@@ -177,21 +177,21 @@ class TestLandmarkFiles : public QObject {
 private slots:
     void semilandmarksAreTakenForCurves_data()
     {
-        QTest::addColumn<QStringList>("names");
-        QTest::addColumn<int>("points");
-        QTest::addColumn<QStringList>("curves");
+        addColumn<QStringList>("names");
+        addColumn<int>("points");
+        addColumn<QStringList>("curves");
         using L = QStringList;
-        QTest::newRow("two curves") << L{"a", "x:01", "x:02", "y z:01", "y z:02", "y z:03"} << 1 << L{"x", "y z"};
-        QTest::newRow("no point besides") << L{"x:01", "x:02"} << 2 << L{};
-        QTest::newRow("without the end that is a landmark") << L{"a", "x:02", "x:03"} << 1 << L{"x"};
-        QTest::newRow("one that lacks two") << L{"a", "x:03", "x:04"} << 3 << L{};
-        QTest::newRow("one semilandmark") << L{"a", "x:02"} << 2 << L{};
-        QTest::newRow("a gap") << L{"a", "x:01", "x:03"} << 3 << L{};
-        QTest::newRow("other digits") << L{"a", "x:1", "x:2"} << 3 << L{};
-        QTest::newRow("no name") << L{"a", ":01", ":02"} << 3 << L{};
-        QTest::newRow("not behind the others") << L{"a", "x:01", "x:02", "b"} << 4 << L{};
-        QTest::newRow("a large number") << L{"a", "x:99999999999999999999"} << 2 << L{};
-        QTest::newRow("no number") << L{"a", "x:", "x:a"} << 3 << L{};
+        newRow("two curves") << L{"a", "x:01", "x:02", "y z:01", "y z:02", "y z:03"} << 1 << L{"x", "y z"};
+        newRow("no point besides") << L{"x:01", "x:02"} << 2 << L{};
+        newRow("without the end that is a landmark") << L{"a", "x:02", "x:03"} << 1 << L{"x"};
+        newRow("one that lacks two") << L{"a", "x:03", "x:04"} << 3 << L{};
+        newRow("one semilandmark") << L{"a", "x:02"} << 2 << L{};
+        newRow("a gap") << L{"a", "x:01", "x:03"} << 3 << L{};
+        newRow("other digits") << L{"a", "x:1", "x:2"} << 3 << L{};
+        newRow("no name") << L{"a", ":01", ":02"} << 3 << L{};
+        newRow("not behind the others") << L{"a", "x:01", "x:02", "b"} << 4 << L{};
+        newRow("a large number") << L{"a", "x:99999999999999999999"} << 2 << L{};
+        newRow("no number") << L{"a", "x:", "x:a"} << 3 << L{};
     }
 
     void semilandmarksAreTakenForCurves()
@@ -220,10 +220,10 @@ private slots:
 
     void whatIsWrittenReadsBackTheSame_data()
     {
-        QTest::addColumn<Format>("format");
+        addColumn<Format>("format");
         for (const Format format : kFormats) {
             if (isWritten(format) && format != Format::Nts) // it keeps no names
-                QTest::newRow(suffixOf(format)) << format;
+                newRow(suffixOf(format)) << format;
         }
     }
 
@@ -268,14 +268,13 @@ private slots:
 
     void aNameFullOfSeparatorsDividesNothing_data()
     {
-        QTest::addColumn<Format>("format");
-        QTest::addColumn<char>("separator");
-        QTest::addColumn<bool>("hasQuotes");
+        addColumn<Format>("format");
+        addColumn<char>("separator");
+        addColumn<bool>("hasQuotes");
         for (const Format format : {Format::Csv, Format::SlicerCsv}) {
             for (const char separator : {',', ';', ' '}) {
                 for (const bool hasQuotes : {false, true})
-                    QTest::addRow("%s %c %d", suffixOf(format), separator, hasQuotes)
-                        << format << separator << hasQuotes;
+                    addRow("%s %c %d", suffixOf(format), separator, hasQuotes) << format << separator << hasQuotes;
             }
         }
     }
@@ -301,8 +300,8 @@ private slots:
 
     void whatHasNoPlaceIsSaid_data()
     {
-        QTest::addColumn<Format>("format");
-        QTest::addColumn<QStringList>("notes");
+        addColumn<Format>("format");
+        addColumn<QStringList>("notes");
         const QString object = "the objects of 1 landmark are left out",
                       hold = "the anchor of 1 landmark (triangle, vertex or edge) is left out",
                       uncertainty = "the uncertainties of 1 landmark are left out",
@@ -312,24 +311,24 @@ private slots:
                       specimen = "the name of the specimen, \"skull 7\", is left out",
                       mesh = "the name of the mesh, \"skull.ply\", is left out", unit = "the unit, mm, is left out",
                       more = "other values of 1 specimen are left out: more";
-        QTest::newRow("csv") << Format::Csv << QStringList{more};
-        QTest::newRow("pp") << Format::MeshLab
-                            << QStringList{object, hold, uncertainty, note, color, hidden, specimen, unit, keys, more};
-        QTest::newRow("pptpl") << Format::MeshLabTemplate
-                               << QStringList{"the coordinates of 1 landmark are left out",
-                                              object,
-                                              hold,
-                                              uncertainty,
-                                              note,
-                                              color,
-                                              hidden,
-                                              specimen,
-                                              mesh,
-                                              unit,
-                                              keys,
-                                              more};
-        QTest::newRow("mrk.json") << Format::SlicerJson << QStringList{object, hold, uncertainty, color, mesh};
-        QTest::newRow("fcsv")
+        newRow("csv") << Format::Csv << QStringList{more};
+        newRow("pp") << Format::MeshLab
+                     << QStringList{object, hold, uncertainty, note, color, hidden, specimen, unit, keys, more};
+        newRow("pptpl") << Format::MeshLabTemplate
+                        << QStringList{"the coordinates of 1 landmark are left out",
+                                       object,
+                                       hold,
+                                       uncertainty,
+                                       note,
+                                       color,
+                                       hidden,
+                                       specimen,
+                                       mesh,
+                                       unit,
+                                       keys,
+                                       more};
+        newRow("mrk.json") << Format::SlicerJson << QStringList{object, hold, uncertainty, color, mesh};
+        newRow("fcsv")
             << Format::SlicerCsv
             << QStringList{
                    object,
@@ -342,36 +341,36 @@ private slots:
                    keys,
                    more,
                    "1 point without a position is written as 0, 0, 0 with a status field, which older readers ignore"};
-        QTest::newRow("pts")
-            << Format::Idav
-            << QStringList{object,   hold,  uncertainty,
-                           note,     color, hidden,
-                           specimen, mesh,  unit,
-                           keys,     more,  "\"N\" has a coordinate of 9999, which readers take for a missing point"};
-        QTest::newRow("tps") << Format::Tps
-                             << QStringList{"the names of 2 landmarks are left out; only their order is kept",
-                                            object,
-                                            hold,
-                                            uncertainty,
-                                            note,
-                                            color,
-                                            hidden,
-                                            unit,
-                                            keys,
-                                            more};
-        QTest::newRow("nts") << Format::Nts
-                             << QStringList{"the names of 2 landmarks are left out; only their order is kept",
-                                            object,
-                                            hold,
-                                            uncertainty,
-                                            note,
-                                            color,
-                                            hidden,
-                                            mesh,
-                                            unit,
-                                            keys,
-                                            more,
-                                            "the name \"skull 7\" as \"skull_7\""};
+        newRow("pts") << Format::Idav
+                      << QStringList{
+                             object,   hold,  uncertainty,
+                             note,     color, hidden,
+                             specimen, mesh,  unit,
+                             keys,     more,  "\"N\" has a coordinate of 9999, which readers take for a missing point"};
+        newRow("tps") << Format::Tps
+                      << QStringList{"the names of 2 landmarks are left out; only their order is kept",
+                                     object,
+                                     hold,
+                                     uncertainty,
+                                     note,
+                                     color,
+                                     hidden,
+                                     unit,
+                                     keys,
+                                     more};
+        newRow("nts") << Format::Nts
+                      << QStringList{"the names of 2 landmarks are left out; only their order is kept",
+                                     object,
+                                     hold,
+                                     uncertainty,
+                                     note,
+                                     color,
+                                     hidden,
+                                     mesh,
+                                     unit,
+                                     keys,
+                                     more,
+                                     "the name \"skull 7\" as \"skull_7\""};
     }
 
     void whatHasNoPlaceIsSaid()
@@ -617,14 +616,14 @@ private slots:
 
     void largeFilesAreReadOrNotWritten_data()
     {
-        QTest::addColumn<Format>("format");
-        QTest::addColumn<int>("count");
-        QTest::addColumn<int>("nameLength");
-        QTest::addColumn<bool>("isWritten");
-        QTest::newRow("mrk.json of more than a scene may have") << Format::SlicerJson << 30000 << 1 << true;
-        QTest::newRow("mrk.json of too many") << Format::SlicerJson << 400000 << 1 << false;
-        QTest::newRow("pp in several pieces") << Format::MeshLab << 10000 << 1 << true;
-        QTest::newRow("pp of long names") << Format::MeshLab << 20000 << 4000 << false;
+        addColumn<Format>("format");
+        addColumn<int>("count");
+        addColumn<int>("nameLength");
+        addColumn<bool>("isWritten");
+        newRow("mrk.json of more than a scene may have") << Format::SlicerJson << 30000 << 1 << true;
+        newRow("mrk.json of too many") << Format::SlicerJson << 400000 << 1 << false;
+        newRow("pp in several pieces") << Format::MeshLab << 10000 << 1 << true;
+        newRow("pp of long names") << Format::MeshLab << 20000 << 4000 << false;
     }
 
     void largeFilesAreReadOrNotWritten()

@@ -93,9 +93,9 @@ private slots:
 
     void valuesOfAnySize_data()
     {
-        QTest::addColumn<double>("scale");
+        addColumn<double>("scale");
         for (const double scale : {1e-200, 1.0, 1e155, 1e200, 1e305})
-            QTest::addRow("%g", scale) << scale;
+            addRow("%g", scale) << scale;
     }
 
     /// Squares of these coordinates overflow or vanish.
@@ -117,12 +117,12 @@ private slots:
 
     void errorsAreTheWorstThatCanBe_data()
     {
-        QTest::addColumn<Measuring>("measure");
-        QTest::addColumn<int>("count");
-        QTest::newRow("distance") << Measuring([](const Points &p) { return distanceOf(p[0], p[1]); }) << 2;
-        QTest::newRow("polyline") << Measuring(lengthOf) << 5;
-        QTest::newRow("angle") << Measuring([](const Points &p) { return angleAt(p[0], p[1], p[2]); }) << 3;
-        QTest::newRow("height") << Measuring([](const Points &p) { return heightOver(p[0], p[1], p[2], p[3]); }) << 4;
+        addColumn<Measuring>("measure");
+        addColumn<int>("count");
+        newRow("distance") << Measuring([](const Points &p) { return distanceOf(p[0], p[1]); }) << 2;
+        newRow("polyline") << Measuring(lengthOf) << 5;
+        newRow("angle") << Measuring([](const Points &p) { return angleAt(p[0], p[1], p[2]); }) << 3;
+        newRow("height") << Measuring([](const Points &p) { return heightOver(p[0], p[1], p[2], p[3]); }) << 4;
     }
 
     /// Expected to first order: the worst case is at a corner, where each coordinate moves in the
@@ -158,23 +158,22 @@ private slots:
 
     void noErrorIsLargerThanItsBound_data()
     {
-        QTest::addColumn<Measuring>("measure");
-        QTest::addColumn<Points>("points");
+        addColumn<Measuring>("measure");
+        addColumn<Points>("points");
         const Measuring distance = [](const Points &p) { return distanceOf(p[0], p[1]); };
         const Measuring angle = [](const Points &p) { return angleAt(p[0], p[1], p[2]); };
         const auto off = [](Landmark landmark, double x, double y, double z) {
             landmark.uncertainty = WorldVector(x, y, z);
             return landmark;
         };
-        QTest::newRow("closer than they are sure")
-            << distance << Points{at(0, 0, 0, 0.0), off(at(1e-9, 0, 0), 0, 0.1, 0.2)};
-        QTest::newRow("a way there and back")
-            << Measuring(lengthOf) << Points{at(0, 0, 0, 0.0), off(at(0, 1e-9, 0), 0.1, 0, 0), at(0, 0, 0, 0.0)};
-        QTest::newRow("nearly no angle") << angle
-                                         << Points{at(0, 0, 0, 0.0), at(5, 0, 0, 0.0), off(at(5, 1e-9, 0), 0, 0, 0.1)};
-        QTest::newRow("nearly a straight one")
-            << angle << Points{at(0, 0, 0, 0.0), at(5, 0, 0, 0.0), off(at(-5, 1e-9, 0), 0, 0, 0.1)};
-        QTest::newRow("a leg as short as it is sure")
+        newRow("closer than they are sure") << distance << Points{at(0, 0, 0, 0.0), off(at(1e-9, 0, 0), 0, 0.1, 0.2)};
+        newRow("a way there and back") << Measuring(lengthOf)
+                                       << Points{at(0, 0, 0, 0.0), off(at(0, 1e-9, 0), 0.1, 0, 0), at(0, 0, 0, 0.0)};
+        newRow("nearly no angle") << angle
+                                  << Points{at(0, 0, 0, 0.0), at(5, 0, 0, 0.0), off(at(5, 1e-9, 0), 0, 0, 0.1)};
+        newRow("nearly a straight one") << angle
+                                        << Points{at(0, 0, 0, 0.0), at(5, 0, 0, 0.0), off(at(-5, 1e-9, 0), 0, 0, 0.1)};
+        newRow("a leg as short as it is sure")
             << angle << Points{at(0, 0, 0, 0.0), at(5, 0, 0, 0.0), at(0, 0.1, 0, 0.2)};
     }
 

@@ -63,16 +63,16 @@ class TestLandmarkSets : public QObject {
 private slots:
     void aTemplateAddsWhatIsLacking_data()
     {
-        QTest::addColumn<QStringList>("there");
-        QTest::addColumn<QStringList>("wanted");
-        QTest::addColumn<QStringList>("all");
+        addColumn<QStringList>("there");
+        addColumn<QStringList>("wanted");
+        addColumn<QStringList>("all");
         using L = QStringList;
-        QTest::newRow("none yet") << L{} << L{"a", "b"} << L{"a", "b"};
-        QTest::newRow("one is there") << L{"b"} << L{"a", "b"} << L{"b", "a"};
-        QTest::newRow("in another case") << L{"Nasion"} << L{"nasion"} << L{"Nasion"};
-        QTest::newRow("all are there") << L{"a", "b"} << L{"b", "a"} << L{"a", "b"};
-        QTest::newRow("others stay in front") << L{"x"} << L{"a"} << L{"x", "a"};
-        QTest::newRow("a name twice") << L{"a"} << L{"a", "a"} << L{"a", "a"};
+        newRow("none yet") << L{} << L{"a", "b"} << L{"a", "b"};
+        newRow("one is there") << L{"b"} << L{"a", "b"} << L{"b", "a"};
+        newRow("in another case") << L{"Nasion"} << L{"nasion"} << L{"Nasion"};
+        newRow("all are there") << L{"a", "b"} << L{"b", "a"} << L{"a", "b"};
+        newRow("others stay in front") << L{"x"} << L{"a"} << L{"x", "a"};
+        newRow("a name twice") << L{"a"} << L{"a", "a"} << L{"a", "a"};
     }
 
     void aTemplateAddsWhatIsLacking()
@@ -95,18 +95,18 @@ private slots:
 
     void landmarksFillTheirPlacesOfATemplate_data()
     {
-        QTest::addColumn<QStringList>("there");
-        QTest::addColumn<QStringList>("wanted");
-        QTest::addColumn<QStringList>("all");
+        addColumn<QStringList>("there");
+        addColumn<QStringList>("wanted");
+        addColumn<QStringList>("all");
         using L = QStringList;
-        QTest::newRow("nothing there") << L{} << L{"a", "b"} << L{"-a", "-b"};
-        QTest::newRow("the others behind") << L{"x", "b"} << L{"a", "b", "c"} << L{"-a", "b", "-c", "x"};
-        QTest::newRow("in the template's order") << L{"b", "a"} << L{"a", "b"} << L{"a", "b"};
-        QTest::newRow("in another case") << L{"Nasion"} << L{"tip", "nasion"} << L{"-tip", "Nasion"};
-        QTest::newRow("with underscores") << L{"x", "Eye_left"} << L{"eye left"} << L{"Eye_left", "x"};
-        QTest::newRow("both ways of writing") << L{"a_b", "a b"} << L{"a b", "a_b"} << L{"a b", "a_b"};
-        QTest::newRow("a name twice") << L{"a", "x", "a"} << L{"a"} << L{"a", "x", "a"};
-        QTest::newRow("twice in the template") << L{"x", "a"} << L{"a", "a"} << L{"a", "-a", "x"};
+        newRow("nothing there") << L{} << L{"a", "b"} << L{"-a", "-b"};
+        newRow("the others behind") << L{"x", "b"} << L{"a", "b", "c"} << L{"-a", "b", "-c", "x"};
+        newRow("in the template's order") << L{"b", "a"} << L{"a", "b"} << L{"a", "b"};
+        newRow("in another case") << L{"Nasion"} << L{"tip", "nasion"} << L{"-tip", "Nasion"};
+        newRow("with underscores") << L{"x", "Eye_left"} << L{"eye left"} << L{"Eye_left", "x"};
+        newRow("both ways of writing") << L{"a_b", "a b"} << L{"a b", "a_b"} << L{"a b", "a_b"};
+        newRow("a name twice") << L{"a", "x", "a"} << L{"a"} << L{"a", "x", "a"};
+        newRow("twice in the template") << L{"x", "a"} << L{"a", "a"} << L{"a", "-a", "x"};
     }
 
     void landmarksFillTheirPlacesOfATemplate()
@@ -285,22 +285,22 @@ private slots:
 
     void filesBesideScans_data()
     {
-        QTest::addColumn<QString>("file");
-        QTest::addColumn<QString>("specimen");
-        QTest::newRow("beside a scan") << "dir/face.ply.points.csv"
-                                       << "face";
-        QTest::newRow("a second placing") << "face.ply.points-2.csv"
-                                          << "face";
-        QTest::newRow("a scan with dots") << "face.v2.obj.points.csv"
-                                          << "face.v2";
-        QTest::newRow("no scan before it") << "face.points.csv"
-                                           << "face";
-        QTest::newRow("a name that only looks like it") << "face.pointsmap.csv"
-                                                        << "face.pointsmap";
-        QTest::newRow("markups") << "face.mrk.json"
-                                 << "face";
-        QTest::newRow("picked points") << "face.ply.pp"
-                                       << "face.ply";
+        addColumn<QString>("file");
+        addColumn<QString>("specimen");
+        newRow("beside a scan") << "dir/face.ply.points.csv"
+                                << "face";
+        newRow("a second placing") << "face.ply.points-2.csv"
+                                   << "face";
+        newRow("a scan with dots") << "face.v2.obj.points.csv"
+                                   << "face.v2";
+        newRow("no scan before it") << "face.points.csv"
+                                    << "face";
+        newRow("a name that only looks like it") << "face.pointsmap.csv"
+                                                 << "face.pointsmap";
+        newRow("markups") << "face.mrk.json"
+                          << "face";
+        newRow("picked points") << "face.ply.pp"
+                                << "face.ply";
     }
 
     void filesBesideScans()

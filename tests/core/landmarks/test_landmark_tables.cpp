@@ -58,11 +58,11 @@ private slots:
 
     void namesThatAreFormulas_data()
     {
-        QTest::addColumn<QByteArray>("name");
-        QTest::addColumn<QByteArray>("plain");
-        QTest::addColumn<QByteArray>("safe");
+        addColumn<QByteArray>("name");
+        addColumn<QByteArray>("plain");
+        addColumn<QByteArray>("safe");
         const auto row = [](const char *name, const char *plain, const char *safe) {
-            QTest::newRow(name) << QByteArray(name) << QByteArray(plain) << QByteArray(safe);
+            newRow(name) << QByteArray(name) << QByteArray(plain) << QByteArray(safe);
         };
         row("=SUM(A1:A9)", "=SUM(A1:A9)", "'=SUM(A1:A9)");
         row("=\"a\",1", "\"=\"\"a\"\",1\"", "\"'=\"\"a\"\",1\"");

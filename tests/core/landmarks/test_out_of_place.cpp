@@ -153,18 +153,18 @@ class TestOutOfPlace : public QObject {
 private slots:
     void simulatedMistakesAreFound_data()
     {
-        QTest::addColumn<int>("scans");
-        QTest::addColumn<double>("missing");
-        QTest::addColumn<double>("modeDeviation");
-        QTest::addColumn<int>("count");
-        QTest::addColumn<double>("displacedShare");
-        QTest::addColumn<double>("falseShare");
+        addColumn<int>("scans");
+        addColumn<double>("missing");
+        addColumn<double>("modeDeviation");
+        addColumn<int>("count");
+        addColumn<double>("displacedShare");
+        addColumn<double>("falseShare");
         // bench_out_of_place measures more of them, with other random numbers.
-        QTest::newRow("complete") << 12 << 0.0 << 2.0 << 80 << 0.95 << 0.02;
-        QTest::newRow("a tenth missing") << 12 << 0.1 << 2.0 << 60 << 0.95 << 0.02;
-        QTest::newRow("little shape") << 12 << 0.0 << 1.0 << 40 << 0.95 << 0.02;
-        QTest::newRow("3 scans") << 3 << 0.0 << 2.0 << 100 << 0.6 << 0.06;
-        QTest::newRow("5 scans") << 5 << 0.0 << 2.0 << 80 << 0.95 << 0.06;
+        newRow("complete") << 12 << 0.0 << 2.0 << 80 << 0.95 << 0.02;
+        newRow("a tenth missing") << 12 << 0.1 << 2.0 << 60 << 0.95 << 0.02;
+        newRow("little shape") << 12 << 0.0 << 1.0 << 40 << 0.95 << 0.02;
+        newRow("3 scans") << 3 << 0.0 << 2.0 << 100 << 0.6 << 0.06;
+        newRow("5 scans") << 5 << 0.0 << 2.0 << 80 << 0.95 << 0.06;
     }
 
     void simulatedMistakesAreFound()
@@ -299,12 +299,12 @@ private slots:
 
     void swappedSidesOfFewScansAreNamed_data()
     {
-        QTest::addColumn<std::size_t>("scans");
-        QTest::addColumn<std::vector<Pair>>("swapped");
+        addColumn<std::size_t>("scans");
+        addColumn<std::vector<Pair>>("swapped");
         const auto [outer, mouth, inner] = std::tuple(Pair{4, 5}, Pair{8, 9}, Pair{6, 7});
         for (const std::size_t scans : std::initializer_list<std::size_t>{3, 4, 5}) {
             const auto row = [scans](const char *name, const std::vector<Pair> &swapped) {
-                QTest::addRow("%zu scans, %s", scans, name) << scans << swapped;
+                addRow("%zu scans, %s", scans, name) << scans << swapped;
             };
             row("none", {});
             row("the outer pair", {outer});

@@ -114,10 +114,10 @@ class TestSemilandmarkFiles : public QObject {
 private slots:
     void slidersHaveTheNumbersOfTheWrittenPoints_data()
     {
-        QTest::addColumn<Format>("format");
+        addColumn<Format>("format");
         for (const Format format :
              {Format::Csv, Format::Tps, Format::Nts, Format::Idav, Format::SlicerCsv, Format::MeshLab})
-            QTest::newRow(suffixOf(format)) << format;
+            newRow(suffixOf(format)) << format;
     }
 
     void slidersHaveTheNumbersOfTheWrittenPoints()
@@ -358,17 +358,17 @@ private slots:
 
     void unitsOfSlicer_data()
     {
-        QTest::addColumn<QByteArray>("value");
-        QTest::addColumn<QString>("unit");
-        QTest::newRow("a word") << QByteArray(R"("mm")") << "mm";
-        QTest::newRow("a word an axis") << QByteArray(R"(["cm", "cm", "cm"])") << "cm";
-        QTest::newRow("a code and its meaning") << QByteArray(R"(["mm", "UCUM", "millimeter"])") << "mm";
-        QTest::newRow("a code as an object")
-            << QByteArray(R"({"CodeValue": "um", "CodingSchemeDesignator": "UCUM", "CodeMeaning": "micrometer"})")
-            << "um";
-        QTest::newRow("several units") << QByteArray(R"(["mm", "mm", "cm"])") << "";
-        QTest::newRow("another scheme") << QByteArray(R"(["258669008", "SCT", "meter"])") << "";
-        QTest::newRow("a number") << QByteArray("5") << "";
+        addColumn<QByteArray>("value");
+        addColumn<QString>("unit");
+        newRow("a word") << QByteArray(R"("mm")") << "mm";
+        newRow("a word an axis") << QByteArray(R"(["cm", "cm", "cm"])") << "cm";
+        newRow("a code and its meaning") << QByteArray(R"(["mm", "UCUM", "millimeter"])") << "mm";
+        newRow("a code as an object") << QByteArray(
+            R"({"CodeValue": "um", "CodingSchemeDesignator": "UCUM", "CodeMeaning": "micrometer"})")
+                                      << "um";
+        newRow("several units") << QByteArray(R"(["mm", "mm", "cm"])") << "";
+        newRow("another scheme") << QByteArray(R"(["258669008", "SCT", "meter"])") << "";
+        newRow("a number") << QByteArray("5") << "";
     }
 
     void unitsOfSlicer()

@@ -72,24 +72,22 @@ private slots:
     /// s1 has a, b; s2 has b, a in the other order; s3 has a and d.
     void landmarksMatchByName_data()
     {
-        QTest::addColumn<TableForm>("form");
-        QTest::addColumn<QString>("text");
-        QTest::newRow("wide") << TableForm::Wide
-                              << QString("specimen,a_x,a_y,a_z,b_x,b_y,b_z,d_x,d_y,d_z\ns1,1,0,0,2,0,0,NA,NA,NA\n"
-                                         "s2,3,0,0,4,0,0,NA,NA,NA\ns3,5,0,0,NA,NA,NA,6,0,0\n");
-        QTest::newRow("long") << TableForm::Long
-                              << QString(
-                                     "specimen,name,x,y,z,object,face,u,v,w,note,dx,dy,dz\n"
-                                     "s1,a,1,0,0,,,,,,,0.5,0,0\ns1,b,2,0,0,,,,,,,0.5,0,0\ns1,d,NA,NA,NA,,,,,,,,,\n"
-                                     "s2,a,3,0,0,,,,,,,0.5,0,0\ns2,b,4,0,0,,,,,,,0.5,0,0\ns2,d,NA,NA,NA,,,,,,,,,\n"
-                                     "s3,a,5,0,0,,,,,,,0.5,0,0\ns3,b,NA,NA,NA,,,,,,,,,\ns3,d,6,0,0,,,,,,,0.5,0,0\n");
-        QTest::newRow("tps") << TableForm::Tps
-                             << QString(
-                                    "LM3=3\n1 0 0\n2 0 0\nNA NA NA\nID=s1\n\nLM3=3\n3 0 0\n4 0 0\nNA NA NA\nID=s2\n\n"
-                                    "LM3=3\n5 0 0\nNA NA NA\n6 0 0\nID=s3\n\n");
-        QTest::newRow("nts") << TableForm::Nts
-                             << QString("1 3L 9 1 9999 DIM=3\ns1\ns2\ns3\n1 0 0 2 0 0 9999 9999 9999\n"
-                                        "3 0 0 4 0 0 9999 9999 9999\n5 0 0 9999 9999 9999 6 0 0\n");
+        addColumn<TableForm>("form");
+        addColumn<QString>("text");
+        newRow("wide") << TableForm::Wide
+                       << QString("specimen,a_x,a_y,a_z,b_x,b_y,b_z,d_x,d_y,d_z\ns1,1,0,0,2,0,0,NA,NA,NA\n"
+                                  "s2,3,0,0,4,0,0,NA,NA,NA\ns3,5,0,0,NA,NA,NA,6,0,0\n");
+        newRow("long") << TableForm::Long
+                       << QString("specimen,name,x,y,z,object,face,u,v,w,note,dx,dy,dz\n"
+                                  "s1,a,1,0,0,,,,,,,0.5,0,0\ns1,b,2,0,0,,,,,,,0.5,0,0\ns1,d,NA,NA,NA,,,,,,,,,\n"
+                                  "s2,a,3,0,0,,,,,,,0.5,0,0\ns2,b,4,0,0,,,,,,,0.5,0,0\ns2,d,NA,NA,NA,,,,,,,,,\n"
+                                  "s3,a,5,0,0,,,,,,,0.5,0,0\ns3,b,NA,NA,NA,,,,,,,,,\ns3,d,6,0,0,,,,,,,0.5,0,0\n");
+        newRow("tps") << TableForm::Tps
+                      << QString("LM3=3\n1 0 0\n2 0 0\nNA NA NA\nID=s1\n\nLM3=3\n3 0 0\n4 0 0\nNA NA NA\nID=s2\n\n"
+                                 "LM3=3\n5 0 0\nNA NA NA\n6 0 0\nID=s3\n\n");
+        newRow("nts") << TableForm::Nts
+                      << QString("1 3L 9 1 9999 DIM=3\ns1\ns2\ns3\n1 0 0 2 0 0 9999 9999 9999\n"
+                                 "3 0 0 4 0 0 9999 9999 9999\n5 0 0 9999 9999 9999 6 0 0\n");
     }
 
     void landmarksMatchByName()
@@ -247,14 +245,14 @@ private slots:
 
     void valuesOfMeasures_data()
     {
-        QTest::addColumn<KeptMeasure>("measure");
-        QTest::addColumn<double>("value");
-        QTest::addColumn<QString>("reason");
+        addColumn<KeptMeasure>("measure");
+        addColumn<double>("value");
+        addColumn<QString>("reason");
         using N = std::vector<std::string>;
         const double none = 0.0;
         const auto row = [](const char *name, MeasureKind kind, const N &landmarks, double value,
                             const QString &reason) {
-            QTest::newRow(name) << KeptMeasure{name, kind, landmarks} << value << reason;
+            newRow(name) << KeptMeasure{name, kind, landmarks} << value << reason;
         };
         row("distance", MeasureKind::Distance, N{"o", "x"}, 3.0, {});
         row("angle at the second", MeasureKind::Angle, N{"x", "o", "y"}, 90.0, {});

@@ -17,11 +17,11 @@ class TestHighlights : public QObject {
 private slots:
     void axesAreNamed_data()
     {
-        QTest::addColumn<QList<double>>("offset");
-        QTest::addColumn<double>("mirror");
-        QTest::addColumn<QStringList>("names");
-        QTest::newRow("moved and mirrored") << QList<double>{4, 3, 0} << -2.0 << QStringList{"MC", "WC", "VC"};
-        QTest::newRow("at rest") << QList<double>{0, 0, 0} << 1.0 << QStringList{"MC = WC", "VC"};
+        addColumn<QList<double>>("offset");
+        addColumn<double>("mirror");
+        addColumn<QStringList>("names");
+        newRow("moved and mirrored") << QList<double>{4, 3, 0} << -2.0 << QStringList{"MC", "WC", "VC"};
+        newRow("at rest") << QList<double>{0, 0, 0} << 1.0 << QStringList{"MC = WC", "VC"};
     }
 
     void axesAreNamed()
@@ -52,9 +52,9 @@ private slots:
 
     void theVolumesSidesAreLettered_data()
     {
-        QTest::addColumn<bool>("isPerspective");
-        QTest::newRow("a pyramid") << true;
-        QTest::newRow("a box") << false;
+        addColumn<bool>("isPerspective");
+        newRow("a pyramid") << true;
+        newRow("a box") << false;
     }
 
     void theVolumesSidesAreLettered()

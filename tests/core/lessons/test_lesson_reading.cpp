@@ -58,28 +58,27 @@ class TestLessonReading : public QObject {
 private slots:
     void panelsThatShowTheAnswerAreKnown_data()
     {
-        QTest::addColumn<QByteArray>("answer");
-        QTest::addColumn<QStringList>("hidden");
+        addColumn<QByteArray>("answer");
+        addColumn<QStringList>("hidden");
         const QStringList both{"inspector", "pipeline", "comparison"}, own{"inspector"};
-        QTest::newRow("of the followed point") << QByteArray("eye.z") << both;
-        QTest::newRow("its distance") << QByteArray("-eye.z") << both;
-        QTest::newRow("of a pixel") << QByteArray("clicked.world.x") << both;
-        QTest::newRow("by the formulas") << QByteArray("clicked.formula.x") << both;
-        QTest::newRow("of a point that a link clicks") << QByteArray("linked.ndc.y") << both;
-        QTest::newRow("of one that was clicked before") << QByteArray("earlier.ndc.y") << both;
-        QTest::newRow("of one that an answer before clicks") << QByteArray("revealed.ndc.y") << both;
-        QTest::newRow("of one that only its own answer clicks") << QByteArray("own.ndc.y") << own;
-        QTest::newRow("of one that nobody clicks") << QByteArray("other.ndc.y") << own;
-        QTest::newRow("of a matrix") << QByteArray("projection[2][2]") << QStringList{"inspector", "pipeline"};
-        QTest::newRow("of its factors") << QByteArray("projectionSteps[0][2][3]")
-                                        << QStringList{"inspector", "pipeline"};
-        QTest::newRow("in pixels") << QByteArray("clicked.window.y")
-                                   << QStringList{"inspector", "pipeline", "comparison", "lifecycle"};
-        QTest::newRow("a depth") << QByteArray("window.z")
-                                 << QStringList{"inspector", "pipeline", "comparison", "precision", "lifecycle"};
-        QTest::newRow("of another step") << QByteArray("a:eye.z") << own;
-        QTest::newRow("computed") << QByteArray("eye.z * 2") << own;
-        QTest::newRow("of the scene") << QByteArray("scene.projection.near") << own;
+        newRow("of the followed point") << QByteArray("eye.z") << both;
+        newRow("its distance") << QByteArray("-eye.z") << both;
+        newRow("of a pixel") << QByteArray("clicked.world.x") << both;
+        newRow("by the formulas") << QByteArray("clicked.formula.x") << both;
+        newRow("of a point that a link clicks") << QByteArray("linked.ndc.y") << both;
+        newRow("of one that was clicked before") << QByteArray("earlier.ndc.y") << both;
+        newRow("of one that an answer before clicks") << QByteArray("revealed.ndc.y") << both;
+        newRow("of one that only its own answer clicks") << QByteArray("own.ndc.y") << own;
+        newRow("of one that nobody clicks") << QByteArray("other.ndc.y") << own;
+        newRow("of a matrix") << QByteArray("projection[2][2]") << QStringList{"inspector", "pipeline"};
+        newRow("of its factors") << QByteArray("projectionSteps[0][2][3]") << QStringList{"inspector", "pipeline"};
+        newRow("in pixels") << QByteArray("clicked.window.y")
+                            << QStringList{"inspector", "pipeline", "comparison", "lifecycle"};
+        newRow("a depth") << QByteArray("window.z")
+                          << QStringList{"inspector", "pipeline", "comparison", "precision", "lifecycle"};
+        newRow("of another step") << QByteArray("a:eye.z") << own;
+        newRow("computed") << QByteArray("eye.z * 2") << own;
+        newRow("of the scene") << QByteArray("scene.projection.near") << own;
     }
 
     void panelsThatShowTheAnswerAreKnown()
@@ -108,10 +107,10 @@ private slots:
 
     void aWrongNumberIsFound_data()
     {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QByteArray>("fault");
+        addColumn<QByteArray>("text");
+        addColumn<QByteArray>("fault");
         const auto row = [](const char *name, const char *text, const char *fault) {
-            QTest::newRow(name) << QByteArray(text) << QByteArray(fault);
+            newRow(name) << QByteArray(text) << QByteArray(fault);
         };
         row("right", "{−8 = modelview[2][3]} and {(0, 0, 5) = scene.view.eye}", "");
         row("rounded", "{−0.10 = projection[2][2]}, {0.1 = projection[0][0]}", "");
@@ -155,13 +154,13 @@ private slots:
 
     void statementsAreTakenApart_data()
     {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QByteArray>("shown");
-        QTest::addColumn<QList<double>>("numbers");
-        QTest::addColumn<int>("faults");
+        addColumn<QByteArray>("text");
+        addColumn<QByteArray>("shown");
+        addColumn<QList<double>>("numbers");
+        addColumn<int>("faults");
         const auto row = [](const char *name, const char *text, const char *shown, const QList<double> &numbers,
                             int faults = 0) {
-            QTest::newRow(name) << QByteArray(text) << QByteArray(shown) << numbers << faults;
+            newRow(name) << QByteArray(text) << QByteArray(shown) << numbers << faults;
         };
         row("none", "nothing", "nothing", {});
         row("signs", "{−1, -2 and ±3 = a}", "−1, -2 and ±3", {-1, -2, 3});
@@ -251,10 +250,10 @@ private slots:
 
     void aFaultNamesItsPlace_data()
     {
-        QTest::addColumn<QByteArray>("json");
-        QTest::addColumn<QByteArray>("error");
+        addColumn<QByteArray>("json");
+        addColumn<QByteArray>("error");
         const auto row = [](const char *name, const std::string &json, const char *error) {
-            QTest::newRow(name) << QByteArray::fromStdString(json) << QByteArray(error);
+            newRow(name) << QByteArray::fromStdString(json) << QByteArray(error);
         };
         row("no JSON", "{", "t.json:1:2: ");
         row("no steps", R"({"title": "T"})", "t.json: steps: is missing");
@@ -377,17 +376,17 @@ private slots:
 
     void linksAreRead_data()
     {
-        QTest::addColumn<bool>("isLink");
+        addColumn<bool>("isLink");
         for (const char *link :
              {"formulas:w9", "click:corner", "set:other", "panel:observer", "panel:points", "place:doctor",
               "step:ortho", "restart:", "point:", "apart:view", "apart:projection", "matrix:model", "matrix:viewport",
               "action:rows", "action:perspective:off", "view:300x200"})
-            QTest::newRow(link) << true;
+            newRow(link) << true;
         for (const char *link :
              {"", "formulas", "formulas:", "panel:kitchen", "place:comparison", "apart:model", "matrix:whole",
               "action:", "action::off", "action:rows:on", "view:300", "view:300x", "view:0x200", "view:-300x200",
               "view:300x200x", "view:3e2x200", "restart:1", "http://example.org", "Panel:observer"})
-            QTest::newRow(link) << false;
+            newRow(link) << false;
     }
 
     void linksAreRead()

@@ -96,11 +96,11 @@ private slots:
 
     void everyNumberIsThePrograms_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<bool>("isTranslated");
+        addColumn<QString>("name");
+        addColumn<bool>("isTranslated");
         for (const std::string &name : names()) {
-            QTest::addRow("%s", name.c_str()) << QString::fromStdString(name) << false;
-            QTest::addRow("%s, Chinese", name.c_str()) << QString::fromStdString(name) << true;
+            addRow("%s", name.c_str()) << QString::fromStdString(name) << false;
+            addRow("%s, Chinese", name.c_str()) << QString::fromStdString(name) << true;
         }
     }
 
@@ -200,13 +200,13 @@ private slots:
 
     void everyFormulaOfThePaperHasItsNumbers_data()
     {
-        QTest::addColumn<QString>("anchor");
+        addColumn<QString>("anchor");
         for (int i = 1; i <= 12; ++i)
-            QTest::addRow("(%d)", i) << QStringLiteral("w%1").arg(i);
-        QTest::newRow("(13)") << QStringLiteral("z-perspective");
-        QTest::newRow("(14)") << QStringLiteral("z-ortho");
-        QTest::newRow("(15)") << QStringLiteral("shear");
-        QTest::newRow("(16)") << QStringLiteral("eye-to-world");
+            addRow("(%d)", i) << QStringLiteral("w%1").arg(i);
+        newRow("(13)") << QStringLiteral("z-perspective");
+        newRow("(14)") << QStringLiteral("z-ortho");
+        newRow("(15)") << QStringLiteral("shear");
+        newRow("(16)") << QStringLiteral("eye-to-world");
     }
 
     /// The paragraph continues after the link with an equation whose numbers are computed.
@@ -235,9 +235,9 @@ private slots:
 
     void everyErrorIsTold_data()
     {
-        QTest::addColumn<QString>("anchor");
+        addColumn<QString>("anchor");
         for (const char *anchor : kErrata)
-            QTest::newRow(anchor) << QString::fromLatin1(anchor);
+            newRow(anchor) << QString::fromLatin1(anchor);
     }
 
     /// A fitting step leads to each error of the originals in Help.
@@ -255,9 +255,9 @@ private slots:
 private:
     static void lessonRows()
     {
-        QTest::addColumn<QString>("name");
+        addColumn<QString>("name");
         for (const std::string &name : names())
-            QTest::newRow(name.c_str()) << QString::fromStdString(name);
+            newRow(name.c_str()) << QString::fromStdString(name);
     }
 };
 

@@ -59,11 +59,11 @@ class TestSlips : public QObject {
 private slots:
     void aSlipIsRecognised_data()
     {
-        QTest::addColumn<Asked>("asked");
-        QTest::addColumn<double>("given");
-        QTest::addColumn<int>("slip"); // -1: none
+        addColumn<Asked>("asked");
+        addColumn<double>("given");
+        addColumn<int>("slip"); // -1: none
         const auto row = [](const char *name, const Asked &asked, double given, std::optional<SlipKind> slip) {
-            QTest::newRow(name) << asked << given << (slip ? static_cast<int>(*slip) : -1);
+            newRow(name) << asked << given << (slip ? static_cast<int>(*slip) : -1);
         };
         using enum AskedKind;
         const Asked windowX = askedFor(WindowX, 162.5), windowY = askedFor(WindowY, 212.5);
@@ -148,12 +148,12 @@ private slots:
 
     void lessonsKnowTheirSlips_data()
     {
-        QTest::addColumn<QString>("lesson");
-        QTest::addColumn<QString>("step");
-        QTest::addColumn<double>("given");
-        QTest::addColumn<int>("slip");
+        addColumn<QString>("lesson");
+        addColumn<QString>("step");
+        addColumn<double>("given");
+        addColumn<int>("slip");
         const auto row = [](const char *lesson, const char *step, double given, SlipKind slip) {
-            QTest::addRow("%s %s %g", lesson, step, given)
+            addRow("%s %s %g", lesson, step, given)
                 << QString::fromLatin1(lesson) << QString::fromLatin1(step) << given << static_cast<int>(slip);
         };
         row("first", "window", 88.0, SlipKind::UpperEdge);
@@ -191,9 +191,9 @@ private slots:
 
     void everyRightAnswerIsRight_data()
     {
-        QTest::addColumn<QString>("lesson");
+        addColumn<QString>("lesson");
         for (const char *name : {"first", "weng", "pipeline", "derivation", "rows", "parallel"})
-            QTest::newRow(name) << QString::fromLatin1(name);
+            newRow(name) << QString::fromLatin1(name);
     }
 
     void everyRightAnswerIsRight()

@@ -86,13 +86,13 @@ double relativeError(const Components<3> &actual, const oracle::Vector3 &exact, 
 
 void addStyles()
 {
-    QTest::addColumn<int>("style");
-    QTest::newRow("OpenGL") << int(Style::OpenGl);
-    QTest::newRow("[0, 1]") << int(Style::ZeroToOne);
-    QTest::newRow("reversed") << int(Style::Reversed);
-    QTest::newRow("infinite far") << int(Style::Infinite);
-    QTest::newRow("infinite far, [0, 1]") << int(Style::InfiniteZeroToOne);
-    QTest::newRow("infinite far, reversed") << int(Style::InfiniteReversed);
+    addColumn<int>("style");
+    newRow("OpenGL") << int(Style::OpenGl);
+    newRow("[0, 1]") << int(Style::ZeroToOne);
+    newRow("reversed") << int(Style::Reversed);
+    newRow("infinite far") << int(Style::Infinite);
+    newRow("infinite far, [0, 1]") << int(Style::InfiniteZeroToOne);
+    newRow("infinite far, reversed") << int(Style::InfiniteReversed);
 }
 
 } // namespace
@@ -219,10 +219,10 @@ private slots:
 
     void ourOwnMatricesGiveTheirArgumentsBack_data()
     {
-        QTest::addColumn<int>("kind");
-        QTest::newRow("frustum") << int(oracle::RandomKind::Frustum);
-        QTest::newRow("ortho") << int(oracle::RandomKind::Ortho);
-        QTest::newRow("oblique") << int(oracle::RandomKind::Oblique);
+        addColumn<int>("kind");
+        newRow("frustum") << int(oracle::RandomKind::Frustum);
+        newRow("ortho") << int(oracle::RandomKind::Ortho);
+        newRow("oblique") << int(oracle::RandomKind::Oblique);
     }
 
     void ourOwnMatricesGiveTheirArgumentsBack()
@@ -262,15 +262,15 @@ private slots:
 
     void otherMatricesSayWhichEntryDoesNotFit_data()
     {
-        QTest::addColumn<int>("column");
-        QTest::addColumn<int>("row");
-        QTest::addColumn<double>("entry");
-        QTest::newRow("rolled about the view axis") << 0 << 1 << 0.1;
-        QTest::newRow("tilted near plane") << 0 << 2 << 0.25;
-        QTest::newRow("w depends on x") << 0 << 3 << 0.5;
-        QTest::newRow("shifted before the division") << 3 << 0 << 0.125;
-        QTest::newRow("neither perspective nor box") << 3 << 3 << 1.0;
-        QTest::newRow("far plane beyond infinity") << 2 << 2 << -0.875;
+        addColumn<int>("column");
+        addColumn<int>("row");
+        addColumn<double>("entry");
+        newRow("rolled about the view axis") << 0 << 1 << 0.1;
+        newRow("tilted near plane") << 0 << 2 << 0.25;
+        newRow("w depends on x") << 0 << 3 << 0.5;
+        newRow("shifted before the division") << 3 << 0 << 0.125;
+        newRow("neither perspective nor box") << 3 << 3 << 1.0;
+        newRow("far plane beyond infinity") << 2 << 2 << -0.875;
     }
 
     void otherMatricesSayWhichEntryDoesNotFit()

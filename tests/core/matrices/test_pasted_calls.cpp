@@ -91,105 +91,102 @@ class TestPastedCalls : public QObject {
 private slots:
     void projectionsAreRead_data()
     {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<glm::dmat4>("expected");
-        QTest::addColumn<NdcDepth>("depth");
+        addColumn<QString>("text");
+        addColumn<glm::dmat4>("expected");
+        addColumn<NdcDepth>("depth");
         using enum NdcDepth;
         const glm::dmat4 box = glm::ortho(-4.0, 4.0, -3.0, 2.0, 1.0, 50.0);
         const glm::dmat4 frustum = glm::frustum(-1.0, 2.0, -0.75, 0.5, 2.0, 50.0);
         const glm::dmat4 leftHanded = directXPerspective(kPi / 4.0, 4.0 / 3.0, 0.1, 100.0, true);
         const glm::dmat4 rightHanded = directXPerspective(kPi / 4.0, 4.0 / 3.0, 0.1, 100.0, false);
-        QTest::newRow("gluPerspective") << "gluPerspective(45, 1.3333333333333333, 0.1, 100);" << perspective()
-                                        << MinusOneToOne;
-        QTest::newRow("glFrustum") << "glFrustum(-1, 2, -0.75, 0.5, 2, 50)" << frustum << MinusOneToOne;
-        QTest::newRow("glOrtho") << "glOrtho (-4.0, 4.0, -3.0, 2.0,\n 1.0, 50.0);" << box << MinusOneToOne;
-        QTest::newRow("gluOrtho2D") << "gluOrtho2D(-4, 4, -3, 2)" << glm::ortho(-4.0, 4.0, -3.0, 2.0) << MinusOneToOne;
-        QTest::newRow("glm::perspective")
+        newRow("gluPerspective") << "gluPerspective(45, 1.3333333333333333, 0.1, 100);" << perspective()
+                                 << MinusOneToOne;
+        newRow("glFrustum") << "glFrustum(-1, 2, -0.75, 0.5, 2, 50)" << frustum << MinusOneToOne;
+        newRow("glOrtho") << "glOrtho (-4.0, 4.0, -3.0, 2.0,\n 1.0, 50.0);" << box << MinusOneToOne;
+        newRow("gluOrtho2D") << "gluOrtho2D(-4, 4, -3, 2)" << glm::ortho(-4.0, 4.0, -3.0, 2.0) << MinusOneToOne;
+        newRow("glm::perspective")
             << "glm::mat4 p = glm::perspective(glm::radians(45.0f), 800.0f / 600.0f, 0.1f, 100.0f);" << perspective()
             << MinusOneToOne;
-        QTest::newRow("glm::perspectiveFov")
-            << "glm::perspectiveFov(glm::radians(45.0), 800.0, 600.0, 0.1, 100.0)" << perspective() << MinusOneToOne;
-        QTest::newRow("glm::ortho") << "glm::ortho(-4.f, 4.f, -3.f, 2.f, 1.f, 50.f)" << box << MinusOneToOne;
-        QTest::newRow("glm::ortho of four")
-            << "glm::ortho(-4.f, 4.f, -3.f, 2.f)" << glm::ortho(-4.0, 4.0, -3.0, 2.0) << MinusOneToOne;
-        QTest::newRow("glm::frustum") << "glm::frustum<double>(-1, 2, -0.75, 0.5, 2, 50)" << frustum << MinusOneToOne;
-        QTest::newRow("GLM by 0 to 1, by its macro") << "#define GLM_FORCE_DEPTH_ZERO_TO_ONE\nauto p = "
-                                                        "glm::perspective(glm::quarter_pi<float>(), 4.f / 3.f, .1f, "
-                                                        "100.f);"
-                                                     << zeroToOne(perspective(), 0.1, 100.0) << ZeroToOne;
-        QTest::newRow("GLM, left-handed by 0 to 1, by its name")
+        newRow("glm::perspectiveFov") << "glm::perspectiveFov(glm::radians(45.0), 800.0, 600.0, 0.1, 100.0)"
+                                      << perspective() << MinusOneToOne;
+        newRow("glm::ortho") << "glm::ortho(-4.f, 4.f, -3.f, 2.f, 1.f, 50.f)" << box << MinusOneToOne;
+        newRow("glm::ortho of four") << "glm::ortho(-4.f, 4.f, -3.f, 2.f)" << glm::ortho(-4.0, 4.0, -3.0, 2.0)
+                                     << MinusOneToOne;
+        newRow("glm::frustum") << "glm::frustum<double>(-1, 2, -0.75, 0.5, 2, 50)" << frustum << MinusOneToOne;
+        newRow("GLM by 0 to 1, by its macro") << "#define GLM_FORCE_DEPTH_ZERO_TO_ONE\nauto p = "
+                                                 "glm::perspective(glm::quarter_pi<float>(), 4.f / 3.f, .1f, "
+                                                 "100.f);"
+                                              << zeroToOne(perspective(), 0.1, 100.0) << ZeroToOne;
+        newRow("GLM, left-handed by 0 to 1, by its name")
             << "glm::perspectiveLH_ZO(glm::radians(45.0f), 4.f / 3.f, 0.1f, 100.0f)" << leftHanded << ZeroToOne;
-        QTest::newRow("three.js, perspective")
-            << "const camera = new THREE.PerspectiveCamera( 45, 800 / 600, 0.1, 100 );" << perspective()
-            << MinusOneToOne;
-        QTest::newRow("three.js, defaults")
-            << "new PerspectiveCamera()" << glm::perspective(50.0 * kPi / 180.0, 1.0, 0.1, 2000.0) << MinusOneToOne;
-        QTest::newRow("three.js, box, whose top comes first")
+        newRow("three.js, perspective") << "const camera = new THREE.PerspectiveCamera( 45, 800 / 600, 0.1, 100 );"
+                                        << perspective() << MinusOneToOne;
+        newRow("three.js, defaults") << "new PerspectiveCamera()"
+                                     << glm::perspective(50.0 * kPi / 180.0, 1.0, 0.1, 2000.0) << MinusOneToOne;
+        newRow("three.js, box, whose top comes first")
             << "new THREE.OrthographicCamera(-4, 4, 2, -3, 1, 50)" << box << MinusOneToOne;
-        QTest::newRow("Numerics, field of view")
+        newRow("Numerics, field of view")
             << "var p = Matrix4x4.CreatePerspectiveFieldOfView(MathF.PI / 4, 800f / 600f, 0.1f, 100f);" << rightHanded
             << ZeroToOne;
-        QTest::newRow("Numerics, perspective") << "Matrix4x4.CreatePerspective(4, 3, 2, 50)"
-                                               << ofRows({2.0 * 2.0 / 4.0, 0, 0, 0, 0, 2.0 * 2.0 / 3.0, 0, 0, 0, 0,
-                                                          50.0 / (2.0 - 50.0), -1, 0, 0, 2.0 * 50.0 / (2.0 - 50.0), 0})
-                                               << ZeroToOne;
-        QTest::newRow("Numerics, box") << "System.Numerics.Matrix4x4.CreateOrthographic(8.0f, 6.0f, 1.0f, 50.0f)"
-                                       << ofRows({2.0 / 8.0, 0, 0, 0, 0, 2.0 / 6.0, 0, 0, 0, 0, 1.0 / (1.0 - 50.0), 0,
-                                                  0, 0, 1.0 / (1.0 - 50.0), 1})
+        newRow("Numerics, perspective") << "Matrix4x4.CreatePerspective(4, 3, 2, 50)"
+                                        << ofRows({2.0 * 2.0 / 4.0, 0, 0, 0, 0, 2.0 * 2.0 / 3.0, 0, 0, 0, 0,
+                                                   50.0 / (2.0 - 50.0), -1, 0, 0, 2.0 * 50.0 / (2.0 - 50.0), 0})
+                                        << ZeroToOne;
+        newRow("Numerics, box") << "System.Numerics.Matrix4x4.CreateOrthographic(8.0f, 6.0f, 1.0f, 50.0f)"
+                                << ofRows({2.0 / 8.0, 0, 0, 0, 0, 2.0 / 6.0, 0, 0, 0, 0, 1.0 / (1.0 - 50.0), 0, 0, 0,
+                                           1.0 / (1.0 - 50.0), 1})
+                                << ZeroToOne;
+        newRow("Numerics, off center") << "Matrix4x4.CreateOrthographicOffCenter(-4, 4, -3, 2, 1, 50)"
+                                       << ofRows({2.0 / 8.0, 0, 0, 0, 0, 2.0 / 5.0, 0, 0, 0, 0, 1.0 / (1.0 - 50.0), 0,
+                                                  0, 1.0 / 5.0, 1.0 / (1.0 - 50.0), 1})
                                        << ZeroToOne;
-        QTest::newRow("Numerics, off center") << "Matrix4x4.CreateOrthographicOffCenter(-4, 4, -3, 2, 1, 50)"
-                                              << ofRows({2.0 / 8.0, 0, 0, 0, 0, 2.0 / 5.0, 0, 0, 0, 0,
-                                                         1.0 / (1.0 - 50.0), 0, 0, 1.0 / 5.0, 1.0 / (1.0 - 50.0), 1})
-                                              << ZeroToOne;
-        QTest::newRow("OpenTK") << "Matrix4.CreatePerspectiveFieldOfView(MathHelper.PiOver4, 800f / 600f, 0.1f, 100f)"
-                                << perspective() << MinusOneToOne;
-        QTest::newRow("DirectXMath, right-handed")
+        newRow("OpenTK") << "Matrix4.CreatePerspectiveFieldOfView(MathHelper.PiOver4, 800f / 600f, 0.1f, 100f)"
+                         << perspective() << MinusOneToOne;
+        newRow("DirectXMath, right-handed")
             << "XMMatrixPerspectiveFovRH(XM_PIDIV4, 800.0f / 600.0f, 0.1f, 100.0f)" << rightHanded << ZeroToOne;
-        QTest::newRow("DirectXMath, left-handed")
+        newRow("DirectXMath, left-handed")
             << "XMMATRIX p = DirectX::XMMatrixPerspectiveFovLH(XMConvertToRadians(45.f), 800.0f / 600.0f, 0.1f, "
                "100.0f);"
             << leftHanded << ZeroToOne;
-        QTest::newRow("DirectXMath, off center, left-handed")
+        newRow("DirectXMath, off center, left-handed")
             << "XMMatrixPerspectiveOffCenterLH(-1, 2, -0.75, 0.5, 2, 50)"
             << ofRows({2.0 * 2.0 / 3.0, 0, 0, 0, 0, 2.0 * 2.0 / 1.25, 0, 0, -1.0 / 3.0, 0.25 / 1.25, 50.0 / 48.0, 1, 0,
                        0, -2.0 * 50.0 / 48.0, 0})
             << ZeroToOne;
-        QTest::newRow("QMatrix4x4") << "QMatrix4x4 m;\nm.perspective(45.0f, 800.0f / 600.0f, 0.1f, 100.0f);"
-                                    << perspective() << MinusOneToOne;
-        QTest::newRow("D3DX") << "D3DXMatrixPerspectiveFovRH(&p, D3DX_PI / 4, 800.0f / 600.0f, 0.1f, 100.0f);"
-                              << rightHanded << ZeroToOne;
-        QTest::newRow("D3DX, box") << "D3DXMatrixOrthoOffCenterRH(&p, -4, 4, -3, 2, 1, 50)"
-                                   << ofRows({0.25, 0, 0, 0, 0, 0.4, 0, 0, 0, 0, -1.0 / 49, 0, 0, 0.2, -1.0 / 49, 1})
-                                   << ZeroToOne;
-        QTest::newRow("SharpDX") << "Matrix.PerspectiveFovRH((float)Math.PI / 4, 800f / 600f, 0.1f, 100f)"
-                                 << rightHanded << ZeroToOne;
-        QTest::newRow("PyBullet, field of view")
+        newRow("QMatrix4x4") << "QMatrix4x4 m;\nm.perspective(45.0f, 800.0f / 600.0f, 0.1f, 100.0f);" << perspective()
+                             << MinusOneToOne;
+        newRow("D3DX") << "D3DXMatrixPerspectiveFovRH(&p, D3DX_PI / 4, 800.0f / 600.0f, 0.1f, 100.0f);" << rightHanded
+                       << ZeroToOne;
+        newRow("D3DX, box") << "D3DXMatrixOrthoOffCenterRH(&p, -4, 4, -3, 2, 1, 50)"
+                            << ofRows({0.25, 0, 0, 0, 0, 0.4, 0, 0, 0, 0, -1.0 / 49, 0, 0, 0.2, -1.0 / 49, 1})
+                            << ZeroToOne;
+        newRow("SharpDX") << "Matrix.PerspectiveFovRH((float)Math.PI / 4, 800f / 600f, 0.1f, 100f)" << rightHanded
+                          << ZeroToOne;
+        newRow("PyBullet, field of view")
             << "p.computeProjectionMatrixFOV(fov=45.0, aspect=4 / 3, nearVal=0.1, farVal=100.0)" << perspective()
             << MinusOneToOne;
-        QTest::newRow("PyBullet, keywords in another order")
+        newRow("PyBullet, keywords in another order")
             << "p.computeProjectionMatrixFOV(aspect=4 / 3, farVal=100.0, fov=45.0, nearVal=0.1, physicsClientId=client)"
             << perspective() << MinusOneToOne;
-        QTest::newRow("PyBullet, keywords after positions")
+        newRow("PyBullet, keywords after positions")
             << "p.computeProjectionMatrixFOV(45.0, 4 / 3, farVal=100.0, nearVal=0.1)" << perspective() << MinusOneToOne;
-        QTest::newRow("System.Numerics, names in another order")
+        newRow("System.Numerics, names in another order")
             << "Matrix4x4.CreatePerspectiveFieldOfView(aspectRatio: 4f / 3f, fieldOfView: MathF.PI / 4, "
                "farPlaneDistance: 100, nearPlaneDistance: 0.1f)"
             << rightHanded << ZeroToOne;
-        QTest::newRow("PyBullet, edges by keyword")
+        newRow("PyBullet, edges by keyword")
             << "p.computeProjectionMatrix(right=2, left=-1, top=0.5, bottom=-0.75, farVal=50, nearVal=2)" << frustum
             << MinusOneToOne;
-        QTest::newRow("PyBullet, edges") << "p.computeProjectionMatrix(-1, 2, -0.75, 0.5, 2, 50)" << frustum
-                                         << MinusOneToOne;
-        QTest::newRow("Android") << "Matrix.perspectiveM(m, 0, 45f, 800f / 600f, 0.1f, 100f);" << perspective()
-                                 << MinusOneToOne;
-        QTest::newRow("Android, frustum")
-            << "Matrix.frustumM(m, 0, -1f, 2f, -0.75f, 0.5f, 2f, 50f);" << frustum << MinusOneToOne;
-        QTest::newRow("glam") << "Mat4::perspective_rh(45f32.to_radians(), 4.0 / 3.0, 0.1, 100.0)" << rightHanded
-                              << ZeroToOne;
-        QTest::newRow("glam of OpenGL") << "Mat4::perspective_rh_gl(std::f32::consts::FRAC_PI_4, 4.0 / 3.0, 0.1, 100.0)"
-                                        << perspective() << MinusOneToOne;
-        QTest::newRow("gl-matrix") << "mat4.perspective(projection, Math.PI / 4, 800 / 600, 0.1, 100);" << perspective()
+        newRow("PyBullet, edges") << "p.computeProjectionMatrix(-1, 2, -0.75, 0.5, 2, 50)" << frustum << MinusOneToOne;
+        newRow("Android") << "Matrix.perspectiveM(m, 0, 45f, 800f / 600f, 0.1f, 100f);" << perspective()
+                          << MinusOneToOne;
+        newRow("Android, frustum") << "Matrix.frustumM(m, 0, -1f, 2f, -0.75f, 0.5f, 2f, 50f);" << frustum
                                    << MinusOneToOne;
+        newRow("glam") << "Mat4::perspective_rh(45f32.to_radians(), 4.0 / 3.0, 0.1, 100.0)" << rightHanded << ZeroToOne;
+        newRow("glam of OpenGL") << "Mat4::perspective_rh_gl(std::f32::consts::FRAC_PI_4, 4.0 / 3.0, 0.1, 100.0)"
+                                 << perspective() << MinusOneToOne;
+        newRow("gl-matrix") << "mat4.perspective(projection, Math.PI / 4, 800 / 600, 0.1, 100);" << perspective()
+                            << MinusOneToOne;
     }
 
     void projectionsAreRead()
@@ -212,66 +209,62 @@ private slots:
 
     void viewsAreRead_data()
     {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<glm::dmat4>("expected");
+        addColumn<QString>("text");
+        addColumn<glm::dmat4>("expected");
         const glm::dvec3 eye(3, 2, 5), center(0, 0.5, 0), up(0, 1, 0);
         const glm::dmat4 leftHanded = directXLookAt(eye, center, up, true);
-        QTest::newRow("gluLookAt") << "gluLookAt(3, 2, 5,  0, 0.5, 0,  0, 1, 0);" << view();
-        QTest::newRow("glm::lookAt")
+        newRow("gluLookAt") << "gluLookAt(3, 2, 5,  0, 0.5, 0,  0, 1, 0);" << view();
+        newRow("glm::lookAt")
             << "auto v = glm::lookAt(glm::vec3(3.0f, 2.0f, 5.0f), glm::vec3{0, 0.5, 0}, glm::vec3(0, 1, 0));" << view();
-        QTest::newRow("GLM, one number three times")
-            << "glm::lookAt(glm::dvec3(2.0), glm::dvec3(0), glm::dvec3(0, 0, 1))"
-            << glm::lookAt(glm::dvec3(2.0), glm::dvec3(0.0), glm::dvec3(0, 0, 1));
-        QTest::newRow("GLM, left-handed")
-            << "glm::lookAtLH(glm::vec3(3, 2, 5), glm::vec3(0, 0.5, 0), glm::vec3(0, 1, 0))" << leftHanded;
-        QTest::newRow("three.js") << "camera.position.set(3, 2, 5);\ncamera.lookAt(0, 0.5, 0);" << view();
-        QTest::newRow("three.js, a vector")
+        newRow("GLM, one number three times") << "glm::lookAt(glm::dvec3(2.0), glm::dvec3(0), glm::dvec3(0, 0, 1))"
+                                              << glm::lookAt(glm::dvec3(2.0), glm::dvec3(0.0), glm::dvec3(0, 0, 1));
+        newRow("GLM, left-handed") << "glm::lookAtLH(glm::vec3(3, 2, 5), glm::vec3(0, 0.5, 0), glm::vec3(0, 1, 0))"
+                                   << leftHanded;
+        newRow("three.js") << "camera.position.set(3, 2, 5);\ncamera.lookAt(0, 0.5, 0);" << view();
+        newRow("three.js, a vector")
             << "camera.position.set( 3, 2, 5 );\ncamera.lookAt( new THREE.Vector3( 0, 0.5, 0 ) );" << view();
-        QTest::newRow("three.js, coordinate by coordinate")
+        newRow("three.js, coordinate by coordinate")
             << "camera.position.x = 3;\ncamera.position.y = 2;\ncamera.position.z = 5\ncamera.lookAt(0, 0.5, 0);"
             << view();
-        QTest::newRow("three.js, up")
-            << "camera.up.set(0, 0, 1)\ncamera.position.set(3, 2, 5)\ncamera.lookAt(0, 0.5, 0)"
-            << glm::lookAt(eye, center, glm::dvec3(0, 0, 1));
-        QTest::newRow("three.js, moved after it was turned") // keeps its direction
+        newRow("three.js, up") << "camera.up.set(0, 0, 1)\ncamera.position.set(3, 2, 5)\ncamera.lookAt(0, 0.5, 0)"
+                               << glm::lookAt(eye, center, glm::dvec3(0, 0, 1));
+        newRow("three.js, moved after it was turned") // keeps its direction
             << "camera.position.set(3, 2, 4); camera.lookAt(0, 0.5, -1); camera.position.z = 5;"
             << glm::lookAt(eye, center, up);
-        QTest::newRow("three.js, moved only")
-            << "camera.position.set(0, 0, 5)" << glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -5));
-        QTest::newRow("Numerics")
-            << "Matrix4x4.CreateLookAt(new Vector3(3, 2, 5), new Vector3(0, 0.5f, 0), Vector3.UnitY)"
-            << directXLookAt(eye, center, up, false);
-        QTest::newRow("DirectXMath, right-handed")
+        newRow("three.js, moved only") << "camera.position.set(0, 0, 5)"
+                                       << glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -5));
+        newRow("Numerics") << "Matrix4x4.CreateLookAt(new Vector3(3, 2, 5), new Vector3(0, 0.5f, 0), Vector3.UnitY)"
+                           << directXLookAt(eye, center, up, false);
+        newRow("DirectXMath, right-handed")
             << "XMMatrixLookAtRH(XMVectorSet(3, 2, 5, 1), XMVectorSet(0, 0.5f, 0, 1), XMVectorSet(0, 1, 0, 0))"
             << directXLookAt(eye, center, up, false);
-        QTest::newRow("DirectXMath, left-handed")
+        newRow("DirectXMath, left-handed")
             << "XMMatrixLookAtLH(XMVectorSet(3, 2, 5, 1), XMVectorSet(0, 0.5f, 0, 1), XMVectorSet(0, 1, 0, 0))"
             << leftHanded;
-        QTest::newRow("DirectXMath, a direction")
+        newRow("DirectXMath, a direction")
             << "XMMatrixLookToLH(XMVectorSet(3, 2, 5, 1), XMVectorSet(-3, -1.5f, -5, 0), XMVectorSet(0, 1, 0, 0))"
             << leftHanded;
-        QTest::newRow("D3DX") << "D3DXMatrixLookAtLH(&v, &D3DXVECTOR3(3, 2, 5), &D3DXVECTOR3(0, 0.5f, 0), "
-                                 "&D3DXVECTOR3(0, 1, 0));"
-                              << leftHanded;
-        QTest::newRow("SharpDX") << "Matrix.LookAtRH(new Vector3(3, 2, 5), new Vector3(0, 0.5f, 0), Vector3.UnitY)"
-                                 << directXLookAt(eye, center, up, false);
-        QTest::newRow("PyBullet")
-            << "v = p.computeViewMatrix(cameraEyePosition=[3, 2, 5], cameraTargetPosition=[0, 0.5, "
-               "0], cameraUpVector=[0, 1, 0])"
-            << view();
-        QTest::newRow("PyBullet, keywords in another order")
+        newRow("D3DX") << "D3DXMatrixLookAtLH(&v, &D3DXVECTOR3(3, 2, 5), &D3DXVECTOR3(0, 0.5f, 0), "
+                          "&D3DXVECTOR3(0, 1, 0));"
+                       << leftHanded;
+        newRow("SharpDX") << "Matrix.LookAtRH(new Vector3(3, 2, 5), new Vector3(0, 0.5f, 0), Vector3.UnitY)"
+                          << directXLookAt(eye, center, up, false);
+        newRow("PyBullet") << "v = p.computeViewMatrix(cameraEyePosition=[3, 2, 5], cameraTargetPosition=[0, 0.5, "
+                              "0], cameraUpVector=[0, 1, 0])"
+                           << view();
+        newRow("PyBullet, keywords in another order")
             << "v = p.computeViewMatrix(cameraTargetPosition=[0, 0.5, 0], cameraUpVector=[0, 1, 0], "
                "cameraEyePosition=[3, 2, 5])"
             << view();
-        QTest::newRow("Android") << "Matrix.setLookAtM(view, 0, 3f, 2f, 5f, 0f, 0.5f, 0f, 0f, 1f, 0f);" << view();
-        QTest::newRow("glam") << "Mat4::look_at_rh(Vec3::new(3.0, 2.0, 5.0), vec3(0.0, 0.5, 0.0), vec3(0.0, 1.0, 0.0))"
-                              << view();
-        QTest::newRow("glam, left-handed")
+        newRow("Android") << "Matrix.setLookAtM(view, 0, 3f, 2f, 5f, 0f, 0.5f, 0f, 0f, 1f, 0f);" << view();
+        newRow("glam") << "Mat4::look_at_rh(Vec3::new(3.0, 2.0, 5.0), vec3(0.0, 0.5, 0.0), vec3(0.0, 1.0, 0.0))"
+                       << view();
+        newRow("glam, left-handed")
             << "Mat4::look_to_lh(vec3(3.0, 2.0, 5.0), vec3(-3.0, -1.5, -5.0), vec3(0.0, 1.0, 0.0))" << leftHanded;
-        QTest::newRow("gl-matrix") << "mat4.lookAt(out, [3, 2, 5], [0, 0.5, 0], [0, 1, 0])" << view();
-        QTest::newRow("vectors of the text") << "glm::vec3 eye = glm::vec3(3, 2, 5);\nglm::vec3 up = {0, 1, 0};\n"
-                                                "glm::lookAt(eye, glm::vec3(0, 0.5, 0), up)"
-                                             << view();
+        newRow("gl-matrix") << "mat4.lookAt(out, [3, 2, 5], [0, 0.5, 0], [0, 1, 0])" << view();
+        newRow("vectors of the text") << "glm::vec3 eye = glm::vec3(3, 2, 5);\nglm::vec3 up = {0, 1, 0};\n"
+                                         "glm::lookAt(eye, glm::vec3(0, 0.5, 0), up)"
+                                      << view();
     }
 
     void viewsAreRead()
@@ -291,12 +284,12 @@ private slots:
 
     void argumentsAreRead_data()
     {
-        QTest::addColumn<QString>("angle"); // of gluPerspective, whose fovy is 45
+        addColumn<QString>("angle"); // of gluPerspective, whose fovy is 45
         for (const char *text :
              {"45", "+45.", "4.5e1", "90 / 2", "-(-45)", "15 * 3", "30 + 15", "(GLdouble)45", "45.0f", "float(45)",
               "static_cast<double>(45)", "degrees(M_PI / 4)", "fovy /* of the lens */", "fovy // of the lens\n",
               "2 * atan(tan(M_PI_4 / 2)) * 180 / M_PI", "60.f - 15.f"})
-            QTest::newRow(text) << QString::fromLatin1(text);
+            newRow(text) << QString::fromLatin1(text);
     }
 
     void argumentsAreRead()
@@ -312,49 +305,43 @@ private slots:
 
     void whatIsAssumedIsReported_data()
     {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<QString>("said");
-        QTest::newRow("degrees") << "gluPerspective(45, 1.5, 0.1, 100)"
-                                 << "gluPerspective: fovy 45°, aspect 1.5, near 0.1, far 100";
-        QTest::newRow("radians") << "glm::perspective(0.7853981633974483, 1.5, 0.1, 100.0)"
-                                 << "glm::perspective: fovy 45°, aspect 1.5, near 0.1, far 100";
-        QTest::newRow("another range of depths") << "XMMatrixPerspectiveFovRH(XM_PIDIV4, 1.5f, 0.1f, 100.f)"
-                                                 << "XMMatrixPerspectiveFovRH: fovy 45°, aspect 1.5, near 0.1, far "
-                                                    "100; right-handed, NDC depths from 0 to 1";
-        QTest::newRow("left-handed") << "XMMatrixPerspectiveLH(2, 2, 1, 9)"
-                                     << "XMMatrixPerspectiveLH: left -1, right 1, bottom -1, top 1, near 1, far 9; "
-                                        "left-handed, NDC depths from 0 to 1";
-        QTest::newRow("radians for degrees")
-            << "gluPerspective(0.7853981633974483, 1.5, 0.1, 100)"
-            << "gluPerspective: fovy 0.7854°, aspect 1.5, near 0.1, far 100. The angle is "
-               "in degrees: 0.7854 would be 45° if it were in radians";
-        QTest::newRow("whole numbers")
-            << "gluPerspective(45, 800 / 600, 0.1, 100)"
-            << "gluPerspective: fovy 45°, aspect 1.3333, near 0.1, far 100. 800 / 600 is read "
-               "as 1.3333; in C, C++ and C# it is 1, as long as no number of it has a point";
-        QTest::newRow("whole numbers in JavaScript")
-            << "new THREE.PerspectiveCamera(45, 800 / 600, 0.1, 100)"
-            << "THREE.PerspectiveCamera: fovy 45°, aspect 1.3333, near 0.1, far 100";
-        QTest::newRow("two of them")
-            << "glOrtho(0, 2, 0, 2, 0, 2); glOrtho(0, 1, 0, 1, 0, 1);"
-            << "glOrtho: left 0, right 2, bottom 0, top 2, near 0, far 2. glOrtho follows and is "
-               "ignored: one projection is read";
-        QTest::newRow("set afterwards")
-            << "const camera = new THREE.PerspectiveCamera(45, 1, 1, 9);\ncamera.aspect = 2;"
-            << "THREE.PerspectiveCamera: fovy 45°, aspect 1, near 1, far 9. camera.aspect is "
-               "ignored: put its value into the call";
-        QTest::newRow("moved by other calls")
+        addColumn<QString>("text");
+        addColumn<QString>("said");
+        newRow("degrees") << "gluPerspective(45, 1.5, 0.1, 100)"
+                          << "gluPerspective: fovy 45°, aspect 1.5, near 0.1, far 100";
+        newRow("radians") << "glm::perspective(0.7853981633974483, 1.5, 0.1, 100.0)"
+                          << "glm::perspective: fovy 45°, aspect 1.5, near 0.1, far 100";
+        newRow("another range of depths") << "XMMatrixPerspectiveFovRH(XM_PIDIV4, 1.5f, 0.1f, 100.f)"
+                                          << "XMMatrixPerspectiveFovRH: fovy 45°, aspect 1.5, near 0.1, far "
+                                             "100; right-handed, NDC depths from 0 to 1";
+        newRow("left-handed") << "XMMatrixPerspectiveLH(2, 2, 1, 9)"
+                              << "XMMatrixPerspectiveLH: left -1, right 1, bottom -1, top 1, near 1, far 9; "
+                                 "left-handed, NDC depths from 0 to 1";
+        newRow("radians for degrees") << "gluPerspective(0.7853981633974483, 1.5, 0.1, 100)"
+                                      << "gluPerspective: fovy 0.7854°, aspect 1.5, near 0.1, far 100. The angle is "
+                                         "in degrees: 0.7854 would be 45° if it were in radians";
+        newRow("whole numbers") << "gluPerspective(45, 800 / 600, 0.1, 100)"
+                                << "gluPerspective: fovy 45°, aspect 1.3333, near 0.1, far 100. 800 / 600 is read "
+                                   "as 1.3333; in C, C++ and C# it is 1, as long as no number of it has a point";
+        newRow("whole numbers in JavaScript") << "new THREE.PerspectiveCamera(45, 800 / 600, 0.1, 100)"
+                                              << "THREE.PerspectiveCamera: fovy 45°, aspect 1.3333, near 0.1, far 100";
+        newRow("two of them") << "glOrtho(0, 2, 0, 2, 0, 2); glOrtho(0, 1, 0, 1, 0, 1);"
+                              << "glOrtho: left 0, right 2, bottom 0, top 2, near 0, far 2. glOrtho follows and is "
+                                 "ignored: one projection is read";
+        newRow("set afterwards") << "const camera = new THREE.PerspectiveCamera(45, 1, 1, 9);\ncamera.aspect = 2;"
+                                 << "THREE.PerspectiveCamera: fovy 45°, aspect 1, near 1, far 9. camera.aspect is "
+                                    "ignored: put its value into the call";
+        newRow("moved by other calls")
             << "gluLookAt(3, 2, 5, 0, 0.5, 0, 0, 1, 0); glTranslatef(0, 0, 1); glRotated(a, 0, 1, 0); glTranslatef(1, "
                "0, "
                "0);"
             << "gluLookAt: eye (3, 2, 5), center (0, 0.5, 0), up (0, 1, 0). glTranslatef is ignored: the view is read "
                "without it. glRotated is ignored: the view is read without it";
-        QTest::newRow("turned otherwise")
-            << "camera.position.set(0, 0, 5); camera.rotation.set(0, 1, 0); mesh.rotateX(1);"
-            << "camera: eye (0, 0, 5), center (0, 0, 4), up (0, 1, 0). camera.rotation.set "
-               "is ignored: the view is read without it";
-        QTest::newRow("a view") << "gluLookAt(3, 2, 5, 0, 0.5, 0, 0, 1, 0)"
-                                << "gluLookAt: eye (3, 2, 5), center (0, 0.5, 0), up (0, 1, 0)";
+        newRow("turned otherwise") << "camera.position.set(0, 0, 5); camera.rotation.set(0, 1, 0); mesh.rotateX(1);"
+                                   << "camera: eye (0, 0, 5), center (0, 0, 4), up (0, 1, 0). camera.rotation.set "
+                                      "is ignored: the view is read without it";
+        newRow("a view") << "gluLookAt(3, 2, 5, 0, 0.5, 0, 0, 1, 0)"
+                         << "gluLookAt: eye (3, 2, 5), center (0, 0.5, 0), up (0, 1, 0)";
     }
 
     void whatIsAssumedIsReported()
@@ -369,48 +356,44 @@ private slots:
 
     void whatIsNoNumberIsNamed_data()
     {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<QString>("message");
-        QTest::newRow("a variable") << "gluPerspective(45.0, aspect, 0.1, 100)"
-                                    << "gluPerspective: the argument 'aspect' is not a number. Put its value there";
-        QTest::newRow("a product of variables")
-            << "glOrtho(-w / 2, w / 2, -1, 1, 0, 9)"
-            << "glOrtho: the argument '-w / 2' is not a number. Put its value there";
-        QTest::newRow("a variable with two values")
-            << "a = 1.0\ngluPerspective(45.0, a, 0.1, 100)\na = 2.0"
-            << "gluPerspective: the argument 'a' is not a number. Put its value there";
-        QTest::newRow("a variable that hangs on itself")
+        addColumn<QString>("text");
+        addColumn<QString>("message");
+        newRow("a variable") << "gluPerspective(45.0, aspect, 0.1, 100)"
+                             << "gluPerspective: the argument 'aspect' is not a number. Put its value there";
+        newRow("a product of variables") << "glOrtho(-w / 2, w / 2, -1, 1, 0, 9)"
+                                         << "glOrtho: the argument '-w / 2' is not a number. Put its value there";
+        newRow("a variable with two values") << "a = 1.0\ngluPerspective(45.0, a, 0.1, 100)\na = 2.0"
+                                             << "gluPerspective: the argument 'a' is not a number. Put its value there";
+        newRow("a variable that hangs on itself")
             << "a = a + 1\ngluPerspective(45.0, a, 0.1, 100)"
             << "gluPerspective: the argument 'a' is not a number. Put its value there";
-        QTest::newRow("a division by 0") << "gluPerspective(45, 1 / 0, 0.1, 100)"
-                                         << "gluPerspective: the argument '1 / 0' is not a number. Put its value there";
-        QTest::newRow("a vector")
-            << "glm::lookAt(eye, glm::vec3(0), glm::vec3(0, 1, 0))"
-            << "glm::lookAt: the argument 'eye' is not a vector of numbers. Put three numbers there";
-        QTest::newRow("a coordinate")
-            << "camera.position.z = radius;\ncamera.lookAt(0, 0, 0);"
-            << "camera.position.z: the argument 'radius' is not a number. Put its value there";
-        QTest::newRow("an argument too few") << "gluPerspective(45, 1.5, 0.1)"
-                                             << "gluPerspective: 3 arguments found, 4 are needed";
-        QTest::newRow("an unknown keyword")
+        newRow("a division by 0") << "gluPerspective(45, 1 / 0, 0.1, 100)"
+                                  << "gluPerspective: the argument '1 / 0' is not a number. Put its value there";
+        newRow("a vector") << "glm::lookAt(eye, glm::vec3(0), glm::vec3(0, 1, 0))"
+                           << "glm::lookAt: the argument 'eye' is not a vector of numbers. Put three numbers there";
+        newRow("a coordinate") << "camera.position.z = radius;\ncamera.lookAt(0, 0, 0);"
+                               << "camera.position.z: the argument 'radius' is not a number. Put its value there";
+        newRow("an argument too few") << "gluPerspective(45, 1.5, 0.1)"
+                                      << "gluPerspective: 3 arguments found, 4 are needed";
+        newRow("an unknown keyword")
             << "p.computeProjectionMatrixFOV(fov=60, ratio=1.5, nearVal=1, farVal=9)"
             << "p.computeProjectionMatrixFOV: the argument 'ratio' is not known. Use the names of the call's own "
                "arguments, or none";
-        QTest::newRow("a keyword twice") << "gluPerspective(60, 1.5, fovy=1, zNear=9)"
-                                         << "gluPerspective: the argument 'fovy' is given twice. Remove one of them";
-        QTest::newRow("a keyword too few") << "p.computeProjectionMatrixFOV(farVal=9, fov=60, aspect=1.5)"
-                                           << "p.computeProjectionMatrixFOV: 3 arguments found, 4 are needed";
-        QTest::newRow("degrees for radians")
+        newRow("a keyword twice") << "gluPerspective(60, 1.5, fovy=1, zNear=9)"
+                                  << "gluPerspective: the argument 'fovy' is given twice. Remove one of them";
+        newRow("a keyword too few") << "p.computeProjectionMatrixFOV(farVal=9, fov=60, aspect=1.5)"
+                                    << "p.computeProjectionMatrixFOV: 3 arguments found, 4 are needed";
+        newRow("degrees for radians")
             << "glm::perspective(45.0f, 1.5f, 0.1f, 100.0f)"
             << "glm::perspective: the angle is in radians and must be smaller than pi. You entered 45";
-        QTest::newRow("near 0") << "gluPerspective(45, 1.5, 0, 100)"
-                                << "gluPerspective: near";
-        QTest::newRow("a flat window") << "glFrustum(1, 1, -1, 1, 1, 9)"
-                                       << "glFrustum: left";
-        QTest::newRow("an eye in its center") << "gluLookAt(1, 2, 3, 1, 2, 3, 0, 1, 0)"
-                                              << "gluLookAt: ";
-        QTest::newRow("an empty viewport") << "glViewport(0, 0, 0, 600)"
-                                           << "glViewport: ";
+        newRow("near 0") << "gluPerspective(45, 1.5, 0, 100)"
+                         << "gluPerspective: near";
+        newRow("a flat window") << "glFrustum(1, 1, -1, 1, 1, 9)"
+                                << "glFrustum: left";
+        newRow("an eye in its center") << "gluLookAt(1, 2, 3, 1, 2, 3, 0, 1, 0)"
+                                       << "gluLookAt: ";
+        newRow("an empty viewport") << "glViewport(0, 0, 0, 600)"
+                                    << "glViewport: ";
     }
 
     void whatIsNoNumberIsNamed()
@@ -427,14 +410,14 @@ private slots:
 
     void textsWithoutCallsAreNotRead_data()
     {
-        QTest::addColumn<QString>("text");
-        QTest::newRow("a matrix") << "mat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1)";
-        QTest::newRow("in a comment") << "// gluPerspective(45, 1, 1, 9)\n1 2 3";
-        QTest::newRow("a name alone") << "gluPerspective";
-        QTest::newRow("not closed") << "gluPerspective(45, 1, 1, 9";
-        QTest::newRow("another library's") << "view.lookAt(a, b, c)";
-        QTest::newRow("nothing") << "";
-        QTest::newRow("brackets only") << ")))((([[[{{{";
+        addColumn<QString>("text");
+        newRow("a matrix") << "mat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1)";
+        newRow("in a comment") << "// gluPerspective(45, 1, 1, 9)\n1 2 3";
+        newRow("a name alone") << "gluPerspective";
+        newRow("not closed") << "gluPerspective(45, 1, 1, 9";
+        newRow("another library's") << "view.lookAt(a, b, c)";
+        newRow("nothing") << "";
+        newRow("brackets only") << ")))((([[[{{{";
     }
 
     void textsWithoutCallsAreNotRead()
@@ -505,14 +488,14 @@ private slots:
 
     void nestedBracketsAreNoTrouble_data()
     {
-        QTest::addColumn<QString>("text");
+        addColumn<QString>("text");
         const int times = 30000;
-        QTest::newRow("names") << QStringLiteral("a(").repeated(times) + QStringLiteral(")").repeated(times);
-        QTest::newRow("an argument") << "gluPerspective(" + QStringLiteral("(").repeated(times)
-                                            + QStringLiteral(")").repeated(times) + ", 1, 1, 9)";
-        QTest::newRow("signs") << "glm::lookAt(" + QStringLiteral("-").repeated(times) + "a, b, c)";
-        QTest::newRow("signs of a number") << "gluPerspective(" + QStringLiteral("-").repeated(times) + "1, 1, 1, 9)";
-        QTest::newRow("not closed") << QStringLiteral("gluLookAt(").repeated(times / 4);
+        newRow("names") << QStringLiteral("a(").repeated(times) + QStringLiteral(")").repeated(times);
+        newRow("an argument") << "gluPerspective(" + QStringLiteral("(").repeated(times)
+                                     + QStringLiteral(")").repeated(times) + ", 1, 1, 9)";
+        newRow("signs") << "glm::lookAt(" + QStringLiteral("-").repeated(times) + "a, b, c)";
+        newRow("signs of a number") << "gluPerspective(" + QStringLiteral("-").repeated(times) + "1, 1, 1, 9)";
+        newRow("not closed") << QStringLiteral("gluLookAt(").repeated(times / 4);
     }
 
     void nestedBracketsAreNoTrouble()

@@ -62,9 +62,9 @@ private slots:
     /// projection (or their product) and a viewport of 800 x 600 pixels.
     void theCameraIsRead_data()
     {
-        QTest::addColumn<QByteArray>("printed");
+        addColumn<QByteArray>("printed");
         for (const std::filesystem::path &file : data_files::in("printed"))
-            QTest::newRow(file.stem().string().c_str()) << QByteArray::fromStdString(data_files::read(file));
+            newRow(file.stem().string().c_str()) << QByteArray::fromStdString(data_files::read(file));
     }
 
     void theCameraIsRead()
@@ -93,11 +93,11 @@ private slots:
     /// Texts in which every number counts.
     void numbersOfMatricesStay_data()
     {
-        QTest::addColumn<QByteArray>("text");
+        addColumn<QByteArray>("text");
         for (const char *text : {"1, 2, 3, 4", "1,2,3,4\n5,6,7,8", "(16) 5 6", "m[0] = 1", "m[1][2] = 3",
                                  "0 1 2 3\n0 1 2 3 4", "1.5, 2.5, 3,5", "x = 1, y = 2, z = 3", "Vector(16) 3", "[3, 4]",
                                  "12-05-2024", "1e5 2E-3", "800x600", "0x10", "0:1 1:2"})
-            QTest::newRow(text) << QByteArray(text);
+            newRow(text) << QByteArray(text);
     }
 
     void numbersOfMatricesStay()
@@ -123,24 +123,24 @@ private slots:
 
     void repeatedSizesAreOneSize_data()
     {
-        QTest::addColumn<QString>("sizes");
-        QTest::addColumn<QString>("aside");
-        QTest::newRow("the same") << "width = 800\nheight = 600\nsize = 800x600"
-                                  << "";
-        QTest::newRow("the same in two numbers") << "size = 800 600\nresolution 800 600"
-                                                 << "";
-        QTest::newRow("each twice") << "width = 800\nwidth = 800\nheight = 600\nheight = 600"
-                                    << "";
-        QTest::newRow("a width before both") << "width = 800\nsize = 800x600"
-                                             << "";
-        QTest::newRow("both before a height") << "size = 800x600\nheight = 600"
-                                              << "";
-        QTest::newRow("another size") << "width = 800\nheight = 600\nsize = 400x300"
-                                      << "size";
-        QTest::newRow("another width") << "width = 800\nwidth = 640\nheight = 600"
-                                       << "width";
-        QTest::newRow("a matrix's size first") << "size = 4x4\nwindow size = 800x600"
-                                               << "";
+        addColumn<QString>("sizes");
+        addColumn<QString>("aside");
+        newRow("the same") << "width = 800\nheight = 600\nsize = 800x600"
+                           << "";
+        newRow("the same in two numbers") << "size = 800 600\nresolution 800 600"
+                                          << "";
+        newRow("each twice") << "width = 800\nwidth = 800\nheight = 600\nheight = 600"
+                             << "";
+        newRow("a width before both") << "width = 800\nsize = 800x600"
+                                      << "";
+        newRow("both before a height") << "size = 800x600\nheight = 600"
+                                       << "";
+        newRow("another size") << "width = 800\nheight = 600\nsize = 400x300"
+                               << "size";
+        newRow("another width") << "width = 800\nwidth = 640\nheight = 600"
+                                << "width";
+        newRow("a matrix's size first") << "size = 4x4\nwindow size = 800x600"
+                                        << "";
     }
 
     void repeatedSizesAreOneSize()

@@ -101,48 +101,43 @@ class TestPastedMatrices : public QObject {
 private slots:
     void everyFormIsRead_data()
     {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<MatrixForm>("form");
-        QTest::newRow("glm::to_string")
-            << "dmat4x4((0.500000, 10.500000, 20.500000, 0.000000), (1.500000, 11.500000, "
-               "21.500000, 0.000000), (2.500000, 12.500000, 22.500000, 0.000000), (3.500000, "
-               "13.500000, 23.500000, 1.000000))"
-            << MatrixForm::GlmColumns;
-        QTest::newRow("GLM's constructor") << "const glm::mat4 m(0.5f, 10.5f, 20.5f, 0.f,\n 1.5f, 11.5f, 21.5f, 0.f,\n "
-                                              "2.5f, 12.5f, 22.5f, 0.f,\n 3.5f, "
-                                              "13.5f, 23.5f, 1.f);"
-                                           << MatrixForm::GlmColumns;
-        QTest::newRow("GLSL's vec4s")
-            << "mat4(vec4(0.5, 10.5, 20.5, 0), vec4(1.5, 11.5, 21.5, 0), vec4(2.5, 12.5, 22.5, "
-               "0), vec4(3.5, 13.5, 23.5, 1))"
-            << MatrixForm::GlmColumns;
-        QTest::newRow("NumPy, printed")
-            << "[[ 0.5  1.5  2.5  3.5]\n [10.5 11.5 12.5 13.5]\n [20.5 21.5 22.5 23.5]\n [ 0.   "
-               "0.   0.   1. ]]"
-            << MatrixForm::NestedRows;
-        QTest::newRow("NumPy, repr")
-            << "m = np.array([[0.5, 1.5, 2.5, 3.5],\n [1.05e+01, 11.5, 12.5, 13.5],\n [20.5, 21.5, "
-               "22.5, 23.5],\n [0., 0., 0., 1.]], dtype=float32)"
-            << MatrixForm::NestedRows;
-        QTest::newRow("JSON, nested")
+        addColumn<QString>("text");
+        addColumn<MatrixForm>("form");
+        newRow("glm::to_string") << "dmat4x4((0.500000, 10.500000, 20.500000, 0.000000), (1.500000, 11.500000, "
+                                    "21.500000, 0.000000), (2.500000, 12.500000, 22.500000, 0.000000), (3.500000, "
+                                    "13.500000, 23.500000, 1.000000))"
+                                 << MatrixForm::GlmColumns;
+        newRow("GLM's constructor") << "const glm::mat4 m(0.5f, 10.5f, 20.5f, 0.f,\n 1.5f, 11.5f, 21.5f, 0.f,\n "
+                                       "2.5f, 12.5f, 22.5f, 0.f,\n 3.5f, "
+                                       "13.5f, 23.5f, 1.f);"
+                                    << MatrixForm::GlmColumns;
+        newRow("GLSL's vec4s") << "mat4(vec4(0.5, 10.5, 20.5, 0), vec4(1.5, 11.5, 21.5, 0), vec4(2.5, 12.5, 22.5, "
+                                  "0), vec4(3.5, 13.5, 23.5, 1))"
+                               << MatrixForm::GlmColumns;
+        newRow("NumPy, printed") << "[[ 0.5  1.5  2.5  3.5]\n [10.5 11.5 12.5 13.5]\n [20.5 21.5 22.5 23.5]\n [ 0.   "
+                                    "0.   0.   1. ]]"
+                                 << MatrixForm::NestedRows;
+        newRow("NumPy, repr") << "m = np.array([[0.5, 1.5, 2.5, 3.5],\n [1.05e+01, 11.5, 12.5, 13.5],\n [20.5, 21.5, "
+                                 "22.5, 23.5],\n [0., 0., 0., 1.]], dtype=float32)"
+                              << MatrixForm::NestedRows;
+        newRow("JSON, nested")
             << "{\"view\": [[0.5,1.5,2.5,3.5],[10.5,11.5,12.5,13.5],[20.5,21.5,22.5,23.5],[0,0,0,1]]}"
             << MatrixForm::NestedRows;
-        QTest::newRow("JSON, flat")
+        newRow("JSON, flat")
             << "\"view\": [0.5, 10.5, 20.5, 0,\n 1.5, 11.5, 21.5, 0,\n 2.5, 12.5, 22.5, 0,\n 3.5, 13.5, 23.5, 1]"
             << MatrixForm::Flat;
-        QTest::newRow("three.js") << "{\"elements\":[0.5,10.5,20.5,0,1.5,11.5,21.5,0,2.5,12.5,22.5,0,3.5,13.5,23.5,1]}"
-                                  << MatrixForm::Flat;
-        QTest::newRow("a Float32Array as JSON")
+        newRow("three.js") << "{\"elements\":[0.5,10.5,20.5,0,1.5,11.5,21.5,0,2.5,12.5,22.5,0,3.5,13.5,23.5,1]}"
+                           << MatrixForm::Flat;
+        newRow("a Float32Array as JSON")
             << "{\"0\":0.5,\"1\":10.5,\"2\":20.5,\"3\":0,\"4\":1.5,\"5\":11.5,\"6\":21.5,\"7\":0,\"8\":2.5,\"9\":12.5,"
                "\"10\":22.5,\"11\":0,\"12\":3.5,\"13\":13.5,\"14\":23.5,\"15\":1}"
             << MatrixForm::Indexed;
-        QTest::newRow("C array") << "float m[16] = {0.5f, 10.5f, 20.5f, 0, 1.5f, 11.5f, 21.5f, 0, 2.5f, 12.5f, 22.5f, "
-                                    "0, 3.5f, 13.5f, 23.5f, 1};"
-                                 << MatrixForm::Flat;
-        QTest::newRow("C array of arrays")
-            << "double m[4][4] = {{0.5, 1.5, 2.5, 3.5}, {10.5, 11.5, 12.5, 13.5}, {20.5, 21.5, "
-               "22.5, 23.5}, {0, 0, 0, 1}};"
-            << MatrixForm::NestedRows;
+        newRow("C array") << "float m[16] = {0.5f, 10.5f, 20.5f, 0, 1.5f, 11.5f, 21.5f, 0, 2.5f, 12.5f, 22.5f, "
+                             "0, 3.5f, 13.5f, 23.5f, 1};"
+                          << MatrixForm::Flat;
+        newRow("C array of arrays") << "double m[4][4] = {{0.5, 1.5, 2.5, 3.5}, {10.5, 11.5, 12.5, 13.5}, {20.5, 21.5, "
+                                       "22.5, 23.5}, {0, 0, 0, 1}};"
+                                    << MatrixForm::NestedRows;
         QString listing, pairs, fields, columns;
         const glm::dmat4 m = told();
         for (int i = 15; i >= 0; --i) {
@@ -152,24 +147,21 @@ private slots:
         }
         for (int i = 0; i < 16; ++i)
             fields += QString("M%1%2:%3 ").arg(i / 4 + 1).arg(i % 4 + 1).arg(m[i % 4][i / 4]);
-        QTest::newRow("m[0..15], from behind") << listing << MatrixForm::Indexed;
-        QTest::newRow("m[column][row]") << columns << MatrixForm::Indexed;
-        QTest::newRow("m(row, column)") << pairs << MatrixForm::IndexPairs;
-        QTest::newRow("M11 to M44") << fields << MatrixForm::IndexPairs;
-        QTest::newRow("Eigen") << " 0.5  1.5  2.5  3.5\n10.5 11.5 12.5 13.5\n20.5 21.5 22.5 23.5\n   0    0    0    1"
-                               << MatrixForm::RowLines;
-        QTest::newRow("OpenCV")
-            << "[0.5, 1.5, 2.5, 3.5;\n 10.5, 11.5, 12.5, 13.5;\n 20.5, 21.5, 22.5, 23.5;\n 0, 0, 0, 1]"
-            << MatrixForm::RowLines;
-        QTest::newRow("QMatrix4x4")
-            << "QMatrix4x4(type:Translation,Rotation2D\n 0.5 1.5 2.5 3.5\n 10.5 11.5 12.5 13.5\n "
-               "20.5 21.5 22.5 23.5\n 0 0 0 "
-               "1\n)"
-            << MatrixForm::RowLines;
-        QTest::newRow("Blender")
-            << "<Matrix 4x4 (0.5, 1.5, 2.5, 3.5)\n (10.5, 11.5, 12.5, 13.5)\n (20.5, 21.5, 22.5, 23.5)\n "
-               "(0.0, 0.0, 0.0, 1.0)>"
-            << MatrixForm::NestedRows;
+        newRow("m[0..15], from behind") << listing << MatrixForm::Indexed;
+        newRow("m[column][row]") << columns << MatrixForm::Indexed;
+        newRow("m(row, column)") << pairs << MatrixForm::IndexPairs;
+        newRow("M11 to M44") << fields << MatrixForm::IndexPairs;
+        newRow("Eigen") << " 0.5  1.5  2.5  3.5\n10.5 11.5 12.5 13.5\n20.5 21.5 22.5 23.5\n   0    0    0    1"
+                        << MatrixForm::RowLines;
+        newRow("OpenCV") << "[0.5, 1.5, 2.5, 3.5;\n 10.5, 11.5, 12.5, 13.5;\n 20.5, 21.5, 22.5, 23.5;\n 0, 0, 0, 1]"
+                         << MatrixForm::RowLines;
+        newRow("QMatrix4x4") << "QMatrix4x4(type:Translation,Rotation2D\n 0.5 1.5 2.5 3.5\n 10.5 11.5 12.5 13.5\n "
+                                "20.5 21.5 22.5 23.5\n 0 0 0 "
+                                "1\n)"
+                             << MatrixForm::RowLines;
+        newRow("Blender") << "<Matrix 4x4 (0.5, 1.5, 2.5, 3.5)\n (10.5, 11.5, 12.5, 13.5)\n (20.5, 21.5, 22.5, 23.5)\n "
+                             "(0.0, 0.0, 0.0, 1.0)>"
+                          << MatrixForm::NestedRows;
     }
 
     void everyFormIsRead()
@@ -193,17 +185,17 @@ private slots:
 
     void whatIsNoMatrixIsRefused_data()
     {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<int>("found");
-        QTest::addColumn<QString>("word");
-        QTest::newRow("nothing") << "" << 0 << "";
-        QTest::newRow("fifteen") << "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15" << 15 << "";
-        QTest::newRow("commas without blanks, a number with a point")
+        addColumn<QString>("text");
+        addColumn<int>("found");
+        addColumn<QString>("word");
+        newRow("nothing") << "" << 0 << "";
+        newRow("fifteen") << "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15" << 15 << "";
+        newRow("commas without blanks, a number with a point")
             << "1,5,2,5,3,5,4,5,5,5,6,5,7,5,8,5,9.5,0,1,5,2,5,3,5,4,5,5,5,6,5" << 30 << "";
-        QTest::newRow("a sign apart") << "1 2\n 3 - 5 6" << 0 << "-";
-        QTest::newRow("infinity") << "1 2\n 3 -inf 5" << 0 << "-inf";
+        newRow("a sign apart") << "1 2\n 3 - 5 6" << 0 << "-";
+        newRow("infinity") << "1 2\n 3 -inf 5" << 0 << "-inf";
         for (const char *word : {"1.#QNAN0", "-1.#IND", "0x10", "1e400", "-1.0d0", "1.2.3"})
-            QTest::newRow(word) << QStringLiteral("1 2\n 3 %1 5").arg(QLatin1String(word)) << 0 << word;
+            newRow(word) << QStringLiteral("1 2\n 3 %1 5").arg(QLatin1String(word)) << 0 << word;
     }
 
     void whatIsNoMatrixIsRefused()
@@ -221,23 +213,22 @@ private slots:
 
     void aSceneIsSortedByNames_data()
     {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<QString>("parts");
+        addColumn<QString>("text");
+        addColumn<QString>("parts");
         // The sign is U+2212.
         const QString m = QStringLiteral(" 1 0 0 0 0 1 0 0 0 0 1 0 0 0 \u22125 1\n"), v = " 0 0 400 300\n";
-        QTest::newRow("nothing named") << m + m + v << "modelview projection";
-        QTest::newRow("a product alone") << m + v << "product";
-        QTest::newRow("MVP") << "MVP:" + m + "viewport" + v << "product";
-        QTest::newRow("P * V, unnamed viewport")
-            << "P * V =" + m.trimmed().replace(' ', ", ") + "\nviewport" + v << "product";
-        QTest::newRow("OpenGL's names") << "GL_PROJECTION_MATRIX" + m + "GL_VIEWPORT" + v + "gl_ModelViewMatrix" + m
-                                        << "modelview projection";
-        QTest::newRow("view and model") << "projectionMatrix" + m + "model" + m + "viewMatrix" + m + "viewport" + v
-                                        << "view model projection";
-        QTest::newRow("three.js's names")
-            << "camera.projectionMatrix" + m + "camera.matrixWorldInverse" + m + "viewport" + v << "view projection";
-        QTest::newRow("all of them") << "view" + m + "projection" + m + "viewProjection" + m + "viewport" + v
-                                     << "view projection product";
+        newRow("nothing named") << m + m + v << "modelview projection";
+        newRow("a product alone") << m + v << "product";
+        newRow("MVP") << "MVP:" + m + "viewport" + v << "product";
+        newRow("P * V, unnamed viewport") << "P * V =" + m.trimmed().replace(' ', ", ") + "\nviewport" + v << "product";
+        newRow("OpenGL's names") << "GL_PROJECTION_MATRIX" + m + "GL_VIEWPORT" + v + "gl_ModelViewMatrix" + m
+                                 << "modelview projection";
+        newRow("view and model") << "projectionMatrix" + m + "model" + m + "viewMatrix" + m + "viewport" + v
+                                 << "view model projection";
+        newRow("three.js's names") << "camera.projectionMatrix" + m + "camera.matrixWorldInverse" + m + "viewport" + v
+                                   << "view projection";
+        newRow("all of them") << "view" + m + "projection" + m + "viewProjection" + m + "viewport" + v
+                              << "view projection product";
     }
 
     void aSceneIsSortedByNames()
@@ -261,40 +252,40 @@ private slots:
 
     void inversesAreReadAsSuch_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<MatrixRole>("role");
-        QTest::addColumn<bool>("isInverse");
+        addColumn<QString>("name");
+        addColumn<MatrixRole>("role");
+        addColumn<bool>("isInverse");
         using enum MatrixRole;
         for (const char *name : {"projectionMatrixInverse", "gl_ProjectionMatrixInverse", "inverse(projection)",
                                  "invProj", "proj_inv", "eyeFromClip", "inverse(clipFromView)"})
-            QTest::newRow(name) << QString::fromLatin1(name) << Projection << true;
+            newRow(name) << QString::fromLatin1(name) << Projection << true;
         for (const char *name :
              {"viewInverse", "inverseView", "View_Inv", "camera.matrixWorld", "matrixWorld", "Camera.matrix_world",
               "cameraToWorldMatrix", "worldFromEye", "invview", "inv view", "view.inverted()"})
-            QTest::newRow(name) << QString::fromLatin1(name) << View << true;
+            newRow(name) << QString::fromLatin1(name) << View << true;
         for (const char *name : {"viewProjectionInverse", "inverse MVP", "worldFromClip"})
-            QTest::newRow(name) << QString::fromLatin1(name) << Product << true;
+            newRow(name) << QString::fromLatin1(name) << Product << true;
         for (const char *name : {"camera.matrixWorldInverse", "worldToCameraMatrix", "viewMatrix", "involved view",
                                  "inventor view", "inverse(worldFromEye)"})
-            QTest::newRow(name) << QString::fromLatin1(name) << View << false;
+            newRow(name) << QString::fromLatin1(name) << View << false;
         // The name of its object doesn't change the meaning of a name.
         for (const char *object :
              {"cam.", "camera.", "Camera.main.", "self.cam_", "mainCam.", "world.", "modelCam.", "Matrix4x4 cam."}) {
             for (const char *name : {"worldToCameraMatrix", "worldToCamera", "world_to_camera", "world2cam",
                                      "cameraFromWorld", "worldToView"})
-                QTest::addRow("%s%s", object, name) << QString::fromLatin1(object) + name << View << false;
+                addRow("%s%s", object, name) << QString::fromLatin1(object) + name << View << false;
             for (const char *name : {"cameraToWorldMatrix", "cameraToWorld", "camera_to_world", "cam2world",
                                      "worldFromCamera", "viewToWorld"})
-                QTest::addRow("%s%s", object, name) << QString::fromLatin1(object) + name << View << true;
+                addRow("%s%s", object, name) << QString::fromLatin1(object) + name << View << true;
         }
-        QTest::newRow("cam_world") << QStringLiteral("cam_world") << View << true;
+        newRow("cam_world") << QStringLiteral("cam_world") << View << true;
         for (const char *name : {"cam.viewProj", "self.viewProjection", "cam.clipFromWorld", "camera.mvp"})
-            QTest::newRow(name) << QString::fromLatin1(name) << Product << false;
+            newRow(name) << QString::fromLatin1(name) << Product << false;
         for (const char *name : {"cam.proj", "self.projectionMatrix", "viewCamera.projection"})
-            QTest::newRow(name) << QString::fromLatin1(name) << Projection << false;
+            newRow(name) << QString::fromLatin1(name) << Projection << false;
         for (const char *name : {"inverse depth projection", "inverse-z projection", "invDepthProjection",
                                  "clipFromView", "viewToClip", "clipFromEye", "eyeToClip"})
-            QTest::newRow(name) << QString::fromLatin1(name) << Projection << false;
+            newRow(name) << QString::fromLatin1(name) << Projection << false;
     }
 
     void inversesAreReadAsSuch()
@@ -342,9 +333,9 @@ private slots:
 
     void faultsAreFound_data()
     {
-        QTest::addColumn<glm::dmat4>("matrix");
-        QTest::addColumn<MatrixRole>("role");
-        QTest::addColumn<QString>("ids");
+        addColumn<glm::dmat4>("matrix");
+        addColumn<MatrixRole>("role");
+        addColumn<QString>("ids");
         const glm::dmat4 p = perspective(0.1, 100.0), v = view(), d = zeroToOne(0.1, 100.0);
         glm::dmat4 turned = p, mirrored = p, infinite = p, reversed = d, scaled = v, leftHanded = p;
         for (int c = 0; c < 4; ++c) {
@@ -360,43 +351,40 @@ private slots:
             scaled[c] *= 2.0;
         const glm::dmat4 box = glm::ortho(-3.0, 3.0, -2.0, 2.0, 1.0, 50.0);
         using enum MatrixRole;
-        QTest::newRow("a perspective by rows") << glm::transpose(p) << Projection << "transposed";
-        QTest::newRow("the same, near 2") << glm::transpose(perspective(2.0, 100.0)) << Projection << "transposed";
-        QTest::newRow("a box by rows") << glm::transpose(box) << Projection << "transposed";
-        QTest::newRow("a perspective's inverse") << glm::inverse(p) << Projection << "inverse";
-        QTest::newRow("its transposed inverse")
-            << glm::transpose(glm::inverse(p)) << Projection << "transposed inverse";
-        QTest::newRow("a view for the projection") << v << Projection << "exchanged";
-        QTest::newRow("a product for the projection") << p * v << Projection << "unknown-form";
-        QTest::newRow("[0, 1]") << d << Projection << "depth-zero-to-one";
-        QTest::newRow("[0, 1] in six digits") << inSixDigits(d) << Projection << "depth-zero-to-one";
-        QTest::newRow("reversed, far at infinity")
+        newRow("a perspective by rows") << glm::transpose(p) << Projection << "transposed";
+        newRow("the same, near 2") << glm::transpose(perspective(2.0, 100.0)) << Projection << "transposed";
+        newRow("a box by rows") << glm::transpose(box) << Projection << "transposed";
+        newRow("a perspective's inverse") << glm::inverse(p) << Projection << "inverse";
+        newRow("its transposed inverse") << glm::transpose(glm::inverse(p)) << Projection << "transposed inverse";
+        newRow("a view for the projection") << v << Projection << "exchanged";
+        newRow("a product for the projection") << p * v << Projection << "unknown-form";
+        newRow("[0, 1]") << d << Projection << "depth-zero-to-one";
+        newRow("[0, 1] in six digits") << inSixDigits(d) << Projection << "depth-zero-to-one";
+        newRow("reversed, far at infinity")
             << reversed << Projection << "depth-zero-to-one depth-reversed far-at-infinity";
-        QTest::newRow("far at infinity") << infinite << Projection << "far-at-infinity";
-        QTest::newRow("Vulkan's y") << turned << Projection << "y-down";
-        QTest::newRow("mirrored") << mirrored << Projection << "mirrored";
-        QTest::newRow("along +z") << leftHanded << Projection << "left-handed";
-        QTest::newRow("a view by rows") << glm::transpose(v) << View << "transposed";
-        QTest::newRow("a projection for the view") << p << View << "exchanged";
-        QTest::newRow("a scaled view") << scaled << View << "scaled";
-        QTest::newRow("an unevenly scaled view")
-            << v * glm::scale(glm::dmat4(1.0), glm::dvec3(1, 2, 1)) << View << "scaled";
-        QTest::newRow("a mirrored view") << v * glm::scale(glm::dmat4(1.0), glm::dvec3(1, 1, -1)) << View << "mirrored";
-        QTest::newRow("a camera's own matrix") << glm::inverse(v) << View << "inverse";
-        QTest::newRow("a view in five decimals") << rounded(v, 5) << View << "rounded";
-        QTest::newRow("a view in four decimals") << rounded(v, 4) << View << "rounded";
-        QTest::newRow("a view in three decimals") << rounded(v, 3) << View << "rounded";
-        QTest::newRow("a scale of 1.01 is no rounding")
-            << glm::scale(glm::dmat4(1.0), glm::dvec3(1.01)) << View << "scaled";
-        QTest::newRow("a negated projection") << -p << Projection << "negated";
-        QTest::newRow("a negated view") << -v << View << "negated";
-        QTest::newRow("a negated product") << -(p * v) << Product << "negated";
-        QTest::newRow("a box's product") << box * v << Product << "";
-        QTest::newRow("a product in four decimals") << rounded(p * v, 4) << Product << "";
-        QTest::newRow("a product by rows") << glm::transpose(p * v) << Product << "transposed";
-        QTest::newRow("a product's inverse") << glm::inverse(p * v) << Product << "inverse";
-        QTest::newRow("a product in [0, 1]") << d * v << Product << "depth-zero-to-one";
-        QTest::newRow("a product for Vulkan") << turned * v << Product << "y-down";
+        newRow("far at infinity") << infinite << Projection << "far-at-infinity";
+        newRow("Vulkan's y") << turned << Projection << "y-down";
+        newRow("mirrored") << mirrored << Projection << "mirrored";
+        newRow("along +z") << leftHanded << Projection << "left-handed";
+        newRow("a view by rows") << glm::transpose(v) << View << "transposed";
+        newRow("a projection for the view") << p << View << "exchanged";
+        newRow("a scaled view") << scaled << View << "scaled";
+        newRow("an unevenly scaled view") << v * glm::scale(glm::dmat4(1.0), glm::dvec3(1, 2, 1)) << View << "scaled";
+        newRow("a mirrored view") << v * glm::scale(glm::dmat4(1.0), glm::dvec3(1, 1, -1)) << View << "mirrored";
+        newRow("a camera's own matrix") << glm::inverse(v) << View << "inverse";
+        newRow("a view in five decimals") << rounded(v, 5) << View << "rounded";
+        newRow("a view in four decimals") << rounded(v, 4) << View << "rounded";
+        newRow("a view in three decimals") << rounded(v, 3) << View << "rounded";
+        newRow("a scale of 1.01 is no rounding") << glm::scale(glm::dmat4(1.0), glm::dvec3(1.01)) << View << "scaled";
+        newRow("a negated projection") << -p << Projection << "negated";
+        newRow("a negated view") << -v << View << "negated";
+        newRow("a negated product") << -(p * v) << Product << "negated";
+        newRow("a box's product") << box * v << Product << "";
+        newRow("a product in four decimals") << rounded(p * v, 4) << Product << "";
+        newRow("a product by rows") << glm::transpose(p * v) << Product << "transposed";
+        newRow("a product's inverse") << glm::inverse(p * v) << Product << "inverse";
+        newRow("a product in [0, 1]") << d * v << Product << "depth-zero-to-one";
+        newRow("a product for Vulkan") << turned * v << Product << "y-down";
     }
 
     void faultsAreFound()
@@ -413,18 +401,18 @@ private slots:
 
     void rightMatricesHaveNone_data()
     {
-        QTest::addColumn<glm::dmat4>("projection");
-        QTest::addColumn<glm::dmat4>("view");
+        addColumn<glm::dmat4>("projection");
+        addColumn<glm::dmat4>("view");
         for (const double n : {0.01, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0}) {
             for (const double f : {20.0, 100.0, 1000.0})
-                QTest::addRow("near %g, far %g", n, f) << perspective(n, f) << view();
+                addRow("near %g, far %g", n, f) << perspective(n, f) << view();
         }
-        QTest::newRow("near 5, far 80000") << perspective(5.0, 80000.0) << view();
-        QTest::newRow("off-centre") << glm::frustum(-0.1, 0.3, -0.05, 0.1, 0.1, 10.0) << view();
-        QTest::newRow("a box") << glm::ortho(-3.0, 4.0, -2.0, 2.0, 1.0, 50.0) << view();
-        QTest::newRow("the identity") << perspective(1.0, 10.0) << glm::dmat4(1.0);
-        QTest::newRow("from behind") << perspective(0.1, 100.0)
-                                     << glm::lookAt(glm::dvec3(-3, 2, -5), glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 1));
+        newRow("near 5, far 80000") << perspective(5.0, 80000.0) << view();
+        newRow("off-centre") << glm::frustum(-0.1, 0.3, -0.05, 0.1, 0.1, 10.0) << view();
+        newRow("a box") << glm::ortho(-3.0, 4.0, -2.0, 2.0, 1.0, 50.0) << view();
+        newRow("the identity") << perspective(1.0, 10.0) << glm::dmat4(1.0);
+        newRow("from behind") << perspective(0.1, 100.0)
+                              << glm::lookAt(glm::dvec3(-3, 2, -5), glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 1));
     }
 
     void rightMatricesHaveNone()
@@ -476,17 +464,17 @@ private slots:
 
     void productsAreTakenApart_data()
     {
-        QTest::addColumn<glm::dmat4>("projection");
-        QTest::addColumn<glm::dmat4>("view");
+        addColumn<glm::dmat4>("projection");
+        addColumn<glm::dmat4>("view");
         glm::dmat4 turned = perspective(0.1, 100.0), infinite = turned;
         for (int c = 0; c < 4; ++c)
             turned[c][1] = -turned[c][1];
         infinite[2][2] = -1.0;
         infinite[3][2] = -0.2;
-        QTest::newRow("gluPerspective") << perspective(0.1, 100.0) << view();
-        QTest::newRow("off-centre") << glm::frustum(-0.1, 0.3, -0.05, 0.1, 0.1, 10.0) << view();
-        QTest::newRow("Vulkan's") << turned << view();
-        QTest::newRow("far at infinity") << infinite << view();
+        newRow("gluPerspective") << perspective(0.1, 100.0) << view();
+        newRow("off-centre") << glm::frustum(-0.1, 0.3, -0.05, 0.1, 0.1, 10.0) << view();
+        newRow("Vulkan's") << turned << view();
+        newRow("far at infinity") << infinite << view();
     }
 
     void productsAreTakenApart()

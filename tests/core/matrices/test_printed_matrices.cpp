@@ -120,13 +120,13 @@ class TestPrintedMatrices : public QObject {
 private slots:
     void anInvertedCameraIsAView_data()
     {
-        QTest::addColumn<int>("arithmetic");
-        QTest::addColumn<QByteArray>("format");
-        QTest::addColumn<int>("digits");
+        addColumn<int>("arithmetic");
+        addColumn<QByteArray>("format");
+        addColumn<int>("digits");
         for (const auto &[name, arithmetic] : kArithmetics) {
             for (int digits = 6; digits <= 17; ++digits) {
                 for (const char *format : {"%.*g", "%.*f"}) {
-                    QTest::addRow("%s, %d digits%s", name, digits, format[3] == 'f' ? " behind the point" : "")
+                    addRow("%s, %d digits%s", name, digits, format[3] == 'f' ? " behind the point" : "")
                         << int(arithmetic) << QByteArray(format) << digits;
                 }
             }
@@ -181,12 +181,12 @@ private slots:
 
     void whatDoesMoreThanTurnAndMoveIsNamed_data()
     {
-        QTest::addColumn<int>("column");
-        QTest::addColumn<int>("row");
-        QTest::addColumn<double>("entry");
-        QTest::addColumn<QByteArray>("text");
+        addColumn<int>("column");
+        addColumn<int>("row");
+        addColumn<double>("entry");
+        addColumn<QByteArray>("text");
         const auto row = [](const char *name, int column, int rowOfEntry, double entry, const char *text) {
-            QTest::newRow(name) << column << rowOfEntry << entry << QByteArray(text);
+            newRow(name) << column << rowOfEntry << entry << QByteArray(text);
         };
         row("scaled by 1.001", 1, 1, 1.001, "row 2 has the length 1.001; it must be 1");
         row("doubled", 2, 2, 2.0, "row 3 has the length 2; it must be 1");
@@ -217,11 +217,11 @@ private slots:
 
     void aProjectionInvertedTwiceIsOne_data()
     {
-        QTest::addColumn<int>("arithmetic");
-        QTest::addColumn<bool>("infinite");
+        addColumn<int>("arithmetic");
+        addColumn<bool>("infinite");
         for (const auto &[name, arithmetic] : kArithmetics) {
             for (const bool infinite : {false, true})
-                QTest::addRow("%s, far %s", name, infinite ? "at infinity" : "finite") << int(arithmetic) << infinite;
+                addRow("%s, far %s", name, infinite ? "at infinity" : "finite") << int(arithmetic) << infinite;
         }
     }
 

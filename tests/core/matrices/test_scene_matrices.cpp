@@ -63,9 +63,9 @@ class TestSceneMatrices : public QObject {
 private slots:
     void anUntouchedMatrixIsWrittenToTheLastDigit_data()
     {
-        QTest::addColumn<QByteArray>("projection");
+        addColumn<QByteArray>("projection");
         const auto row = [](const char *name, const char *matrix, const char *rest = "") {
-            QTest::newRow(name) << QByteArray(R"({"type": "matrix", "matrix": [)") + matrix + "]" + rest + "}";
+            newRow(name) << QByteArray(R"({"type": "matrix", "matrix": [)") + matrix + "]" + rest + "}";
         };
         row("frustum", "1.1,0,0,0, 0,1.3333333333333333,0,0, 0.1,-0.3,-1.25,-1, 0,0,-2.25,0");
         row("single precision", "1.7320507764816284,0,0,0, 0,2.4142136573791504,0,0, 0,0,-1.0020020008087158,-1, "

@@ -82,50 +82,50 @@ double coneVolume(double radius, double height, int n)
 void addShapes()
 {
     constexpr double kPi = std::numbers::pi;
-    QTest::addColumn<Shape>("shape");
-    QTest::newRow("cube") << Shape{
+    addColumn<Shape>("shape");
+    newRow("cube") << Shape{
         [] { return examples::cubeMesh(1.5); }, 12, glm::dvec3(-0.75), glm::dvec3(0.75), 3.375, 0.0};
-    QTest::newRow("torus") << Shape{[] { return examples::torusMesh(2.0, 0.5, 96, 48); },
-                                    9216,
-                                    {-2.5, -2.5, -0.5},
-                                    {2.5, 2.5, 0.5},
-                                    2.0 * kPi * kPi * 2.0 * 0.25,
-                                    kTessellationLoss};
-    QTest::newRow("coarsest-torus") << Shape{[] { return examples::torusMesh(2.0, 0.5, 4, 4); },
-                                             32,
-                                             {-2.5, -2.5, -0.5},
-                                             {2.5, 2.5, 0.5},
-                                             2.0 * kPi * kPi * 2.0 * 0.25,
-                                             0.7};
-    QTest::newRow("sphere") << Shape{[] { return examples::sphereMesh(1.25, 4); },
-                                     5120,
-                                     glm::dvec3(-1.25),
-                                     glm::dvec3(1.25),
-                                     4.0 / 3.0 * kPi * 1.25 * 1.25 * 1.25,
-                                     kTessellationLoss};
-    QTest::newRow("cone") << Shape{[] { return examples::coneMesh(1.0, 3.0, 96); },
-                                   192,
-                                   {-1.0, -1.5, -1.0},
-                                   {1.0, 1.5, 1.0},
-                                   coneVolume(1.0, 3.0, 96),
-                                   0.0};
-    QTest::newRow("cone-of-four-sides") << Shape{
+    newRow("torus") << Shape{[] { return examples::torusMesh(2.0, 0.5, 96, 48); },
+                             9216,
+                             {-2.5, -2.5, -0.5},
+                             {2.5, 2.5, 0.5},
+                             2.0 * kPi * kPi * 2.0 * 0.25,
+                             kTessellationLoss};
+    newRow("coarsest-torus") << Shape{[] { return examples::torusMesh(2.0, 0.5, 4, 4); },
+                                      32,
+                                      {-2.5, -2.5, -0.5},
+                                      {2.5, 2.5, 0.5},
+                                      2.0 * kPi * kPi * 2.0 * 0.25,
+                                      0.7};
+    newRow("sphere") << Shape{[] { return examples::sphereMesh(1.25, 4); },
+                              5120,
+                              glm::dvec3(-1.25),
+                              glm::dvec3(1.25),
+                              4.0 / 3.0 * kPi * 1.25 * 1.25 * 1.25,
+                              kTessellationLoss};
+    newRow("cone") << Shape{[] { return examples::coneMesh(1.0, 3.0, 96); },
+                            192,
+                            {-1.0, -1.5, -1.0},
+                            {1.0, 1.5, 1.0},
+                            coneVolume(1.0, 3.0, 96),
+                            0.0};
+    newRow("cone-of-four-sides") << Shape{
         [] { return examples::coneMesh(2.0, 3.0, 4); }, 8, {-2.0, -1.5, -2.0}, {2.0, 1.5, 2.0}, 8.0, 0.0};
 }
 
 void addMeshes()
 {
-    QTest::addColumn<Mesh>("mesh");
-    QTest::newRow("cube") << examples::cubeMesh(1.5);
-    QTest::newRow("torus") << examples::torusMesh(2.0, 0.5, 96, 48);
-    QTest::newRow("sphere") << examples::sphereMesh(1.25, 4);
-    QTest::newRow("icosahedron") << examples::sphereMesh(1.0, 0);
-    QTest::newRow("cone") << examples::coneMesh(1.0, 3.0, 96);
-    QTest::newRow("teapot") << examples::utahTeapotMesh(kTeapotDivisions);
-    QTest::newRow("coarse-teapot") << examples::utahTeapotMesh(8);
-    QTest::newRow("fine-teapot") << examples::utahTeapotMesh(25);
+    addColumn<Mesh>("mesh");
+    newRow("cube") << examples::cubeMesh(1.5);
+    newRow("torus") << examples::torusMesh(2.0, 0.5, 96, 48);
+    newRow("sphere") << examples::sphereMesh(1.25, 4);
+    newRow("icosahedron") << examples::sphereMesh(1.0, 0);
+    newRow("cone") << examples::coneMesh(1.0, 3.0, 96);
+    newRow("teapot") << examples::utahTeapotMesh(kTeapotDivisions);
+    newRow("coarse-teapot") << examples::utahTeapotMesh(8);
+    newRow("fine-teapot") << examples::utahTeapotMesh(25);
     for (const SceneObject &object : examples::bundledScene())
-        QTest::addRow("scene: %s", object.name.c_str()) << object.model->meshes.front();
+        addRow("scene: %s", object.name.c_str()) << object.model->meshes.front();
 }
 
 } // namespace

@@ -97,13 +97,13 @@ class TestCurvature : public QObject {
 private slots:
     void knownSurfacesHaveTheirCurvature_data()
     {
-        QTest::addColumn<std::shared_ptr<Model>>("model");
-        QTest::addColumn<double>("expected");
-        QTest::addColumn<double>("limit"); // of the coordinates: beyond it is a rim
-        QTest::addColumn<double>("error"); // most root mean square of the difference
+        addColumn<std::shared_ptr<Model>>("model");
+        addColumn<double>("expected");
+        addColumn<double>("limit"); // of the coordinates: beyond it is a rim
+        addColumn<double>("error"); // most root mean square of the difference
         constexpr double kEverywhere = 1e9;
         const auto row = [](const char *name, Mesh mesh, double expected, double limit, double error) {
-            QTest::newRow(name) << modelOf(std::move(mesh)) << expected << limit << error;
+            newRow(name) << modelOf(std::move(mesh)) << expected << limit << error;
         };
         row("sphere", examples::sphereMesh(2.0, 6), 0.5, kEverywhere, 0.005);
         row("small sphere", examples::sphereMesh(0.1, 6), 10.0, kEverywhere, 0.1);
@@ -203,11 +203,11 @@ private slots:
 
     void sizeAndPlaceDoNotMatter_data()
     {
-        QTest::addColumn<double>("size");
-        QTest::addColumn<double>("place");
-        QTest::newRow("tiny") << 1e-12 << 0.0;
-        QTest::newRow("huge") << 1e12 << 0.0;
-        QTest::newRow("far from the origin") << 1.0 << 4e6;
+        addColumn<double>("size");
+        addColumn<double>("place");
+        newRow("tiny") << 1e-12 << 0.0;
+        newRow("huge") << 1e12 << 0.0;
+        newRow("far from the origin") << 1.0 << 4e6;
     }
 
     void sizeAndPlaceDoNotMatter()

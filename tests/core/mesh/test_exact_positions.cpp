@@ -174,13 +174,13 @@ private slots:
 
     void positionsAreTheFilesNumbers_data()
     {
-        QTest::addColumn<QByteArray>("suffix");
-        QTest::addColumn<glm::dvec3>("center");
-        QTest::addColumn<double>("size");
-        QTest::addColumn<int>("digits");
+        addColumn<QByteArray>("suffix");
+        addColumn<glm::dvec3>("center");
+        addColumn<double>("size");
+        addColumn<int>("digits");
         for (const char *suffix : {"obj", "off", "text.ply", "double.ply", "stl"}) {
             const auto row = [suffix](const char *what, const glm::dvec3 &center, double size, int digits) {
-                QTest::newRow(qPrintable(QString("%1, %2").arg(suffix, what)))
+                newRow(qPrintable(QString("%1, %2").arg(suffix, what)))
                     << QByteArray(suffix) << center << size << digits;
             };
             row("seven decimals", glm::dvec3(0.0), 10.0, 7);
@@ -224,11 +224,11 @@ private slots:
 
     void floatsHaveNoRemainders_data()
     {
-        QTest::addColumn<QByteArray>("suffix");
-        QTest::addColumn<glm::dvec3>("center");
+        addColumn<QByteArray>("suffix");
+        addColumn<glm::dvec3>("center");
         for (const char *suffix : {"float.ply", "double.ply", "stl"}) {
-            QTest::newRow(qPrintable(QString("%1, about zero").arg(suffix))) << QByteArray(suffix) << glm::dvec3(0.0);
-            QTest::newRow(qPrintable(QString("%1, far away").arg(suffix)))
+            newRow(qPrintable(QString("%1, about zero").arg(suffix))) << QByteArray(suffix) << glm::dvec3(0.0);
+            newRow(qPrintable(QString("%1, far away").arg(suffix)))
                 << QByteArray(suffix) << glm::dvec3(4e6, 5e5, 300.0);
         }
     }
@@ -298,17 +298,17 @@ private slots:
 
     void verticesHaveTheNumbersOfTheFile_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QByteArray>("contents");
+        addColumn<QString>("name");
+        addColumn<QByteArray>("contents");
         const QByteArray texcoords("vt 0 0\nvt 1 0\nvt 1 1\nvn 0 0 1\nvn 0 1 0\n");
         QByteArray materials = objBox();
         materials.replace("f 5 6 7 8", "usemtl other\nf 5 6 7 8");
         materials.replace("f 3 4 8 7", "usemtl third\nf 3 4 8 7");
-        QTest::newRow("OBJ") << "box.obj" << objBox();
-        QTest::newRow("OBJ of three materials") << "box.obj" << materials;
+        newRow("OBJ") << "box.obj" << objBox();
+        newRow("OBJ of three materials") << "box.obj" << materials;
         QByteArray normals = objBox(texcoords, "//1");
         normals.replace("f 5//1 6//1 7//1 8//1", "f 5//2 6//2 7//2 8//2");
-        QTest::newRow("OBJ with normals") << "box.obj" << normals;
+        newRow("OBJ with normals") << "box.obj" << normals;
         QByteArray colors = plyHeader("ascii");
         colors.replace("end_header", "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header");
         for (int i = 0; i < 8; ++i)
@@ -317,9 +317,9 @@ private slots:
         for (const auto &q : kQuads)
             colors +=
                 QString("4 %1 %2 %3 %4 %5 0 0\n").arg(q[0]).arg(q[1]).arg(q[2]).arg(q[3]).arg(shade += 20).toUtf8();
-        QTest::newRow("PLY with colours of faces") << "box.ply" << colors;
-        QTest::newRow("PLY") << "box.ply" << plyText();
-        QTest::newRow("OFF") << "box.off" << offBox();
+        newRow("PLY with colours of faces") << "box.ply" << colors;
+        newRow("PLY") << "box.ply" << plyText();
+        newRow("OFF") << "box.off" << offBox();
         GltfBuilder file;
         std::vector<float> places;
         for (const auto &c : kCorners)
@@ -334,12 +334,12 @@ private slots:
             }
             file.add(indices, "SCALAR", kUshort);
         }
-        QTest::newRow("glTF") << "box.gltf"
-                              << file.json(R"(,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"materials":[{},{}],)"
-                                           R"("meshes":[{"primitives":[)"
-                                           R"({"attributes":{"POSITION":0},"indices":1,"material":0},)"
-                                           R"({"attributes":{"POSITION":0},"indices":2,"material":1},)"
-                                           R"({"attributes":{"POSITION":0},"indices":3,"material":0}]}])");
+        newRow("glTF") << "box.gltf"
+                       << file.json(R"(,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"materials":[{},{}],)"
+                                    R"("meshes":[{"primitives":[)"
+                                    R"({"attributes":{"POSITION":0},"indices":1,"material":0},)"
+                                    R"({"attributes":{"POSITION":0},"indices":2,"material":1},)"
+                                    R"({"attributes":{"POSITION":0},"indices":3,"material":0}]}])");
     }
 
     void verticesHaveTheNumbersOfTheFile()

@@ -104,13 +104,13 @@ private slots:
 
     void everyExampleIsSeen_data()
     {
-        QTest::addColumn<int>("index");
-        QTest::addColumn<int>("surface");
+        addColumn<int>("index");
+        addColumn<int>("surface");
         const std::vector<examples::Example> all = examples::examples();
         for (int index = 0; index < int(all.size()); ++index) {
             int number = 0;
             for (const Surface &s : kSurfaces)
-                QTest::addRow("%s in %d x %d", all[std::size_t(index)].id.c_str(), s.widthPixels, s.heightPixels)
+                addRow("%s in %d x %d", all[std::size_t(index)].id.c_str(), s.widthPixels, s.heightPixels)
                     << index << number++;
         }
     }

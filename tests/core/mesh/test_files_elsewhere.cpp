@@ -17,12 +17,12 @@ private slots:
     /// The folder above the model's replaces %1 in the texts.
     void areNamed_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QByteArray>("content");
-        QTest::addColumn<QByteArray>("notes");
+        addColumn<QString>("name");
+        addColumn<QByteArray>("content");
+        addColumn<QByteArray>("notes");
         const auto gltf = [](const char *row, const char *buffer, const char *picture, const char *notes) {
-            QTest::newRow(row) << "box.gltf" << gltfJson(buffer, {}, "\"uri\":\"" + QByteArray(picture) + '"')
-                               << QByteArray(notes);
+            newRow(row) << "box.gltf" << gltfJson(buffer, {}, "\"uri\":\"" + QByteArray(picture) + '"')
+                        << QByteArray(notes);
         };
         gltf("glTF, beside the model", "box.bin", "skin.png", "");
         gltf("glTF, below it", "parts/box.bin", "./parts/../parts/skin.png", "");
@@ -36,24 +36,24 @@ private slots:
         gltf("glTF, an absolute path to the model's folder", "%1/model/box.bin", "skin.png", "");
 
         const QByteArray used = objBox("vt 0 0\nusemtl skin\n", "/1");
-        QTest::newRow("OBJ, beside the model") << "box.obj"
-                                               << "mtllib skin.mtl\n" + used << QByteArray();
-        QTest::newRow("OBJ, materials and their picture")
+        newRow("OBJ, beside the model") << "box.obj"
+                                        << "mtllib skin.mtl\n" + used << QByteArray();
+        newRow("OBJ, materials and their picture")
             << "box.obj"
             << "mtllib ../textures/far.mtl\n" + used
             << QByteArray("the file \"../textures/far.mtl\" and 1 other one outside the model's folder were read");
-        QTest::newRow("OBJ, the same materials twice")
+        newRow("OBJ, the same materials twice")
             << "box.obj"
             << "mtllib ../textures/skin.mtl\nmtllib ../textures/skin.mtl\n" + used
             << QByteArray("the file \"../textures/skin.mtl\" outside the model's folder was read");
-        QTest::newRow("OBJ, an absolute path")
-            << "box.obj"
-            << "mtllib %1/textures/skin.mtl\n" + used
-            << QByteArray("the file \"%1/textures/skin.mtl\" outside the model's folder was read");
-        QTest::newRow("PLY") << "box.ply"
-                             << plyText("comment TextureFile ../textures/skin.png\n",
-                                        "property float s\nproperty float t\n", " 0 0")
-                             << QByteArray("the file \"../textures/skin.png\" outside the model's folder was read");
+        newRow("OBJ, an absolute path") << "box.obj"
+                                        << "mtllib %1/textures/skin.mtl\n" + used
+                                        << QByteArray(
+                                               "the file \"%1/textures/skin.mtl\" outside the model's folder was read");
+        newRow("PLY") << "box.ply"
+                      << plyText("comment TextureFile ../textures/skin.png\n", "property float s\nproperty float t\n",
+                                 " 0 0")
+                      << QByteArray("the file \"../textures/skin.png\" outside the model's folder was read");
     }
 
     void areNamed()

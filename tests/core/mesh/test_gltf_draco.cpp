@@ -226,12 +226,12 @@ class TestGltfDraco : public QObject {
 private slots:
     void unpacksEveryVertex_data()
     {
-        QTest::addColumn<int>("method");
-        QTest::addColumn<bool>("hasMetadata");
-        QTest::newRow("sequential") << int(draco::MESH_SEQUENTIAL_ENCODING) << false;
-        QTest::newRow("edgebreaker") << int(draco::MESH_EDGEBREAKER_ENCODING) << false;
-        QTest::newRow("sequential, with metadata") << int(draco::MESH_SEQUENTIAL_ENCODING) << true;
-        QTest::newRow("edgebreaker, with metadata") << int(draco::MESH_EDGEBREAKER_ENCODING) << true;
+        addColumn<int>("method");
+        addColumn<bool>("hasMetadata");
+        newRow("sequential") << int(draco::MESH_SEQUENTIAL_ENCODING) << false;
+        newRow("edgebreaker") << int(draco::MESH_EDGEBREAKER_ENCODING) << false;
+        newRow("sequential, with metadata") << int(draco::MESH_SEQUENTIAL_ENCODING) << true;
+        newRow("edgebreaker, with metadata") << int(draco::MESH_EDGEBREAKER_ENCODING) << true;
     }
 
     void unpacksEveryVertex()
@@ -315,43 +315,43 @@ private slots:
 
     void refusesWhatContradictsTheFile_data()
     {
-        QTest::addColumn<QByteArray>("content");
-        QTest::addColumn<QString>("detail");
+        addColumn<QByteArray>("content");
+        addColumn<QString>("detail");
         const DracoSheet packed({});
         const QByteArray json = packed.gltf();
-        QTest::newRow("fewer triangles") << packed.gltf({}, {}, kVertices, 9)
-                                         << QString("have %1 triangles, and the file declares 9").arg(kTriangles);
-        QTest::newRow("more triangles")
+        newRow("fewer triangles") << packed.gltf({}, {}, kVertices, 9)
+                                  << QString("have %1 triangles, and the file declares 9").arg(kTriangles);
+        newRow("more triangles")
             << packed.gltf({}, {}, kVertices, kTriangles + 1)
             << QString("have %1 triangles, and the file declares %2").arg(kTriangles).arg(kTriangles + 1);
-        QTest::newRow("fewer vertices") << packed.gltf({}, {}, 100)
-                                        << QString("have %1 vertices, and the file declares 100").arg(kVertices);
-        QTest::newRow("more vertices") << packed.gltf({}, {}, 200)
-                                       << QString("have %1 vertices, and the file declares 200").arg(kVertices);
-        QTest::newRow("an attribute that is not there") << QByteArray(json).replace(
+        newRow("fewer vertices") << packed.gltf({}, {}, 100)
+                                 << QString("have %1 vertices, and the file declares 100").arg(kVertices);
+        newRow("more vertices") << packed.gltf({}, {}, 200)
+                                << QString("have %1 vertices, and the file declares 200").arg(kVertices);
+        newRow("an attribute that is not there") << QByteArray(json).replace(
             R"("attributes":{"POSITION":0,"NORMAL":1)", R"("attributes":{"POSITION":0,"NORMAL":77)")
-                                                        << "have no attribute 77";
-        QTest::newRow("no positions") << QByteArray(json).replace(R"("attributes":{"POSITION":0,)", R"("attributes":{)")
-                                      << "lacks its positions or its indices";
-        QTest::newRow("lines") << QByteArray(json).replace(R"("material":0,)", R"("material":0,"mode":1,)")
-                               << "has the mode 1, which is not one of triangles";
-        QTest::newRow("no view") << QByteArray(json).replace(R"("KHR_draco_mesh_compression":{"bufferView":0)",
-                                                             R"("KHR_draco_mesh_compression":{"bufferView":5)")
-                                 << "index 5";
+                                                 << "have no attribute 77";
+        newRow("no positions") << QByteArray(json).replace(R"("attributes":{"POSITION":0,)", R"("attributes":{)")
+                               << "lacks its positions or its indices";
+        newRow("lines") << QByteArray(json).replace(R"("material":0,)", R"("material":0,"mode":1,)")
+                        << "has the mode 1, which is not one of triangles";
+        newRow("no view") << QByteArray(json).replace(R"("KHR_draco_mesh_compression":{"bufferView":0)",
+                                                      R"("KHR_draco_mesh_compression":{"bufferView":5)")
+                          << "index 5";
         {
             DracoSheet old(Packing{});
             old.bytes[6] = 1;
-            QTest::newRow("an old version") << old.gltf() << "are of version 2.1, and glTF has version 2.2";
+            newRow("an old version") << old.gltf() << "are of version 2.1, and glTF has version 2.2";
         }
         {
             DracoSheet cloud(Packing{});
             cloud.bytes[7] = 0;
-            QTest::newRow("points") << cloud.gltf() << "hold points, and not triangles";
+            newRow("points") << cloud.gltf() << "hold points, and not triangles";
         }
         {
             DracoSheet none(Packing{});
             none.bytes = "no data of Draco";
-            QTest::newRow("other values") << none.gltf() << "are damaged";
+            newRow("other values") << none.gltf() << "are damaged";
         }
     }
 

@@ -167,12 +167,12 @@ private slots:
 
     void unpacksIndices_data()
     {
-        QTest::addColumn<bool>("areTriangles");
-        QTest::addColumn<int>("stride");
-        QTest::newRow("triangles of 16 bits") << true << 2;
-        QTest::newRow("triangles of 32 bits") << true << 4;
-        QTest::newRow("a sequence of 16 bits") << false << 2;
-        QTest::newRow("a sequence of 32 bits") << false << 4;
+        addColumn<bool>("areTriangles");
+        addColumn<int>("stride");
+        newRow("triangles of 16 bits") << true << 2;
+        newRow("triangles of 32 bits") << true << 4;
+        newRow("a sequence of 16 bits") << false << 2;
+        newRow("a sequence of 32 bits") << false << 4;
     }
 
     void unpacksIndices()
@@ -219,11 +219,11 @@ private slots:
 
     void unpacksDirections_data()
     {
-        QTest::addColumn<int>("stride");
-        QTest::addColumn<int>("componentType");
-        QTest::addColumn<double>("tolerance");
-        QTest::newRow("8 bits") << 4 << kByte << 0.02;
-        QTest::newRow("16 bits") << 8 << 5122 << 0.0001;
+        addColumn<int>("stride");
+        addColumn<int>("componentType");
+        addColumn<double>("tolerance");
+        newRow("8 bits") << 4 << kByte << 0.02;
+        newRow("16 bits") << 8 << 5122 << 0.0001;
     }
 
     void unpacksDirections()
@@ -284,42 +284,38 @@ private slots:
 
     void refusesWhatContradictsTheFile_data()
     {
-        QTest::addColumn<QByteArray>("content");
-        QTest::addColumn<QString>("detail");
+        addColumn<QByteArray>("content");
+        addColumn<QString>("detail");
         const auto changed = [](const char *before, const char *after) {
             return sheet(packedPositions(), packedTriangles(2)).replace(before, after);
         };
-        QTest::newRow("a mode that does not exist") << changed("ATTRIBUTES", "STRIPS") << "in the mode \"STRIPS\"";
-        QTest::newRow("a filter that does not exist")
+        newRow("a mode that does not exist") << changed("ATTRIBUTES", "STRIPS") << "in the mode \"STRIPS\"";
+        newRow("a filter that does not exist")
             << changed(R"("mode":"ATTRIBUTES")", R"("mode":"ATTRIBUTES","filter":"WAVELET")")
             << "the filter \"WAVELET\"";
-        QTest::newRow("filtered indices")
-            << changed(R"("mode":"TRIANGLES")", R"("mode":"TRIANGLES","filter":"QUATERNION")")
-            << "in the mode \"TRIANGLES\" with the filter \"QUATERNION\"";
-        QTest::newRow("directions of 12 bytes")
-            << changed(R"("mode":"ATTRIBUTES")", R"("mode":"ATTRIBUTES","filter":"OCTAHEDRAL")")
-            << "the filter \"OCTAHEDRAL\" has elements of 12 bytes";
-        QTest::newRow("a mode that is a number") << changed(R"("mode":"ATTRIBUTES")", R"("mode":3)") << "is not a text";
-        QTest::newRow("another count") << changed(R"("count":400,"mode")", R"("count":399,"mode")")
-                                       << "399 times 12 bytes is declared as 4800 bytes";
-        QTest::newRow("far more than the bytes hold")
+        newRow("filtered indices") << changed(R"("mode":"TRIANGLES")", R"("mode":"TRIANGLES","filter":"QUATERNION")")
+                                   << "in the mode \"TRIANGLES\" with the filter \"QUATERNION\"";
+        newRow("directions of 12 bytes") << changed(R"("mode":"ATTRIBUTES")",
+                                                    R"("mode":"ATTRIBUTES","filter":"OCTAHEDRAL")")
+                                         << "the filter \"OCTAHEDRAL\" has elements of 12 bytes";
+        newRow("a mode that is a number") << changed(R"("mode":"ATTRIBUTES")", R"("mode":3)") << "is not a text";
+        newRow("another count") << changed(R"("count":400,"mode")", R"("count":399,"mode")")
+                                << "399 times 12 bytes is declared as 4800 bytes";
+        newRow("far more than the bytes hold")
             << changed(R"("count":400,"mode")", R"("count":40000000,"mode")")
                    .replace(R"("byteLength":4800,"byteStride")", R"("byteLength":480000000,"byteStride")")
             << "declares 40000000 elements";
-        QTest::newRow("triangles with a corner too many")
-            << changed(R"("count":2166,"mode")", R"("count":2165,"mode")")
-                   .replace(R"("byteLength":4332)", R"("byteLength":4330)")
-            << "packed as triangles has 2165 indices";
-        QTest::newRow("indices of 12 bytes")
-            << changed(R"("mode":"ATTRIBUTES")", R"("mode":"INDICES")") << "has elements of 12 bytes";
-        QTest::newRow("bytes beyond the buffer")
-            << changed(R"("EXT_meshopt_compression":{"buffer":0,"byteOffset":0)",
-                       R"("EXT_meshopt_compression":{"buffer":0,"byteOffset":9000000)")
-            << "beyond its buffer";
+        newRow("triangles with a corner too many") << changed(R"("count":2166,"mode")", R"("count":2165,"mode")")
+                                                          .replace(R"("byteLength":4332)", R"("byteLength":4330)")
+                                                   << "packed as triangles has 2165 indices";
+        newRow("indices of 12 bytes") << changed(R"("mode":"ATTRIBUTES")", R"("mode":"INDICES")")
+                                      << "has elements of 12 bytes";
+        newRow("bytes beyond the buffer") << changed(R"("EXT_meshopt_compression":{"buffer":0,"byteOffset":0)",
+                                                     R"("EXT_meshopt_compression":{"buffer":0,"byteOffset":9000000)")
+                                          << "beyond its buffer";
         Packed later = packedPositions();
         later.bytes[0] = char(0xaf);
-        QTest::newRow("a later version") << sheet(later, packedTriangles(2))
-                                         << "by a later version of meshoptimizer than";
+        newRow("a later version") << sheet(later, packedTriangles(2)) << "by a later version of meshoptimizer than";
     }
 
     void refusesWhatContradictsTheFile()
@@ -331,10 +327,10 @@ private slots:
 
     void damagedDataGiveAMessage_data()
     {
-        QTest::addColumn<int>("part");
-        QTest::newRow("vertices") << 0;
-        QTest::newRow("triangles") << 1;
-        QTest::newRow("a sequence") << 2;
+        addColumn<int>("part");
+        newRow("vertices") << 0;
+        newRow("triangles") << 1;
+        newRow("a sequence") << 2;
     }
 
     /// Bytes changed, and the data cut off: a model of other numbers, or a message.

@@ -35,18 +35,18 @@ private slots:
 
     void saysWhatIsLeftOut_data()
     {
-        QTest::addColumn<QByteArray>("content");
-        QTest::addColumn<int>("triangles");
-        QTest::addColumn<int>("kind");
-        QTest::addColumn<int>("count");
-        QTest::addColumn<QString>("detail");
+        addColumn<QByteArray>("content");
+        addColumn<int>("triangles");
+        addColumn<int>("kind");
+        addColumn<int>("count");
+        addColumn<QString>("detail");
         using Kind = ModelNote::Kind;
         {
             GltfBuilder file;
             file.add(kQuadCorners, "VEC3", kFloat);
             file.add(std::vector<quint16>{0, 1, 2, 2, 1, 4, 0, 1, 65535}, "SCALAR", kUshort);
-            QTest::newRow("indices out of range") << file.json(shown(R"("attributes":{"POSITION":0},"indices":1)")) << 1
-                                                  << int(Kind::FacesLeftOut) << 2 << QString();
+            newRow("indices out of range") << file.json(shown(R"("attributes":{"POSITION":0},"indices":1)")) << 1
+                                           << int(Kind::FacesLeftOut) << 2 << QString();
         }
         for (const QByteArray &extension :
              QByteArray("KHR_texture_ktx KHR_texture_basisu KHR_techniques_webgl GOOGLE_texture_basis EXT_texture_avif "
@@ -55,24 +55,23 @@ private slots:
                         "KHR_xmp_json_ld KHR_materials_variants KHR_materials_not_made_yet AGI_articulations "
                         "CESIUM_primitive_outline FB_ngon_encoding")
                  .split(' '))
-            QTest::newRow(extension.constData()) << quad({}, ",\"extensionsRequired\":[\"" + extension + "\"]") << 2
-                                                 << int(Kind::ExtensionLeftOut) << 0 << QString::fromLatin1(extension);
+            newRow(extension.constData()) << quad({}, ",\"extensionsRequired\":[\"" + extension + "\"]") << 2
+                                          << int(Kind::ExtensionLeftOut) << 0 << QString::fromLatin1(extension);
         {
             GltfBuilder file;
             file.add(kQuadCorners, "VEC3", kFloat);
             file.add(std::vector<quint16>{0, 1, 2, 2, 1}, "SCALAR", kUshort);
-            QTest::newRow("indices of half a triangle")
-                << file.json(shown(R"("attributes":{"POSITION":0},"indices":1)")) << 1 << int(Kind::CornersLeftOut) << 2
-                << QString();
-            QTest::newRow("vertices of a third") << file.json(shown(R"("attributes":{"POSITION":0})")) << 1
-                                                 << int(Kind::CornersLeftOut) << 1 << QString();
+            newRow("indices of half a triangle") << file.json(shown(R"("attributes":{"POSITION":0},"indices":1)")) << 1
+                                                 << int(Kind::CornersLeftOut) << 2 << QString();
+            newRow("vertices of a third") << file.json(shown(R"("attributes":{"POSITION":0})")) << 1
+                                          << int(Kind::CornersLeftOut) << 1 << QString();
         }
         {
             GltfBuilder file;
             file.add(kQuadCorners, "VEC3", kFloat);
             QByteArray json = file.json(shown(R"("attributes":{"POSITION":0},"mode":5)"));
             json.replace(R"("mode":5})", R"("mode":5},{"attributes":{}})");
-            QTest::newRow("a part without positions") << json << 2 << int(Kind::PositionsMissing) << 1 << QString();
+            newRow("a part without positions") << json << 2 << int(Kind::PositionsMissing) << 1 << QString();
         }
         {
             GltfBuilder file;
@@ -80,8 +79,7 @@ private slots:
             QByteArray json = file.json(shown(R"("attributes":{"POSITION":0},"mode":5)"));
             json.replace(R"("mode":5})",
                          R"("mode":5},{"attributes":{"POSITION":0},"mode":3},{"attributes":{"POSITION":0},"mode":0})");
-            QTest::newRow("lines and points beside triangles")
-                << json << 2 << int(Kind::LinesLeftOut) << 7 << QString();
+            newRow("lines and points beside triangles") << json << 2 << int(Kind::LinesLeftOut) << 7 << QString();
         }
     }
 
@@ -104,16 +102,16 @@ private slots:
 
     void refuses_data()
     {
-        QTest::addColumn<QByteArray>("content");
-        QTest::addColumn<QString>("detail");
+        addColumn<QByteArray>("content");
+        addColumn<QString>("detail");
         {
             GltfBuilder file;
             file.add(kQuadCorners, "VEC3", kFloat);
             file.add(std::vector<float>{0, 1, 2}, "SCALAR", kFloat);
-            QTest::newRow("indices that are floats")
+            newRow("indices that are floats")
                 << file.json(shown(R"("attributes":{"POSITION":0},"indices":1)")) << "integers";
             file.addAccessor(-1, kFloat, 1 << 20, "VEC3");
-            QTest::newRow("many vertices out of nothing")
+            newRow("many vertices out of nothing")
                 << file.json(shown(R"("attributes":{"POSITION":2})")) << "without any bytes";
         }
         {
@@ -124,10 +122,10 @@ private slots:
                 nodes << R"({"mesh":0})";
                 roots << QByteArray::number(i);
             }
-            QTest::newRow("too many vertices")
-                << file.json(R"(,"scenes":[{"nodes":[)" + roots.join(',') + R"(]}],"nodes":[)" + nodes.join(',')
-                             + R"(],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}])")
-                << "at most";
+            newRow("too many vertices") << file.json(R"(,"scenes":[{"nodes":[)" + roots.join(',') + R"(]}],"nodes":[)"
+                                                     + nodes.join(',')
+                                                     + R"(],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}])")
+                                        << "at most";
         }
     }
 
@@ -143,38 +141,37 @@ private slots:
 
     void whatCannotBeShownIsNamed_data()
     {
-        QTest::addColumn<QByteArray>("content");
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<ImportErrorCode>("code");
-        QTest::addColumn<QString>("detail");
+        addColumn<QByteArray>("content");
+        addColumn<QString>("name");
+        addColumn<ImportErrorCode>("code");
+        addColumn<QString>("detail");
         const QString gltf = QStringLiteral("model.gltf"), glbName = QStringLiteral("model.glb");
         for (const char *extension : {"KHR_meshopt_compression", "KHR_mesh_primitive_restart",
                                       "KHR_gaussian_splatting_compression_spz_2", "CESIUM_RTC"})
-            QTest::newRow(extension) << quad({}, ",\"extensionsRequired\":[\"" + QByteArray(extension) + "\"]") << gltf
-                                     << ImportErrorCode::Unsupported
-                                     << extension + QStringLiteral(", which is not supported");
+            newRow(extension) << quad({}, ",\"extensionsRequired\":[\"" + QByteArray(extension) + "\"]") << gltf
+                              << ImportErrorCode::Unsupported << extension + QStringLiteral(", which is not supported");
         for (const auto &[extension, library, isThere] :
              {std::tuple("KHR_draco_mesh_compression", "Draco", hasDraco()),
               std::tuple("EXT_meshopt_compression", "meshoptimizer", hasMeshopt())}) {
             if (!isThere)
-                QTest::newRow(extension)
+                newRow(extension)
                     << quad({}, ",\"extensionsRequired\":[\"" + QByteArray(extension) + "\"]") << gltf
                     << ImportErrorCode::Unsupported
                     << QString("%1, and this program was built without the library %2").arg(extension, library);
         }
         for (const char *extension : {"ACME_shape", "KHR_shape", "khr_materials_unlit"})
-            QTest::newRow(extension) << quad({}, ",\"extensionsRequired\":[\"" + QByteArray(extension) + "\"]") << gltf
-                                     << ImportErrorCode::Unsupported
-                                     << extension + QStringLiteral(", which is not known here");
-        QTest::newRow("GLB 1.0") << "glTF" + little(quint32(1)) + little(quint32(24)) + little(quint32(4))
-                                        + little(quint32(0)) + "{}  "
-                                 << glbName << ImportErrorCode::Unsupported << "it is glTF 1.0";
+            newRow(extension) << quad({}, ",\"extensionsRequired\":[\"" + QByteArray(extension) + "\"]") << gltf
+                              << ImportErrorCode::Unsupported
+                              << extension + QStringLiteral(", which is not known here");
+        newRow("GLB 1.0") << "glTF" + little(quint32(1)) + little(quint32(24)) + little(quint32(4)) + little(quint32(0))
+                                 + "{}  "
+                          << glbName << ImportErrorCode::Unsupported << "it is glTF 1.0";
         {
             GltfBuilder file;
             file.add(kQuadCorners, "VEC3", kFloat);
-            QTest::newRow("lines only") << file.json(shown(R"("attributes":{"POSITION":0},"mode":3)")) << gltf
-                                        << ImportErrorCode::NoTriangles
-                                        << "it holds lines only, and lines are not shown here: 3";
+            newRow("lines only") << file.json(shown(R"("attributes":{"POSITION":0},"mode":3)")) << gltf
+                                 << ImportErrorCode::NoTriangles
+                                 << "it holds lines only, and lines are not shown here: 3";
         }
     }
 

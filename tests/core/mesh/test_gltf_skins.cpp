@@ -85,27 +85,25 @@ private slots:
 
     void aSkinIsChecked_data()
     {
-        QTest::addColumn<QByteArray>("content");
-        QTest::addColumn<QString>("detail");
+        addColumn<QByteArray>("content");
+        addColumn<QString>("detail");
         const std::vector<quint8> joints(16, o);
         const std::vector<float> weights(16, 0.25f);
         std::vector<quint8> manyJoints = joints;
         manyJoints[9] = 7;
         std::vector<float> negative = weights;
         negative[6] = -0.5f;
-        QTest::newRow("a joint that there is none of")
+        newRow("a joint that there is none of")
             << skinned(manyJoints, weights) << "vertex 2 of a mesh names joint 7, its skin has 2";
-        QTest::newRow("a negative weight")
-            << skinned(joints, negative) << "vertex 1 of a mesh has the joint weight -0.5";
-        QTest::newRow("too few matrices") << skinned(joints, weights, {}, std::vector<float>(16, 0.0f))
-                                          << "a skin of 2 joints has 1 inverse bind matrices";
-        QTest::newRow("a matrix that divides") << skinned(joints, weights, {}, std::vector<float>(32, 1.0f))
-                                               << "the inverse bind matrix 0 of a skin has the last row 1 1 1 1";
-        QTest::newRow("no weights") << skinned(joints, weights).replace(R"(,"WEIGHTS_0":2)", "")
-                                    << "a mesh has JOINTS_0 without WEIGHTS_0";
-        QTest::newRow("a joint that is no node")
-            << skinned(joints, weights).replace(R"("joints":[2,3])", R"("joints":[2,9])")
-            << "\"joints\" refers to a node";
+        newRow("a negative weight") << skinned(joints, negative) << "vertex 1 of a mesh has the joint weight -0.5";
+        newRow("too few matrices") << skinned(joints, weights, {}, std::vector<float>(16, 0.0f))
+                                   << "a skin of 2 joints has 1 inverse bind matrices";
+        newRow("a matrix that divides") << skinned(joints, weights, {}, std::vector<float>(32, 1.0f))
+                                        << "the inverse bind matrix 0 of a skin has the last row 1 1 1 1";
+        newRow("no weights") << skinned(joints, weights).replace(R"(,"WEIGHTS_0":2)", "")
+                             << "a mesh has JOINTS_0 without WEIGHTS_0";
+        newRow("a joint that is no node") << skinned(joints, weights).replace(R"("joints":[2,3])", R"("joints":[2,9])")
+                                          << "\"joints\" refers to a node";
     }
 
     void aSkinIsChecked()

@@ -26,21 +26,21 @@ class TestImportGltf : public QObject {
 private slots:
     void readsTriangles_data()
     {
-        QTest::addColumn<QByteArray>("content");
+        addColumn<QByteArray>("content");
         {
             GltfBuilder file;
             file.add(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0}, "VEC3", kFloat);
-            QTest::newRow("without indices") << file.json(shown(R"("attributes":{"POSITION":0})"));
+            newRow("without indices") << file.json(shown(R"("attributes":{"POSITION":0})"));
         }
         {
             GltfBuilder file;
             file.add(kQuadCorners, "VEC3", kFloat);
-            QTest::newRow("a strip") << file.json(shown(R"("attributes":{"POSITION":0},"mode":5)"));
+            newRow("a strip") << file.json(shown(R"("attributes":{"POSITION":0},"mode":5)"));
         }
         {
             GltfBuilder file;
             file.add(std::vector<float>{1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 0}, "VEC3", kFloat);
-            QTest::newRow("a fan") << file.json(shown(R"("attributes":{"POSITION":0},"mode":6)"));
+            newRow("a fan") << file.json(shown(R"("attributes":{"POSITION":0},"mode":6)"));
         }
         {
             GltfBuilder quantized;
@@ -50,7 +50,7 @@ private slots:
             QByteArray json = quantized.json(shown(R"("attributes":{"POSITION":0},"mode":5)", {},
                                                    R"(,"extensionsRequired":["KHR_mesh_quantization"])"));
             json.replace("\"byteLength\":16}", "\"byteLength\":16,\"byteStride\":4}");
-            QTest::newRow("quantized, four bytes apart") << json;
+            newRow("quantized, four bytes apart") << json;
         }
         {
             GltfBuilder file;
@@ -60,13 +60,13 @@ private slots:
                              ",\"sparse\":{\"count\":3,\"indices\":{\"bufferView\":" + QByteArray::number(indices)
                                  + R"(,"componentType":5121},"values":{"bufferView":)" + QByteArray::number(values)
                                  + "}}");
-            QTest::newRow("sparse") << file.json(shown(R"("attributes":{"POSITION":0},"mode":5)"));
+            newRow("sparse") << file.json(shown(R"("attributes":{"POSITION":0},"mode":5)"));
         }
         {
             GltfBuilder file;
             file.add(kQuadCorners, "VEC3", kFloat);
             file.add(std::vector<float>{0, 0, 1, 0, 0, 1, 1, 1}, "VEC2", kFloat);
-            QTest::newRow("TEXCOORD_1 without TEXCOORD_0")
+            newRow("TEXCOORD_1 without TEXCOORD_0")
                 << file.json(shown(R"("attributes":{"POSITION":0,"TEXCOORD_1":1},"mode":5)"));
         }
     }
@@ -143,13 +143,13 @@ private slots:
 
     void readsColorsOfAllKinds_data()
     {
-        QTest::addColumn<QByteArray>("content");
+        addColumn<QByteArray>("content");
         const auto row = [](const char *name, const auto &numbers, const char *type, int componentType,
                             bool normalized) {
             GltfBuilder file;
             file.add(kQuadCorners, "VEC3", kFloat);
             file.add(numbers, type, componentType, normalized ? QByteArray(R"(,"normalized":true)") : QByteArray());
-            QTest::newRow(name) << file.json(shown(R"("attributes":{"POSITION":0,"COLOR_0":1},"mode":5)"));
+            newRow(name) << file.json(shown(R"("attributes":{"POSITION":0,"COLOR_0":1},"mode":5)"));
         };
         row("three floats", std::vector<float>{1, 0.5f, 0, 1, 0.5f, 0, 1, 0.5f, 0, 1, 0.5f, 0}, "VEC3", kFloat, false);
         row("four bytes", std::vector<quint8>{255, 128, 0, 255, 255, 128, 0, 255, 255, 128, 0, 255, 255, 128, 0, 255},
@@ -174,21 +174,20 @@ private slots:
 
     void movesTextureCoordinates_data()
     {
-        QTest::addColumn<QByteArray>("transform");
-        QTest::addColumn<double>("u");
-        QTest::addColumn<double>("v");
+        addColumn<QByteArray>("transform");
+        addColumn<double>("u");
+        addColumn<double>("v");
         // The point (1/4, 1/2), v down, by translation * rotation * scale; the columns of the
         // extension's rotation are (cos, -sin) and (sin, cos).
         const double root = std::sqrt(3.0) / 2.0; // cos 30 degrees
-        QTest::newRow("nothing") << QByteArray() << 0.25 << 0.5;
-        QTest::newRow("scaled and moved") << QByteArray(R"("offset":[0.125,0.25],"scale":[2,0.5],)") << 0.625 << 0.5;
-        QTest::newRow("turned") << QByteArray(R"("rotation":1.5707963267948966,)") << 0.5 << -0.25;
-        QTest::newRow("turned by 30 degrees")
-            << QByteArray(R"("rotation":0.5235987755982988,)") << 0.25 * root + 0.25 << -0.125 + 0.5 * root;
+        newRow("nothing") << QByteArray() << 0.25 << 0.5;
+        newRow("scaled and moved") << QByteArray(R"("offset":[0.125,0.25],"scale":[2,0.5],)") << 0.625 << 0.5;
+        newRow("turned") << QByteArray(R"("rotation":1.5707963267948966,)") << 0.5 << -0.25;
+        newRow("turned by 30 degrees") << QByteArray(R"("rotation":0.5235987755982988,)") << 0.25 * root + 0.25
+                                       << -0.125 + 0.5 * root;
         // Scaled to (1/2, 1/4), turned to (1/4, -1/2), moved.
-        QTest::newRow("all of it") << QByteArray(
-            R"("offset":[0.125,0.25],"scale":[2,0.5],"rotation":1.5707963267948966,)")
-                                   << 0.375 << -0.25;
+        newRow("all of it") << QByteArray(R"("offset":[0.125,0.25],"scale":[2,0.5],"rotation":1.5707963267948966,)")
+                            << 0.375 << -0.25;
     }
 
     void movesTextureCoordinates()
@@ -229,9 +228,9 @@ private slots:
 
     void chunksNeedNoPadding_data()
     {
-        QTest::addColumn<bool>("isPadded");
-        QTest::newRow("padded") << true;
-        QTest::newRow("not padded") << false;
+        addColumn<bool>("isPadded");
+        newRow("padded") << true;
+        newRow("not padded") << false;
     }
 
     void chunksNeedNoPadding()

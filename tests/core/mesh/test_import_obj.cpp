@@ -53,14 +53,14 @@ private slots:
 
     void roundsNumbersCorrectly_data()
     {
-        QTest::addColumn<QByteArray>("word");
-        QTest::addColumn<double>("expected");
-        QTest::newRow("six digits") << QByteArray("0.123457") << 0.123457;
-        QTest::newRow("an exponent") << QByteArray("1.844674e+19") << 1.844674e+19;
-        QTest::newRow("a small one") << QByteArray("7.006492e-35") << 7.006492e-35;
-        QTest::newRow("half way, to even") << QByteArray("9007199254740993") << 9007199254740992.0;
-        QTest::newRow("all digits") << QByteArray("3.14159265358979323846264338327950288") << 3.141592653589793;
-        QTest::newRow("too small") << QByteArray("1e-400") << 0.0;
+        addColumn<QByteArray>("word");
+        addColumn<double>("expected");
+        newRow("six digits") << QByteArray("0.123457") << 0.123457;
+        newRow("an exponent") << QByteArray("1.844674e+19") << 1.844674e+19;
+        newRow("a small one") << QByteArray("7.006492e-35") << 7.006492e-35;
+        newRow("half way, to even") << QByteArray("9007199254740993") << 9007199254740992.0;
+        newRow("all digits") << QByteArray("3.14159265358979323846264338327950288") << 3.141592653589793;
+        newRow("too small") << QByteArray("1e-400") << 0.0;
     }
 
     void roundsNumbersCorrectly()
@@ -77,18 +77,18 @@ private slots:
 
     void readsVertexColors_data()
     {
-        QTest::addColumn<QByteArray>("vertices");
-        QTest::addColumn<QVector<int>>("second"); // red, green, blue, alpha
-        QTest::newRow("rgb") << QByteArray("v 0 0 0 1 0 0\nv 1 0 0 0 0.5 1\nv 0 1 0 0 0 1\n")
-                             << QVector<int>{0, 128, 255, 255};
-        QTest::newRow("rgba") << QByteArray("v 0 0 0 1 0 0 1\nv 1 0 0 0 0.5 1 0.25\nv 0 1 0 0 0 1 1\n")
-                              << QVector<int>{0, 128, 255, 64};
-        QTest::newRow("w and rgba") << QByteArray("v 0 0 0 1 1 0 0 1\nv 1 0 0 1 0 0.5 1 0.25\nv 0 1 0 1 0 0 1 1\n")
-                                    << QVector<int>{0, 128, 255, 64};
-        QTest::newRow("of some vertices")
-            << QByteArray("v 0 0 0\nv 1 0 0 0 0.5 1\nv 0 1 0\n") << QVector<int>{0, 128, 255, 255};
-        QTest::newRow("beyond the range")
-            << QByteArray("v 0 0 0\nv 1 0 0 -1 0.5 7\nv 0 1 0\n") << QVector<int>{0, 128, 255, 255};
+        addColumn<QByteArray>("vertices");
+        addColumn<QVector<int>>("second"); // red, green, blue, alpha
+        newRow("rgb") << QByteArray("v 0 0 0 1 0 0\nv 1 0 0 0 0.5 1\nv 0 1 0 0 0 1\n")
+                      << QVector<int>{0, 128, 255, 255};
+        newRow("rgba") << QByteArray("v 0 0 0 1 0 0 1\nv 1 0 0 0 0.5 1 0.25\nv 0 1 0 0 0 1 1\n")
+                       << QVector<int>{0, 128, 255, 64};
+        newRow("w and rgba") << QByteArray("v 0 0 0 1 1 0 0 1\nv 1 0 0 1 0 0.5 1 0.25\nv 0 1 0 1 0 0 1 1\n")
+                             << QVector<int>{0, 128, 255, 64};
+        newRow("of some vertices") << QByteArray("v 0 0 0\nv 1 0 0 0 0.5 1\nv 0 1 0\n")
+                                   << QVector<int>{0, 128, 255, 255};
+        newRow("beyond the range") << QByteArray("v 0 0 0\nv 1 0 0 -1 0.5 7\nv 0 1 0\n")
+                                   << QVector<int>{0, 128, 255, 255};
     }
 
     void readsVertexColors()
@@ -137,14 +137,14 @@ private slots:
 
     void readsMaterials_data()
     {
-        QTest::addColumn<QByteArray>("library");
-        QTest::addColumn<QByteArray>("use");
-        QTest::addColumn<QVector<float>>("color");
-        QTest::addColumn<bool>("hasPicture");
-        QTest::addColumn<bool>("repeats");
+        addColumn<QByteArray>("library");
+        addColumn<QByteArray>("use");
+        addColumn<QVector<float>>("color");
+        addColumn<bool>("hasPicture");
+        addColumn<bool>("repeats");
         const auto row = [](const char *name, const char *library, const char *use, const QVector<float> &color,
                             bool hasPicture = false, bool repeats = true) {
-            QTest::newRow(name) << QByteArray(library) << QByteArray(use) << color << hasPicture << repeats;
+            newRow(name) << QByteArray(library) << QByteArray(use) << color << hasPicture << repeats;
         };
         row("Kd", "newmtl m\nKd 0.25 0.5 0.75\n", "usemtl m", {0.25f, 0.5f, 0.75f, 1.0f});
         row("Kd of one number", "newmtl m\nKd 0.25\n", "usemtl m", {0.25f, 0.25f, 0.25f, 1.0f});

@@ -45,20 +45,20 @@ private slots:
 
     void readsBinaryBoxes_data()
     {
-        QTest::addColumn<QByteArray>("content");
-        QTest::addColumn<QByteArray>("notes");
+        addColumn<QByteArray>("content");
+        addColumn<QByteArray>("notes");
         QByteArray little = "OFF BINARY\n";
         const QByteArray big = offBinary().mid(little.size());
         for (qsizetype i = 0; i < big.size(); ++i)
             little += big[i / 4 * 4 + 3 - i % 4];
-        QTest::newRow("little-endian") << little << QByteArray();
+        newRow("little-endian") << little << QByteArray();
         QByteArray bare = "OFF BINARY\n" + big.left(12 + 8 * 12);
         for (qsizetype face = 0; face < 6; ++face)
             bare += big.mid(12 + 8 * 12 + face * 24, 20);
-        QTest::newRow("no numbers of colours") << bare << QByteArray();
-        QTest::newRow("zeros behind") << offBinary() + QByteArray(4, '\0') << QByteArray();
-        QTest::newRow("more behind") << offBinary() + "more"
-                                     << QByteArray("4 bytes behind all that the file declares are not used");
+        newRow("no numbers of colours") << bare << QByteArray();
+        newRow("zeros behind") << offBinary() + QByteArray(4, '\0') << QByteArray();
+        newRow("more behind") << offBinary() + "more"
+                              << QByteArray("4 bytes behind all that the file declares are not used");
     }
 
     void readsBinaryBoxes()

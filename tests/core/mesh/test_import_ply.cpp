@@ -64,17 +64,16 @@ private slots:
 
     void keepsTheMillimetresOfASurvey_data()
     {
-        QTest::addColumn<QByteArray>("content");
+        addColumn<QByteArray>("content");
         QByteArray text = surveyHeader("ascii");
         for (int i = 0; i < kSurveyPoints; ++i)
             text += surveyWords(i) + '\n';
         for (const auto &t : surveyTriangles())
             text += QString("3 %1 %2 %3\n").arg(t[0]).arg(t[1]).arg(t[2]).toUtf8();
-        QTest::newRow("text") << text;
-        QTest::newRow("text that declares float") << QByteArray(text).replace("double", "float");
-        QTest::newRow("double, little-endian")
-            << surveyBinary("binary_little_endian", [](auto v) { return little(v); });
-        QTest::newRow("double, big-endian") << surveyBinary("binary_big_endian", [](auto v) { return big(v); });
+        newRow("text") << text;
+        newRow("text that declares float") << QByteArray(text).replace("double", "float");
+        newRow("double, little-endian") << surveyBinary("binary_little_endian", [](auto v) { return little(v); });
+        newRow("double, big-endian") << surveyBinary("binary_big_endian", [](auto v) { return big(v); });
     }
 
     void keepsTheMillimetresOfASurvey()
@@ -87,27 +86,27 @@ private slots:
 
     void readsWhatVerticesHave_data()
     {
-        QTest::addColumn<QByteArray>("content");
+        addColumn<QByteArray>("content");
         const QByteArray properties("element vertex 3\nproperty uchar red\nproperty float x\nproperty short unknown\n"
                                     "property double y\nproperty float z\nproperty float nx\nproperty float ny\n"
                                     "property float nz\nproperty uchar green\nproperty uchar blue\nproperty float s\n"
                                     "property float t\n");
         const QByteArray faces("element face 1\nproperty list uchar int vertex_indices\nend_header\n");
-        QTest::newRow("text") << "ply\nformat ascii 1.0\n" + properties + faces
-                                     + "1 0 9 0 5 0 0 1 2 3 0.25 0.5\n1 1 9 0 5 0 0 1 2 3 0.25 0.5\n\n"
-                                       "1 0 9 1 5 0 0 1 2 3 0.25 0.5\n3 0 1 2\n";
+        newRow("text") << "ply\nformat ascii 1.0\n" + properties + faces
+                              + "1 0 9 0 5 0 0 1 2 3 0.25 0.5\n1 1 9 0 5 0 0 1 2 3 0.25 0.5\n\n"
+                                "1 0 9 1 5 0 0 1 2 3 0.25 0.5\n3 0 1 2\n";
         QByteArray vertices;
         for (const auto &[x, y] : {std::pair{0.0f, 0.0}, std::pair{1.0f, 0.0}, std::pair{0.0f, 1.0}})
             vertices += '\1' + little(x) + little(quint16(9)) + little(y) + little(5.0f) + little(0.0f) + little(0.0f)
                         + little(1.0f) + "\2\3" + little(0.25f) + little(0.5f);
         const QByteArray face = '\3' + little(quint32(0)) + little(quint32(1)) + little(quint32(2));
-        QTest::newRow("binary") << "ply\nformat binary_little_endian 1.0\n" + properties + faces + vertices + face;
+        newRow("binary") << "ply\nformat binary_little_endian 1.0\n" + properties + faces + vertices + face;
         // A list, which is skipped, makes vertices of different sizes.
         QByteArray listed;
         for (int i = 0; i < 3; ++i)
             listed += vertices.mid(i * vertices.size() / 3, vertices.size() / 3) + char(i) + QByteArray(i, 'x');
-        QTest::newRow("binary with a list") << "ply\nformat binary_little_endian 1.0\n" + properties
-                                                   + "property list uchar uchar more\n" + faces + listed + face;
+        newRow("binary with a list") << "ply\nformat binary_little_endian 1.0\n" + properties
+                                            + "property list uchar uchar more\n" + faces + listed + face;
     }
 
     void readsWhatVerticesHave()
@@ -162,7 +161,7 @@ private slots:
 
     void showsVerticesWithoutFacesAsPoints_data()
     {
-        QTest::addColumn<QByteArray>("content");
+        addColumn<QByteArray>("content");
         QByteArray header(
             "ply\nformat FORMAT 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
             "property uchar red\nproperty uchar green\nproperty uchar blue\n");
@@ -170,11 +169,11 @@ private slots:
         const QByteArray faces("element face 0\nproperty list uchar int vertex_indices\n");
         const QByteArray end("end_header\n");
         const QByteArray words("0 0 0 255 0 0\n1 2 3 0 0 255\n");
-        QTest::newRow("text") << text + end + words;
-        QTest::newRow("text, no faces declared") << text + faces + end + words;
-        QTest::newRow("binary") << QByteArray(text).replace("ascii", "binary_little_endian") + end + little(0.0f)
-                                       + little(0.0f) + little(0.0f) + QByteArray("\xff\0\0", 3) + little(1.0f)
-                                       + little(2.0f) + little(3.0f) + QByteArray("\0\0\xff", 3);
+        newRow("text") << text + end + words;
+        newRow("text, no faces declared") << text + faces + end + words;
+        newRow("binary") << QByteArray(text).replace("ascii", "binary_little_endian") + end + little(0.0f)
+                                + little(0.0f) + little(0.0f) + QByteArray("\xff\0\0", 3) + little(1.0f) + little(2.0f)
+                                + little(3.0f) + QByteArray("\0\0\xff", 3);
     }
 
     void showsVerticesWithoutFacesAsPoints()

@@ -64,12 +64,12 @@ private slots:
 
     void keepsLargeMeshesAsTheyAre_data()
     {
-        QTest::addColumn<int>("count");
-        QTest::addColumn<bool>("isWelded");
-        QTest::addColumn<bool>("hasColors");
-        QTest::newRow("300,000 triangles") << 300000 << true << false;
-        QTest::newRow("300,001 triangles") << 300001 << false << false;
-        QTest::newRow("300,001 triangles in colour") << 300001 << false << true;
+        addColumn<int>("count");
+        addColumn<bool>("isWelded");
+        addColumn<bool>("hasColors");
+        newRow("300,000 triangles") << 300000 << true << false;
+        newRow("300,001 triangles") << 300001 << false << false;
+        newRow("300,001 triangles in colour") << 300001 << false << true;
     }
 
     void keepsLargeMeshesAsTheyAre()
@@ -158,14 +158,14 @@ private slots:
 
     void saysWhatIsBehindTheTriangles_data()
     {
-        QTest::addColumn<QByteArray>("more");
-        QTest::addColumn<QByteArray>("notes");
-        QTest::newRow("nothing") << QByteArray() << QByteArray();
-        QTest::newRow("a few zeros") << QByteArray(3, '\0') << QByteArray();
-        QTest::newRow("zeros up to a whole block") << QByteArray(428, '\0') << QByteArray();
-        QTest::newRow("a line end") << QByteArray("\r\n") << QByteArray();
-        QTest::newRow("a few letters") << QByteArray("made by me")
-                                       << QByteArray("10 bytes behind all that the file declares are not used");
+        addColumn<QByteArray>("more");
+        addColumn<QByteArray>("notes");
+        newRow("nothing") << QByteArray() << QByteArray();
+        newRow("a few zeros") << QByteArray(3, '\0') << QByteArray();
+        newRow("zeros up to a whole block") << QByteArray(428, '\0') << QByteArray();
+        newRow("a line end") << QByteArray("\r\n") << QByteArray();
+        newRow("a few letters") << QByteArray("made by me")
+                                << QByteArray("10 bytes behind all that the file declares are not used");
     }
 
     void saysWhatIsBehindTheTriangles()
@@ -188,21 +188,19 @@ private slots:
 
     void saysWhyABinaryFileCannotBeOpened_data()
     {
-        QTest::addColumn<QByteArray>("content");
-        QTest::addColumn<ImportErrorCode>("code");
-        QTest::addColumn<QString>("detail");
+        addColumn<QByteArray>("content");
+        addColumn<ImportErrorCode>("code");
+        addColumn<QString>("detail");
         using enum ImportErrorCode;
-        QTest::newRow("truncated") << stlBinary().chopped(51) << Malformed
-                                   << "declares 12 triangles, the file ends after 10";
-        QTest::newRow("more triangles than declared")
+        newRow("truncated") << stlBinary().chopped(51) << Malformed << "declares 12 triangles, the file ends after 10";
+        newRow("more triangles than declared")
             << stlBinary(10) << Malformed
             << "declares 10 triangles, the file is long enough for 12; correct the number";
-        QTest::newRow("none declared") << stlBinary(0) << Malformed
-                                       << "declares 0 triangles, the file is long enough for 12";
-        QTest::newRow("four billion") << stlBinary(0xffffffff) << Malformed << "declares 4294967295";
-        QTest::newRow("no triangles") << QByteArray(84, '\0') << NoTriangles << "";
-        QTest::newRow("infinity") << stlBinary(-1, 0, INFINITY) << NotFinite << "0";
-        QTest::newRow("infinity in a large one")
+        newRow("none declared") << stlBinary(0) << Malformed << "declares 0 triangles, the file is long enough for 12";
+        newRow("four billion") << stlBinary(0xffffffff) << Malformed << "declares 4294967295";
+        newRow("no triangles") << QByteArray(84, '\0') << NoTriangles << "";
+        newRow("infinity") << stlBinary(-1, 0, INFINITY) << NotFinite << "0";
+        newRow("infinity in a large one")
             << cells(300001).replace(84 + 50 * 200000 + 12, 4, little(INFINITY)) << NotFinite << "600000";
     }
 

@@ -22,18 +22,18 @@ using namespace model_files;
 
 static void addFormatRows()
 {
-    QTest::addColumn<QString>("name");
-    QTest::addColumn<QByteArray>("content");
-    QTest::newRow("obj") << "box.obj" << objBox();
-    QTest::newRow("stl-ascii") << "box.stl" << stlText();
-    QTest::newRow("stl-binary") << "box binary.stl" << stlBinary();
-    QTest::newRow("ply-ascii") << "box.ply" << plyText();
-    QTest::newRow("ply-little-endian") << "box little.ply" << plyLittle();
-    QTest::newRow("ply-big-endian") << "box big.ply" << plyBig();
-    QTest::newRow("off") << "box.off" << offBox();
-    QTest::newRow("off-binary") << "box binary.off" << offBinary();
-    QTest::newRow("gltf") << "box.gltf" << gltfBox();
-    QTest::newRow("glb") << "box.glb" << glbBox();
+    addColumn<QString>("name");
+    addColumn<QByteArray>("content");
+    newRow("obj") << "box.obj" << objBox();
+    newRow("stl-ascii") << "box.stl" << stlText();
+    newRow("stl-binary") << "box binary.stl" << stlBinary();
+    newRow("ply-ascii") << "box.ply" << plyText();
+    newRow("ply-little-endian") << "box little.ply" << plyLittle();
+    newRow("ply-big-endian") << "box big.ply" << plyBig();
+    newRow("off") << "box.off" << offBox();
+    newRow("off-binary") << "box binary.off" << offBinary();
+    newRow("gltf") << "box.gltf" << gltfBox();
+    newRow("glb") << "box.glb" << glbBox();
 }
 
 namespace {
@@ -114,14 +114,14 @@ private slots:
     void readsTheBoxOfEveryFormat_data()
     {
         addFormatRows();
-        QTest::newRow("obj-crlf") << "crlf.obj" << objBox().replace("\n", "\r\n");
-        QTest::newRow("ply-crlf") << "crlf.ply" << plyText().replace("\n", "\r\n");
-        QTest::newRow("stl-crlf") << "crlf.stl" << stlText().replace("\n", "\r\n");
-        QTest::newRow("upper-case-suffix") << "BOX.OBJ" << objBox();
-        QTest::newRow("non-ascii-name") << QString::fromUtf8("模型 é.obj") << objBox();
-        QTest::newRow("non-ascii-gltf") << QString::fromUtf8("模型 é.gltf") << gltfBox();
-        QTest::newRow("no-line-end-at-end") << "chopped.ply" << plyText().chopped(1);
-        QTest::newRow("obj-negative-indices")
+        newRow("obj-crlf") << "crlf.obj" << objBox().replace("\n", "\r\n");
+        newRow("ply-crlf") << "crlf.ply" << plyText().replace("\n", "\r\n");
+        newRow("stl-crlf") << "crlf.stl" << stlText().replace("\n", "\r\n");
+        newRow("upper-case-suffix") << "BOX.OBJ" << objBox();
+        newRow("non-ascii-name") << QString::fromUtf8("模型 é.obj") << objBox();
+        newRow("non-ascii-gltf") << QString::fromUtf8("模型 é.gltf") << gltfBox();
+        newRow("no-line-end-at-end") << "chopped.ply" << plyText().chopped(1);
+        newRow("obj-negative-indices")
             << "negative.obj" << objBox("f -8 -5 -6 -7\nf -4 -3 -2 -1\n").replace("f 1 4 3 2\nf 5 6 7 8\n", "");
     }
 
@@ -152,12 +152,12 @@ private slots:
 
     void readsTextInUtf16_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QByteArray>("content");
-        QTest::newRow("obj") << "utf16.obj" << objBox();
-        QTest::newRow("stl") << "utf16.stl" << stlText();
-        QTest::newRow("ply") << "utf16.ply" << plyText();
-        QTest::newRow("off") << "utf16.off" << offBox();
+        addColumn<QString>("name");
+        addColumn<QByteArray>("content");
+        newRow("obj") << "utf16.obj" << objBox();
+        newRow("stl") << "utf16.stl" << stlText();
+        newRow("ply") << "utf16.ply" << plyText();
+        newRow("off") << "utf16.off" << offBox();
     }
 
     void readsTextInUtf16()
@@ -187,26 +187,27 @@ private slots:
 
     void readsColors_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QByteArray>("content");
-        QTest::addColumn<bool>("ofVertices");
+        addColumn<QString>("name");
+        addColumn<QByteArray>("content");
+        addColumn<bool>("ofVertices");
         write("paint box.mtl", "newmtl blue\nKd 0.25 0.5 0.75\n");
-        QTest::newRow("obj-mtl") << "painted.obj" << objBox("mtllib paint box.mtl\nusemtl blue\n") << false;
-        QTest::newRow("gltf-factor") << "painted.gltf" << gltfBox() << false;
-        QTest::newRow("glb-factor") << "painted.glb" << glbBox() << false;
-        QTest::newRow("ply-vertices") << "painted.ply"
-                                      << plyText({}, "property uchar red\nproperty uchar green\nproperty uchar blue\n",
-                                                 " 64 128 191")
-                                      << true;
-        QTest::newRow("ply-float-vertices")
-            << "painted.ply"
-            << plyText({}, "property float red\nproperty float green\nproperty float blue\n", " 0.25 0.5 0.75") << true;
-        QTest::newRow("off-integers") << "painted.off" << offBox("COFF", " 64 128 191 255") << true;
-        QTest::newRow("off-shares") << "painted.off" << offBox("COFF", " 0.25 0.5 0.75 1.0") << true;
-        QTest::newRow("off-faces") << "painted.off"
-                                   << offBox().replace("\n4 ", "\n 4 ").replace("4 1 2 6 5\n", "4 1 2 6 5 64 128 191\n")
-                                   << false;
-        QTest::newRow("stl-bits") << "painted.stl" << stlBinary(-1, 0x8000 | 8 << 10 | 16 << 5 | 23) << true;
+        newRow("obj-mtl") << "painted.obj" << objBox("mtllib paint box.mtl\nusemtl blue\n") << false;
+        newRow("gltf-factor") << "painted.gltf" << gltfBox() << false;
+        newRow("glb-factor") << "painted.glb" << glbBox() << false;
+        newRow("ply-vertices") << "painted.ply"
+                               << plyText({}, "property uchar red\nproperty uchar green\nproperty uchar blue\n",
+                                          " 64 128 191")
+                               << true;
+        newRow("ply-float-vertices") << "painted.ply"
+                                     << plyText({}, "property float red\nproperty float green\nproperty float blue\n",
+                                                " 0.25 0.5 0.75")
+                                     << true;
+        newRow("off-integers") << "painted.off" << offBox("COFF", " 64 128 191 255") << true;
+        newRow("off-shares") << "painted.off" << offBox("COFF", " 0.25 0.5 0.75 1.0") << true;
+        newRow("off-faces") << "painted.off"
+                            << offBox().replace("\n4 ", "\n 4 ").replace("4 1 2 6 5\n", "4 1 2 6 5 64 128 191\n")
+                            << false;
+        newRow("stl-bits") << "painted.stl" << stlBinary(-1, 0x8000 | 8 << 10 | 16 << 5 | 23) << true;
     }
 
     void readsColors()
@@ -235,26 +236,26 @@ private slots:
 
     void readsTextures_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QByteArray>("content");
+        addColumn<QString>("name");
+        addColumn<QByteArray>("content");
         write(QString::fromUtf8("my 图.png"), kPicture);
         write("skin.mtl", QByteArray("newmtl skin\nKd 1 1 1\nmap_Kd my 图.png\n"));
         write("windows.mtl", QByteArray("newmtl skin\nKd 1 1 1\nmap_Kd C:\\work\\my 图.png\n"));
         const QByteArray obj = objBox("vt 0.25 0.9\nusemtl skin\n", "/1");
-        QTest::newRow("obj") << "skin.obj"
-                             << "mtllib skin.mtl\n" + obj;
-        QTest::newRow("obj-crlf") << "skin crlf.obj" << QByteArray("mtllib skin.mtl\n" + obj).replace("\n", "\r\n");
-        QTest::newRow("obj-path-of-another-disk") << "skin2.obj"
-                                                  << "mtllib windows.mtl\n" + obj;
-        QTest::newRow("ply") << "skin.ply"
-                             << plyText(QByteArray("comment TextureFile my 图.png\n"),
-                                        "property float s\nproperty float t\n", " 0.25 0.9");
-        QTest::newRow("gltf") << "skin.gltf" << gltfBox({}, QByteArray(R"("uri":"my 图.png")"));
-        QTest::newRow("gltf-percent") << "skin.gltf" << gltfBox({}, R"("uri":"my%20%E5%9B%BE.png")");
-        QTest::newRow("gltf-data-uri") << "skin.gltf"
-                                       << gltfBox({}, "\"uri\":\"data:image/png;base64," + kPicture.toBase64() + '"');
-        QTest::newRow("glb-embedded") << "skin.glb" << glbBox(R"("bufferView":3,"mimeType":"image/png")");
-        QTest::newRow("glb-external") << "skin.glb" << glbBox(QByteArray(R"("uri":"my 图.png")"));
+        newRow("obj") << "skin.obj"
+                      << "mtllib skin.mtl\n" + obj;
+        newRow("obj-crlf") << "skin crlf.obj" << QByteArray("mtllib skin.mtl\n" + obj).replace("\n", "\r\n");
+        newRow("obj-path-of-another-disk") << "skin2.obj"
+                                           << "mtllib windows.mtl\n" + obj;
+        newRow("ply") << "skin.ply"
+                      << plyText(QByteArray("comment TextureFile my 图.png\n"), "property float s\nproperty float t\n",
+                                 " 0.25 0.9");
+        newRow("gltf") << "skin.gltf" << gltfBox({}, QByteArray(R"("uri":"my 图.png")"));
+        newRow("gltf-percent") << "skin.gltf" << gltfBox({}, R"("uri":"my%20%E5%9B%BE.png")");
+        newRow("gltf-data-uri") << "skin.gltf"
+                                << gltfBox({}, "\"uri\":\"data:image/png;base64," + kPicture.toBase64() + '"');
+        newRow("glb-embedded") << "skin.glb" << glbBox(R"("bufferView":3,"mimeType":"image/png")");
+        newRow("glb-external") << "skin.glb" << glbBox(QByteArray(R"("uri":"my 图.png")"));
     }
 
     void readsTextures()
@@ -287,12 +288,12 @@ private slots:
 
     void appliesNodeTransforms_data()
     {
-        QTest::addColumn<QByteArray>("node");
-        QTest::addColumn<double>("lowestX");
-        QTest::addColumn<double>("highestX");
-        QTest::newRow("translation") << QByteArray(R"(,"translation":[10,0,0])") << 9.0 << 12.0;
-        QTest::newRow("scale") << QByteArray(R"(,"scale":[2,1,1])") << -2.0 << 4.0;
-        QTest::newRow("mirror") << QByteArray(R"(,"scale":[-1,1,1])") << -2.0 << 1.0;
+        addColumn<QByteArray>("node");
+        addColumn<double>("lowestX");
+        addColumn<double>("highestX");
+        newRow("translation") << QByteArray(R"(,"translation":[10,0,0])") << 9.0 << 12.0;
+        newRow("scale") << QByteArray(R"(,"scale":[2,1,1])") << -2.0 << 4.0;
+        newRow("mirror") << QByteArray(R"(,"scale":[-1,1,1])") << -2.0 << 1.0;
     }
 
     void appliesNodeTransforms()
@@ -372,31 +373,29 @@ private slots:
 
     void saysWhyAFileCannotBeOpened_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QByteArray>("content");
-        QTest::addColumn<ImportErrorCode>("code");
-        QTest::addColumn<QString>("detail"); // a part of it
+        addColumn<QString>("name");
+        addColumn<QByteArray>("content");
+        addColumn<ImportErrorCode>("code");
+        addColumn<QString>("detail"); // a part of it
         using enum ImportErrorCode;
-        QTest::newRow("empty") << "bad.obj" << QByteArray() << EmptyFile << "";
-        QTest::newRow("unknown-suffix") << "bad.txt" << objBox() << UnknownFormat << "its contents look like obj";
-        QTest::newRow("no-suffix") << "bad" << objBox() << UnknownFormat << "give it the suffix .obj";
-        QTest::newRow("gltf-truncated") << "bad.gltf" << gltfBox().chopped(9) << Malformed << "file ends too early";
-        QTest::newRow("gltf-buffer-missing") << "bad.gltf" << gltfJson("nowhere.bin") << Malformed << "nowhere.bin";
-        QTest::newRow("gltf-accessor-too-long")
-            << "bad.gltf" << gltfBox().replace("\"count\":36", "\"count\":37") << Malformed << "37 elements";
-        QTest::newRow("gltf-sparse-without-count")
+        newRow("empty") << "bad.obj" << QByteArray() << EmptyFile << "";
+        newRow("unknown-suffix") << "bad.txt" << objBox() << UnknownFormat << "its contents look like obj";
+        newRow("no-suffix") << "bad" << objBox() << UnknownFormat << "give it the suffix .obj";
+        newRow("gltf-truncated") << "bad.gltf" << gltfBox().chopped(9) << Malformed << "file ends too early";
+        newRow("gltf-buffer-missing") << "bad.gltf" << gltfJson("nowhere.bin") << Malformed << "nowhere.bin";
+        newRow("gltf-accessor-too-long") << "bad.gltf" << gltfBox().replace("\"count\":36", "\"count\":37") << Malformed
+                                         << "37 elements";
+        newRow("gltf-sparse-without-count")
             << "bad.gltf" << gltfBox().replace(R"("count":36,)", R"("count":36,"sparse":{},)") << Malformed << "sparse";
-        QTest::newRow("gltf-strip-without-corners")
+        newRow("gltf-strip-without-corners")
             << "bad.gltf"
             << gltfBox().replace(R"("indices":1)", R"("mode":5,"indices":1)").replace("\"count\":36", "\"count\":0")
             << NoTriangles << "";
-        QTest::newRow("gltf-circle") << "bad.gltf" << gltfBox(",\"children\":[0]") << Malformed << "circle";
-        QTest::newRow("gltf-nested-deeply") << "bad.gltf" << QByteArray(100000, '[') << Malformed << "nested";
-        QTest::newRow("gltf-no-meshes") << "bad.gltf" << QByteArray("{\"asset\":{\"version\":\"2.0\"}}") << NoTriangles
-                                        << "";
-        QTest::newRow("glb-truncated") << "bad.glb" << glbBox().chopped(7) << Malformed << "declares";
-        QTest::newRow("glb-garbage") << "bad.glb" << QByteArray("garbage garbage garbage garbage") << Malformed
-                                     << "GLB";
+        newRow("gltf-circle") << "bad.gltf" << gltfBox(",\"children\":[0]") << Malformed << "circle";
+        newRow("gltf-nested-deeply") << "bad.gltf" << QByteArray(100000, '[') << Malformed << "nested";
+        newRow("gltf-no-meshes") << "bad.gltf" << QByteArray("{\"asset\":{\"version\":\"2.0\"}}") << NoTriangles << "";
+        newRow("glb-truncated") << "bad.glb" << glbBox().chopped(7) << Malformed << "declares";
+        newRow("glb-garbage") << "bad.glb" << QByteArray("garbage garbage garbage garbage") << Malformed << "GLB";
     }
 
     void saysWhyAFileCannotBeOpened()
@@ -447,7 +446,7 @@ private slots:
     {
         QFETCH(QString, name);
         QFETCH(QByteArray, content);
-        const int step = std::max(1, int(content.size()) / 150);
+        const int step = std::max(1, int(content.size()) / tests::rounds(150));
         for (int size = 1; size < content.size(); size += step) {
             const auto result = imported("cut " + name, content.left(size));
             if (result) {
@@ -462,11 +461,11 @@ private slots:
 
     void survivesBeingShortenedWhileItIsRead_data()
     {
-        QTest::addColumn<double>("share");
-        QTest::newRow("before") << 0.0;
-        QTest::newRow("while it is read") << 0.01;
-        QTest::newRow("while it is looked at") << 0.11;
-        QTest::newRow("while corners are taken out") << 0.4;
+        addColumn<double>("share");
+        newRow("before") << 0.0;
+        newRow("while it is read") << 0.01;
+        newRow("while it is looked at") << 0.11;
+        newRow("while corners are taken out") << 0.4;
     }
 
     /// Shortens the file as a program does that writes it anew.
@@ -517,7 +516,7 @@ private slots:
         });
         REQUIRE_MODEL(whole);
         QCOMPARE(last, 1.0);
-        for (int stopAt = 1; stopAt <= calls; ++stopAt) {
+        for (int stopAt = 1; stopAt <= calls; stopAt += tests::spacing(1)) {
             int call = 0;
             const auto stopped = importModel(file, [&](double) { return ++call < stopAt; });
             QVERIFY(!stopped.hasValue());
@@ -547,13 +546,13 @@ private slots:
 
     void longTextsAreReadAsShortOnes_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QByteArray>("content");
-        QTest::newRow("PLY") << "grid.ply" << gridPly("\n");
-        QTest::newRow("PLY, CRLF") << "grid.ply" << gridPly("\r\n");
-        QTest::newRow("PLY, CR") << "grid.ply" << gridPly("\r");
-        QTest::newRow("STL") << "grid.stl" << gridStl("\n");
-        QTest::newRow("STL, CRLF") << "grid.stl" << gridStl("\r\n");
+        addColumn<QString>("name");
+        addColumn<QByteArray>("content");
+        newRow("PLY") << "grid.ply" << gridPly("\n");
+        newRow("PLY, CRLF") << "grid.ply" << gridPly("\r\n");
+        newRow("PLY, CR") << "grid.ply" << gridPly("\r");
+        newRow("STL") << "grid.stl" << gridStl("\n");
+        newRow("STL, CRLF") << "grid.stl" << gridStl("\r\n");
     }
 
     void longTextsAreReadAsShortOnes()
@@ -581,18 +580,18 @@ private slots:
 
     void longTextsNameTheLine_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QByteArray>("content");
-        QTest::addColumn<QByteArray>("right");
-        QTest::addColumn<QByteArray>("wrong");
+        addColumn<QString>("name");
+        addColumn<QByteArray>("content");
+        addColumn<QByteArray>("right");
+        addColumn<QByteArray>("wrong");
         // The last of them in the file.
-        QTest::newRow("a vertex") << "grid.ply" << gridPly("\n") << gridWords(kGridPoints * kGridPoints - 1)
-                                  << QByteArray("1 2 x");
-        QTest::newRow("a face") << "grid.ply" << gridPly("\n") << QByteArray("\n3 66000 ") << QByteArray("\n3 66000z ");
-        QTest::newRow("a corner") << "grid.stl" << gridStl("\n") << QByteArray("vertex " + gridWords(66000))
-                                  << QByteArray("vertex 1 2");
-        QTest::newRow("a facet") << "grid.stl" << gridStl("\n") << QByteArray(" endfacet\nendsolid")
-                                 << QByteArray(" oops\nendsolid");
+        newRow("a vertex") << "grid.ply" << gridPly("\n") << gridWords(kGridPoints * kGridPoints - 1)
+                           << QByteArray("1 2 x");
+        newRow("a face") << "grid.ply" << gridPly("\n") << QByteArray("\n3 66000 ") << QByteArray("\n3 66000z ");
+        newRow("a corner") << "grid.stl" << gridStl("\n") << QByteArray("vertex " + gridWords(66000))
+                           << QByteArray("vertex 1 2");
+        newRow("a facet") << "grid.stl" << gridStl("\n") << QByteArray(" endfacet\nendsolid")
+                          << QByteArray(" oops\nendsolid");
     }
 
     void longTextsNameTheLine()

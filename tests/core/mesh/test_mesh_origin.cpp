@@ -20,21 +20,21 @@ class TestMeshOrigin : public QObject {
 private slots:
     void originLiesInAFarBox_data()
     {
-        QTest::addColumn<glm::dvec3>("lowest");
-        QTest::addColumn<glm::dvec3>("highest");
-        QTest::addColumn<glm::dvec3>("expected");
+        addColumn<glm::dvec3>("lowest");
+        addColumn<glm::dvec3>("highest");
+        addColumn<glm::dvec3>("expected");
 
-        QTest::newRow("about zero") << glm::dvec3(-1.0) << glm::dvec3(1.0) << glm::dvec3(0.0);
-        QTest::newRow("beside zero") << glm::dvec3(0.0) << glm::dvec3(2.0) << glm::dvec3(0.0);
-        QTest::newRow("as far as it is wide") << glm::dvec3(0.5) << glm::dvec3(1.5) << glm::dvec3(0.0);
-        QTest::newRow("far along one axis")
-            << glm::dvec3(999.0, -1.0, 0.0) << glm::dvec3(1001.0, 1.0, 2.0) << glm::dvec3(1000.0, 0.0, 0.0);
-        QTest::newRow("a survey's") << glm::dvec3(4e6, 5e5, 300.0) << glm::dvec3(4e6 + 2.0, 5e5 + 4.0, 302.0)
-                                    << glm::dvec3(4e6 + 1.0, 5e5 + 2.0, 301.0);
-        QTest::newRow("the middle is no float") << glm::dvec3(4e6 + 0.1) << glm::dvec3(4e6 + 0.1)
-                                                << glm::dvec3(static_cast<double>(static_cast<float>(4e6 + 0.1)));
-        QTest::newRow("a point at zero") << glm::dvec3(0.0) << glm::dvec3(0.0) << glm::dvec3(0.0);
-        QTest::newRow("empty") << glm::dvec3(1.0) << glm::dvec3(-1.0) << glm::dvec3(0.0);
+        newRow("about zero") << glm::dvec3(-1.0) << glm::dvec3(1.0) << glm::dvec3(0.0);
+        newRow("beside zero") << glm::dvec3(0.0) << glm::dvec3(2.0) << glm::dvec3(0.0);
+        newRow("as far as it is wide") << glm::dvec3(0.5) << glm::dvec3(1.5) << glm::dvec3(0.0);
+        newRow("far along one axis") << glm::dvec3(999.0, -1.0, 0.0) << glm::dvec3(1001.0, 1.0, 2.0)
+                                     << glm::dvec3(1000.0, 0.0, 0.0);
+        newRow("a survey's") << glm::dvec3(4e6, 5e5, 300.0) << glm::dvec3(4e6 + 2.0, 5e5 + 4.0, 302.0)
+                             << glm::dvec3(4e6 + 1.0, 5e5 + 2.0, 301.0);
+        newRow("the middle is no float") << glm::dvec3(4e6 + 0.1) << glm::dvec3(4e6 + 0.1)
+                                         << glm::dvec3(static_cast<double>(static_cast<float>(4e6 + 0.1)));
+        newRow("a point at zero") << glm::dvec3(0.0) << glm::dvec3(0.0) << glm::dvec3(0.0);
+        newRow("empty") << glm::dvec3(1.0) << glm::dvec3(-1.0) << glm::dvec3(0.0);
     }
 
     void originLiesInAFarBox()

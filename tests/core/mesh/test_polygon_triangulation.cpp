@@ -75,27 +75,26 @@ class TestPolygonTriangulation : public QObject {
 private slots:
     void coversThePolygonOnce_data()
     {
-        QTest::addColumn<Outline>("outline");
+        addColumn<Outline>("outline");
         const auto turned = [](Outline outline) {
             for (glm::vec3 &corner : outline)
                 corner = {corner.z + 7.0f, corner.y, corner.x + 0.5f * corner.y};
             return outline;
         };
         const auto reversed = [](const Outline &outline) { return Outline(outline.rbegin(), outline.rend()); };
-        QTest::newRow("triangle") << Outline{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-        QTest::newRow("arrow head") << Outline{{0, 1, 0}, {-1, -1, 0}, {0, 0, 0}, {1, -1, 0}};
-        QTest::newRow("arrow head from its dent") << Outline{{0, 0, 0}, {1, -1, 0}, {0, 1, 0}, {-1, -1, 0}};
-        QTest::newRow("corners on an edge")
-            << Outline{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {3, 1, 0}, {0, 1, 0}};
-        QTest::newRow("star of 40 corners") << star(40);
-        QTest::newRow("star of 700 corners") << star(700);
-        QTest::newRow("star of 700 corners, standing") << turned(star(700));
-        QTest::newRow("star of 700 corners, clockwise") << reversed(star(700));
-        QTest::newRow("spiral of 48 corners") << toothedSpiral(24);
-        QTest::newRow("spiral of 640 corners") << toothedSpiral(320);
-        QTest::newRow("spiral of 640 corners, clockwise, standing") << turned(reversed(toothedSpiral(320)));
-        QTest::newRow("spiral of 20000 corners") << toothedSpiral(10000);
-        QTest::newRow("combs of 800 corners") << combs(200);
+        newRow("triangle") << Outline{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+        newRow("arrow head") << Outline{{0, 1, 0}, {-1, -1, 0}, {0, 0, 0}, {1, -1, 0}};
+        newRow("arrow head from its dent") << Outline{{0, 0, 0}, {1, -1, 0}, {0, 1, 0}, {-1, -1, 0}};
+        newRow("corners on an edge") << Outline{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {3, 1, 0}, {0, 1, 0}};
+        newRow("star of 40 corners") << star(40);
+        newRow("star of 700 corners") << star(700);
+        newRow("star of 700 corners, standing") << turned(star(700));
+        newRow("star of 700 corners, clockwise") << reversed(star(700));
+        newRow("spiral of 48 corners") << toothedSpiral(24);
+        newRow("spiral of 640 corners") << toothedSpiral(320);
+        newRow("spiral of 640 corners, clockwise, standing") << turned(reversed(toothedSpiral(320)));
+        newRow("spiral of 20000 corners") << toothedSpiral(10000);
+        newRow("combs of 800 corners") << combs(200);
     }
 
     void coversThePolygonOnce()
@@ -140,12 +139,12 @@ private slots:
 
     void keepsAllTrianglesOfWhatCannotBeCut_data()
     {
-        QTest::addColumn<Outline>("outline");
-        QTest::newRow("crossing itself") << Outline{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}};
-        QTest::newRow("all corners in one place") << Outline(9, glm::vec3(1.0f));
-        QTest::newRow("all corners on a line") << Outline{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {1.5f, 0, 0}};
-        QTest::newRow("many corners on a line") << Outline(100, glm::vec3(0.0f, 1.0f, 2.0f));
-        QTest::newRow("not finite") << Outline{{0, 0, 0}, {1, NAN, 0}, {1, 1, 0}, {0, INFINITY, 0}};
+        addColumn<Outline>("outline");
+        newRow("crossing itself") << Outline{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}};
+        newRow("all corners in one place") << Outline(9, glm::vec3(1.0f));
+        newRow("all corners on a line") << Outline{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {1.5f, 0, 0}};
+        newRow("many corners on a line") << Outline(100, glm::vec3(0.0f, 1.0f, 2.0f));
+        newRow("not finite") << Outline{{0, 0, 0}, {1, NAN, 0}, {1, 1, 0}, {0, INFINITY, 0}};
     }
 
     void keepsAllTrianglesOfWhatCannotBeCut()
@@ -160,9 +159,9 @@ private slots:
 
     void takesLittleTimeForManyCorners_data()
     {
-        QTest::addColumn<Outline>("outline");
-        QTest::newRow("star") << star(200000);
-        QTest::newRow("spiral") << toothedSpiral(100000);
+        addColumn<Outline>("outline");
+        newRow("star") << star(200000);
+        newRow("spiral") << toothedSpiral(100000);
     }
 
     void takesLittleTimeForManyCorners()

@@ -44,11 +44,11 @@ class TestStandIn : public QObject {
 private slots:
     void itIsCoarseAndLooksAlike_data()
     {
-        QTest::addColumn<bool>("isSoup");
-        QTest::addColumn<int>("most");
-        QTest::newRow("indexed") << false << 20000;
-        QTest::newRow("as the vertices come") << true << 20000;
-        QTest::newRow("very coarse") << false << 500;
+        addColumn<bool>("isSoup");
+        addColumn<int>("most");
+        newRow("indexed") << false << 20000;
+        newRow("as the vertices come") << true << 20000;
+        newRow("very coarse") << false << 500;
     }
 
     void itIsCoarseAndLooksAlike()
@@ -86,8 +86,8 @@ private slots:
 
     void whatIsClosedStaysSo_data()
     {
-        QTest::addColumn<std::vector<Mesh>>("pieces");
-        QTest::addColumn<bool>("isClosed");
+        addColumn<std::vector<Mesh>>("pieces");
+        addColumn<bool>("isClosed");
         Mesh holed = ball(), insideOut = ball(), smallInsideOut = examples::sphereMesh(kRadius / 4.0, 5);
         holed.indices.resize(holed.indices.size() * 9 / 10);
         for (Mesh *mesh : {&insideOut, &smallInsideOut}) {
@@ -99,15 +99,15 @@ private slots:
             position.x += 5.0f;
         for (std::size_t i = 0; i < halfTurned.indices.size() / 2; i += 3)
             std::swap(halfTurned.indices[i], halfTurned.indices[i + 1]);
-        QTest::newRow("a ball") << std::vector{ball()} << true;
-        QTest::newRow("a ball as a soup") << std::vector{soupOf(ball())} << true;
-        QTest::newRow("two balls") << std::vector{ball(), beside} << true;
-        QTest::newRow("a ball with a hole") << std::vector{holed} << false;
-        QTest::newRow("two balls, one with a hole") << std::vector{beside, holed} << false;
-        QTest::newRow("a ball inside out") << std::vector{insideOut} << false;
-        QTest::newRow("a hollow ball") << std::vector{ball(), smallInsideOut} << false;
-        QTest::newRow("a ball of which half is turned over") << std::vector{halfTurned} << false;
-        QTest::newRow("points") << std::vector{pointsOf(ball())} << false;
+        newRow("a ball") << std::vector{ball()} << true;
+        newRow("a ball as a soup") << std::vector{soupOf(ball())} << true;
+        newRow("two balls") << std::vector{ball(), beside} << true;
+        newRow("a ball with a hole") << std::vector{holed} << false;
+        newRow("two balls, one with a hole") << std::vector{beside, holed} << false;
+        newRow("a ball inside out") << std::vector{insideOut} << false;
+        newRow("a hollow ball") << std::vector{ball(), smallInsideOut} << false;
+        newRow("a ball of which half is turned over") << std::vector{halfTurned} << false;
+        newRow("points") << std::vector{pointsOf(ball())} << false;
     }
 
     void whatIsClosedStaysSo()

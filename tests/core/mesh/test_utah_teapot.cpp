@@ -55,24 +55,24 @@ private slots:
 
     void teapotControlPointsAreThePublishedOnes_data()
     {
-        QTest::addColumn<int>("patchNumber"); // as published, from 1
-        QTest::addColumn<int>("row");
-        QTest::addColumn<int>("column");
-        QTest::addColumn<glm::dvec3>("published"); // z up
+        addColumn<int>("patchNumber"); // as published, from 1
+        addColumn<int>("row");
+        addColumn<int>("column");
+        addColumn<glm::dvec3>("published"); // z up
 
-        QTest::newRow("rim") << 1 << 1 << 1 << glm::dvec3(1.3375, -0.749, 2.53125);
-        QTest::newRow("rim, second quarter") << 2 << 2 << 2 << glm::dvec3(-1.4375, -0.805, 2.53125);
-        QTest::newRow("upper body, third quarter") << 7 << 1 << 1 << glm::dvec3(-1.75, 0.98, 1.875);
-        QTest::newRow("lower body, fourth quarter") << 12 << 2 << 1 << glm::dvec3(0.84, 1.5, 0.225);
-        QTest::newRow("handle, front") << 13 << 1 << 2 << glm::dvec3(-2.5, -0.3, 2.25);
-        QTest::newRow("handle, back") << 16 << 2 << 1 << glm::dvec3(-2.65, 0.3, 0.9375);
-        QTest::newRow("spout, front") << 17 << 1 << 2 << glm::dvec3(3.1, -0.66, 0.825);
-        QTest::newRow("spout, back") << 20 << 1 << 0 << glm::dvec3(3.525, 0.0, 2.49375);
-        QTest::newRow("knob's top") << 22 << 0 << 3 << glm::dvec3(0.0, 0.0, 3.15);
-        QTest::newRow("knob") << 21 << 1 << 1 << glm::dvec3(0.8, -0.45, 3.15);
-        QTest::newRow("lid") << 28 << 1 << 2 << glm::dvec3(0.4, 0.224, 2.55);
-        QTest::newRow("bottom") << 29 << 1 << 1 << glm::dvec3(1.425, 0.798, 0.0);
-        QTest::newRow("bottom, second quarter") << 30 << 2 << 3 << glm::dvec3(-1.5, 0.0, 0.075);
+        newRow("rim") << 1 << 1 << 1 << glm::dvec3(1.3375, -0.749, 2.53125);
+        newRow("rim, second quarter") << 2 << 2 << 2 << glm::dvec3(-1.4375, -0.805, 2.53125);
+        newRow("upper body, third quarter") << 7 << 1 << 1 << glm::dvec3(-1.75, 0.98, 1.875);
+        newRow("lower body, fourth quarter") << 12 << 2 << 1 << glm::dvec3(0.84, 1.5, 0.225);
+        newRow("handle, front") << 13 << 1 << 2 << glm::dvec3(-2.5, -0.3, 2.25);
+        newRow("handle, back") << 16 << 2 << 1 << glm::dvec3(-2.65, 0.3, 0.9375);
+        newRow("spout, front") << 17 << 1 << 2 << glm::dvec3(3.1, -0.66, 0.825);
+        newRow("spout, back") << 20 << 1 << 0 << glm::dvec3(3.525, 0.0, 2.49375);
+        newRow("knob's top") << 22 << 0 << 3 << glm::dvec3(0.0, 0.0, 3.15);
+        newRow("knob") << 21 << 1 << 1 << glm::dvec3(0.8, -0.45, 3.15);
+        newRow("lid") << 28 << 1 << 2 << glm::dvec3(0.4, 0.224, 2.55);
+        newRow("bottom") << 29 << 1 << 1 << glm::dvec3(1.425, 0.798, 0.0);
+        newRow("bottom, second quarter") << 30 << 2 << 3 << glm::dvec3(-1.5, 0.0, 0.075);
     }
 
     void teapotControlPointsAreThePublishedOnes()
@@ -89,16 +89,16 @@ private slots:
     {
         // A cubic at its middle is (P0 + 3 P1 + 3 P2 + P3) / 8, worked out by hand from the published
         // points.
-        QTest::addColumn<glm::dvec3>("point");
-        QTest::newRow("upper body") << glm::dvec3(1.84375, 1.621875, 0.0);
-        QTest::newRow("upper body, to the front") << glm::dvec3(0.0, 1.621875, 1.84375);
-        QTest::newRow("upper body, to the back") << glm::dvec3(0.0, 1.621875, -1.84375);
-        QTest::newRow("spout, upper edge") << glm::dvec3(2.3875, 1.8, 0.0);
-        QTest::newRow("handle, outer edge") << glm::dvec3(-2.625, 2.19375, 0.0);
-        QTest::newRow("handle, front") << glm::dvec3(-2.51875, 2.0953125, 0.225);
-        QTest::newRow("handle, back") << glm::dvec3(-2.51875, 2.0953125, -0.225);
-        QTest::newRow("knob") << glm::dvec3(0.325, 2.98125, 0.0);
-        QTest::newRow("bottom") << glm::dvec3(-1.284375, 0.046875, 0.0);
+        addColumn<glm::dvec3>("point");
+        newRow("upper body") << glm::dvec3(1.84375, 1.621875, 0.0);
+        newRow("upper body, to the front") << glm::dvec3(0.0, 1.621875, 1.84375);
+        newRow("upper body, to the back") << glm::dvec3(0.0, 1.621875, -1.84375);
+        newRow("spout, upper edge") << glm::dvec3(2.3875, 1.8, 0.0);
+        newRow("handle, outer edge") << glm::dvec3(-2.625, 2.19375, 0.0);
+        newRow("handle, front") << glm::dvec3(-2.51875, 2.0953125, 0.225);
+        newRow("handle, back") << glm::dvec3(-2.51875, 2.0953125, -0.225);
+        newRow("knob") << glm::dvec3(0.325, 2.98125, 0.0);
+        newRow("bottom") << glm::dvec3(-1.284375, 0.046875, 0.0);
     }
 
     void teapotPassesThrough()
@@ -117,10 +117,10 @@ private slots:
 
     void teapotTriangleCount_data()
     {
-        QTest::addColumn<int>("divisions");
-        QTest::addColumn<std::size_t>("triangles");
-        QTest::newRow("two") << 2 << std::size_t(240);
-        QTest::newRow("ten") << 10 << std::size_t(6320);
+        addColumn<int>("divisions");
+        addColumn<std::size_t>("triangles");
+        newRow("two") << 2 << std::size_t(240);
+        newRow("ten") << 10 << std::size_t(6320);
     }
 
     void teapotTriangleCount()

@@ -89,11 +89,11 @@ private slots:
 
     void theOriginIsTheMiddleOfTheWidgetAtEveryPixelRatio_data()
     {
-        QTest::addColumn<double>("ratio");
-        QTest::addColumn<double>("device");
-        QTest::newRow("@1x") << 1.0 << 150.0;
-        QTest::newRow("@1.25x") << 1.25 << 187.5;
-        QTest::newRow("@2x") << 2.0 << 300.0;
+        addColumn<double>("ratio");
+        addColumn<double>("device");
+        newRow("@1x") << 1.0 << 150.0;
+        newRow("@1.25x") << 1.25 << 187.5;
+        newRow("@2x") << 2.0 << 300.0;
     }
 
     void theOriginIsTheMiddleOfTheWidgetAtEveryPixelRatio()
@@ -111,13 +111,13 @@ private slots:
 
     void backwardUndoesForward_data()
     {
-        QTest::addColumn<Projection>("projection");
-        QTest::addColumn<ObjectPoint>("point");
-        QTest::newRow("off-centre frustum") << kOffCentre << ObjectPoint(0.5, -0.25, 1);
-        QTest::newRow("perspective") << kPerspective << ObjectPoint(0.5, -0.25, 1);
-        QTest::newRow("perspective, behind the eye") << kPerspective << ObjectPoint(5, -8, 1);
-        QTest::newRow("ortho") << kOrtho << ObjectPoint(0.5, -0.25, 1);
-        QTest::newRow("oblique") << kOblique << ObjectPoint(0.5, -0.25, 1);
+        addColumn<Projection>("projection");
+        addColumn<ObjectPoint>("point");
+        newRow("off-centre frustum") << kOffCentre << ObjectPoint(0.5, -0.25, 1);
+        newRow("perspective") << kPerspective << ObjectPoint(0.5, -0.25, 1);
+        newRow("perspective, behind the eye") << kPerspective << ObjectPoint(5, -8, 1);
+        newRow("ortho") << kOrtho << ObjectPoint(0.5, -0.25, 1);
+        newRow("oblique") << kOblique << ObjectPoint(0.5, -0.25, 1);
     }
 
     void backwardUndoesForward()
@@ -203,11 +203,11 @@ private slots:
 
     void theClipTestSaysWhereAPointLies_data()
     {
-        QTest::addColumn<ClipPoint>("point");
-        QTest::addColumn<std::vector<Outside>>("expected");
+        addColumn<ClipPoint>("point");
+        addColumn<std::vector<Outside>>("expected");
         using enum Outside;
         const auto row = [](const char *name, const ClipPoint &point, const std::vector<Outside> &expected) {
-            QTest::newRow(name) << point << expected;
+            newRow(name) << point << expected;
         };
         row("inside", {0.5, -0.5, 1.9, 2}, {});
         row("on the edges", {2, -2, 2, 2}, {});
@@ -249,73 +249,70 @@ private slots:
 
     void entryNamesMeanTheirNumbers_data()
     {
-        QTest::addColumn<Projection>("projection");
-        QTest::addColumn<PipelineStage>("stage");
-        QTest::addColumn<PipelineDirection>("direction");
-        QTest::addColumn<int>("row");
-        QTest::addColumn<int>("column");
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<double>("value");
+        addColumn<Projection>("projection");
+        addColumn<PipelineStage>("stage");
+        addColumn<PipelineDirection>("direction");
+        addColumn<int>("row");
+        addColumn<int>("column");
+        addColumn<QString>("name");
+        addColumn<double>("value");
 
         const auto forward = PipelineDirection::Forward, backward = PipelineDirection::Backward;
         const auto projection = PipelineStage::ProjectionMatrix, view = PipelineStage::ViewMatrix,
                    viewport = PipelineStage::ViewportMatrix;
         // l, r, b, t, n, f = -1, 3, -2, 1, 2, 10
-        QTest::newRow("frustum 0 0") << kOffCentre << projection << forward << 0 << 0 << "2n/(r−l)" << 2.0 * 2 / 4;
-        QTest::newRow("frustum 0 2") << kOffCentre << projection << forward << 0 << 2 << "(r+l)/(r−l)" << 2.0 / 4;
-        QTest::newRow("frustum 1 1") << kOffCentre << projection << forward << 1 << 1 << "2n/(t−b)" << 2.0 * 2 / 3;
-        QTest::newRow("frustum 1 2") << kOffCentre << projection << forward << 1 << 2 << "(t+b)/(t−b)" << -1.0 / 3;
-        QTest::newRow("frustum 2 2") << kOffCentre << projection << forward << 2 << 2 << "−(f+n)/(f−n)" << -12.0 / 8;
-        QTest::newRow("frustum 2 3") << kOffCentre << projection << forward << 2 << 3 << "−2fn/(f−n)" << -40.0 / 8;
-        QTest::newRow("frustum 3 2") << kOffCentre << projection << forward << 3 << 2 << "−1" << -1.0;
-        QTest::newRow("frustum back 0 0") << kOffCentre << projection << backward << 0 << 0 << "(r−l)/(2n)" << 4.0 / 4;
-        QTest::newRow("frustum back 0 3") << kOffCentre << projection << backward << 0 << 3 << "(r+l)/(2n)" << 2.0 / 4;
-        QTest::newRow("frustum back 1 3") << kOffCentre << projection << backward << 1 << 3 << "(t+b)/(2n)" << -1.0 / 4;
-        QTest::newRow("frustum back 3 2")
-            << kOffCentre << projection << backward << 3 << 2 << "−(f−n)/(2fn)" << -8.0 / 40;
-        QTest::newRow("frustum back 3 3")
-            << kOffCentre << projection << backward << 3 << 3 << "(f+n)/(2fn)" << 12.0 / 40;
+        newRow("frustum 0 0") << kOffCentre << projection << forward << 0 << 0 << "2n/(r−l)" << 2.0 * 2 / 4;
+        newRow("frustum 0 2") << kOffCentre << projection << forward << 0 << 2 << "(r+l)/(r−l)" << 2.0 / 4;
+        newRow("frustum 1 1") << kOffCentre << projection << forward << 1 << 1 << "2n/(t−b)" << 2.0 * 2 / 3;
+        newRow("frustum 1 2") << kOffCentre << projection << forward << 1 << 2 << "(t+b)/(t−b)" << -1.0 / 3;
+        newRow("frustum 2 2") << kOffCentre << projection << forward << 2 << 2 << "−(f+n)/(f−n)" << -12.0 / 8;
+        newRow("frustum 2 3") << kOffCentre << projection << forward << 2 << 3 << "−2fn/(f−n)" << -40.0 / 8;
+        newRow("frustum 3 2") << kOffCentre << projection << forward << 3 << 2 << "−1" << -1.0;
+        newRow("frustum back 0 0") << kOffCentre << projection << backward << 0 << 0 << "(r−l)/(2n)" << 4.0 / 4;
+        newRow("frustum back 0 3") << kOffCentre << projection << backward << 0 << 3 << "(r+l)/(2n)" << 2.0 / 4;
+        newRow("frustum back 1 3") << kOffCentre << projection << backward << 1 << 3 << "(t+b)/(2n)" << -1.0 / 4;
+        newRow("frustum back 3 2") << kOffCentre << projection << backward << 3 << 2 << "−(f−n)/(2fn)" << -8.0 / 40;
+        newRow("frustum back 3 3") << kOffCentre << projection << backward << 3 << 3 << "(f+n)/(2fn)" << 12.0 / 40;
         // fovy 60 degrees, aspect 2: cot 30 = sqrt 3
-        QTest::newRow("perspective 0 0") << kPerspective << projection << forward << 0 << 0 << "cot(fovy/2)/aspect"
-                                         << std::numbers::sqrt3 / 2;
-        QTest::newRow("perspective 1 1") << kPerspective << projection << forward << 1 << 1 << "cot(fovy/2)"
-                                         << std::numbers::sqrt3;
-        QTest::newRow("perspective back 0 0")
-            << kPerspective << projection << backward << 0 << 0 << "aspect·tan(fovy/2)" << 2 / std::numbers::sqrt3;
-        QTest::newRow("ortho 0 3") << kOrtho << projection << forward << 0 << 3 << "−(r+l)/(r−l)" << -2.0 / 4;
-        QTest::newRow("ortho 2 2") << kOrtho << projection << forward << 2 << 2 << "−2/(f−n)" << -2.0 / 8;
-        QTest::newRow("ortho back 1 3") << kOrtho << projection << backward << 1 << 3 << "(t+b)/2" << -0.5;
-        QTest::newRow("ortho back 2 2") << kOrtho << projection << backward << 2 << 2 << "−(f−n)/2" << -4.0;
-        QTest::newRow("ortho back 2 3") << kOrtho << projection << backward << 2 << 3 << "−(f+n)/2" << -6.0;
+        newRow("perspective 0 0") << kPerspective << projection << forward << 0 << 0 << "cot(fovy/2)/aspect"
+                                  << std::numbers::sqrt3 / 2;
+        newRow("perspective 1 1") << kPerspective << projection << forward << 1 << 1 << "cot(fovy/2)"
+                                  << std::numbers::sqrt3;
+        newRow("perspective back 0 0") << kPerspective << projection << backward << 0 << 0 << "aspect·tan(fovy/2)"
+                                       << 2 / std::numbers::sqrt3;
+        newRow("ortho 0 3") << kOrtho << projection << forward << 0 << 3 << "−(r+l)/(r−l)" << -2.0 / 4;
+        newRow("ortho 2 2") << kOrtho << projection << forward << 2 << 2 << "−2/(f−n)" << -2.0 / 8;
+        newRow("ortho back 1 3") << kOrtho << projection << backward << 1 << 3 << "(t+b)/2" << -0.5;
+        newRow("ortho back 2 2") << kOrtho << projection << backward << 2 << 2 << "−(f−n)/2" << -4.0;
+        newRow("ortho back 2 3") << kOrtho << projection << backward << 2 << 3 << "−(f+n)/2" << -6.0;
         // cot 0.78 = 1.010855029, cot 2 = -0.457657554
-        QTest::newRow("oblique 0 2") << kOblique << projection << forward << 0 << 2 << "2 cot θ/(r−l)"
-                                     << 2 * 1.0108550294569216 / 20;
-        QTest::newRow("oblique 1 2") << kOblique << projection << forward << 1 << 2 << "2 cot φ/(t−b)"
-                                     << 2 * -0.45765755436028577 / 20;
-        QTest::newRow("oblique back 0 2")
-            << kOblique << projection << backward << 0 << 2 << "cot θ·(f−n)/2" << 1.0108550294569216 * 7 / 2;
-        QTest::newRow("oblique back 0 3")
-            << kOblique << projection << backward << 0 << 3 << "(r+l)/2 + cot θ·(f+n)/2" << 1.0108550294569216 * 11 / 2;
-        QTest::newRow("oblique back 1 3") << kOblique << projection << backward << 1 << 3 << "(t+b)/2 + cot φ·(f+n)/2"
-                                          << -0.45765755436028577 * 11 / 2;
+        newRow("oblique 0 2") << kOblique << projection << forward << 0 << 2 << "2 cot θ/(r−l)"
+                              << 2 * 1.0108550294569216 / 20;
+        newRow("oblique 1 2") << kOblique << projection << forward << 1 << 2 << "2 cot φ/(t−b)"
+                              << 2 * -0.45765755436028577 / 20;
+        newRow("oblique back 0 2") << kOblique << projection << backward << 0 << 2 << "cot θ·(f−n)/2"
+                                   << 1.0108550294569216 * 7 / 2;
+        newRow("oblique back 0 3") << kOblique << projection << backward << 0 << 3 << "(r+l)/2 + cot θ·(f+n)/2"
+                                   << 1.0108550294569216 * 11 / 2;
+        newRow("oblique back 1 3") << kOblique << projection << backward << 1 << 3 << "(t+b)/2 + cot φ·(f+n)/2"
+                                   << -0.45765755436028577 * 11 / 2;
         // The eye (0, 0, 5) looks along -z: s = x, u = y, f = -z.
-        QTest::newRow("view 0 0") << kOrtho << view << forward << 0 << 0 << "s.x" << 1.0;
-        QTest::newRow("view 2 2") << kOrtho << view << forward << 2 << 2 << "−f.z" << 1.0;
-        QTest::newRow("view 2 3") << kOrtho << view << forward << 2 << 3 << "f·eye" << -5.0;
-        QTest::newRow("view back 1 1") << kOrtho << view << backward << 1 << 1 << "u.y" << 1.0;
-        QTest::newRow("view back 2 3") << kOrtho << view << backward << 2 << 3 << "eye.z" << 5.0;
+        newRow("view 0 0") << kOrtho << view << forward << 0 << 0 << "s.x" << 1.0;
+        newRow("view 2 2") << kOrtho << view << forward << 2 << 2 << "−f.z" << 1.0;
+        newRow("view 2 3") << kOrtho << view << forward << 2 << 3 << "f·eye" << -5.0;
+        newRow("view back 1 1") << kOrtho << view << backward << 1 << 1 << "u.y" << 1.0;
+        newRow("view back 2 3") << kOrtho << view << backward << 2 << 3 << "eye.z" << 5.0;
         // vx, vy, w, h = 13, 7, 400, 300; dn, df = 0.25, 0.75
-        QTest::newRow("viewport 0 0") << kOrtho << viewport << forward << 0 << 0 << "w/2" << 200.0;
-        QTest::newRow("viewport 0 3") << kOrtho << viewport << forward << 0 << 3 << "vx + w/2" << 213.0;
-        QTest::newRow("viewport 1 3") << kOrtho << viewport << forward << 1 << 3 << "vy + h/2" << 157.0;
-        QTest::newRow("viewport 2 2") << kOrtho << viewport << forward << 2 << 2 << "(df−dn)/2" << 0.25;
-        QTest::newRow("viewport 2 3") << kOrtho << viewport << forward << 2 << 3 << "(dn+df)/2" << 0.5;
-        QTest::newRow("viewport back 0 0") << kOrtho << viewport << backward << 0 << 0 << "2/w" << 1.0 / 200;
-        QTest::newRow("viewport back 1 3") << kOrtho << viewport << backward << 1 << 3 << "−(2vy+h)/h" << -314.0 / 300;
-        QTest::newRow("viewport back 2 3") << kOrtho << viewport << backward << 2 << 3 << "−(dn+df)/(df−dn)" << -2.0;
-        QTest::newRow("model 1 3") << kOrtho << PipelineStage::ModelMatrix << forward << 1 << 3 << "T.y" << 2.0;
-        QTest::newRow("model 2 1: where y goes")
-            << kOrtho << PipelineStage::ModelMatrix << forward << 2 << 1 << "Y.z" << 1.0;
+        newRow("viewport 0 0") << kOrtho << viewport << forward << 0 << 0 << "w/2" << 200.0;
+        newRow("viewport 0 3") << kOrtho << viewport << forward << 0 << 3 << "vx + w/2" << 213.0;
+        newRow("viewport 1 3") << kOrtho << viewport << forward << 1 << 3 << "vy + h/2" << 157.0;
+        newRow("viewport 2 2") << kOrtho << viewport << forward << 2 << 2 << "(df−dn)/2" << 0.25;
+        newRow("viewport 2 3") << kOrtho << viewport << forward << 2 << 3 << "(dn+df)/2" << 0.5;
+        newRow("viewport back 0 0") << kOrtho << viewport << backward << 0 << 0 << "2/w" << 1.0 / 200;
+        newRow("viewport back 1 3") << kOrtho << viewport << backward << 1 << 3 << "−(2vy+h)/h" << -314.0 / 300;
+        newRow("viewport back 2 3") << kOrtho << viewport << backward << 2 << 3 << "−(dn+df)/(df−dn)" << -2.0;
+        newRow("model 1 3") << kOrtho << PipelineStage::ModelMatrix << forward << 1 << 3 << "T.y" << 2.0;
+        newRow("model 2 1: where y goes") << kOrtho << PipelineStage::ModelMatrix << forward << 2 << 1 << "Y.z" << 1.0;
     }
 
     void entryNamesMeanTheirNumbers()
@@ -362,14 +359,14 @@ private slots:
 
     void aPointGivenInAnySpaceIsTheSamePoint_data()
     {
-        QTest::addColumn<Projection>("projection");
-        QTest::addColumn<double>("zEye");
-        QTest::newRow("off centre") << kOffCentre << -5.0;
-        QTest::newRow("perspective") << kPerspective << -20.0;
-        QTest::newRow("behind the eye") << kPerspective << 3.0;
-        QTest::newRow("beyond far") << kPerspective << -400.0;
-        QTest::newRow("ortho") << kOrtho << -4.0;
-        QTest::newRow("oblique") << kOblique << -7.0;
+        addColumn<Projection>("projection");
+        addColumn<double>("zEye");
+        newRow("off centre") << kOffCentre << -5.0;
+        newRow("perspective") << kPerspective << -20.0;
+        newRow("behind the eye") << kPerspective << 3.0;
+        newRow("beyond far") << kPerspective << -400.0;
+        newRow("ortho") << kOrtho << -4.0;
+        newRow("oblique") << kOblique << -7.0;
     }
 
     void aPointGivenInAnySpaceIsTheSamePoint()

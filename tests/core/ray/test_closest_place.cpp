@@ -59,9 +59,9 @@ class TestClosestPlace : public QObject {
 private slots:
     void asCloseAsTestingAll_data()
     {
-        QTest::addColumn<std::shared_ptr<const Model>>("model");
-        QTest::addColumn<double>("size");
-        QTest::addColumn<double>("distance");
+        addColumn<std::shared_ptr<const Model>>("model");
+        addColumn<double>("size");
+        addColumn<double>("distance");
         const auto scaled = [](const std::shared_ptr<Model> &model, float factor, const glm::dvec3 &origin) {
             for (Mesh &mesh : model->meshes) {
                 mesh.origin = origin;
@@ -72,16 +72,15 @@ private slots:
             return std::shared_ptr<const Model>(model);
         };
         const std::shared_ptr<const Model> ring = torus(24), any = soup(3000, 5);
-        QTest::newRow("torus, about it") << ring << 1.0 << 1.5;
-        QTest::newRow("torus, far away") << ring << 1.0 << 1e6;
-        QTest::newRow("torus, very far away") << ring << 1.0 << 1e12;
-        QTest::newRow("torus, farther than doubles tell") << ring << 1.0 << 1e18;
-        QTest::newRow("any triangles, some without an area") << any << 1.0 << 1.0;
-        QTest::newRow("tiny") << scaled(torus(24), 1e-12f, glm::dvec3(0.0)) << 1e-12 << 1e-12;
-        QTest::newRow("huge") << scaled(torus(24), 1e12f, glm::dvec3(0.0)) << 1e12 << 1e12;
-        QTest::newRow("a map's coordinates") << scaled(torus(24), 1.0f, {4.5e6, -5.5e6, 300}) << 1.0 << 1.5;
-        QTest::newRow("no size") << std::shared_ptr<const Model>(modelOf({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}})) << 1.0
-                                 << 5.0;
+        newRow("torus, about it") << ring << 1.0 << 1.5;
+        newRow("torus, far away") << ring << 1.0 << 1e6;
+        newRow("torus, very far away") << ring << 1.0 << 1e12;
+        newRow("torus, farther than doubles tell") << ring << 1.0 << 1e18;
+        newRow("any triangles, some without an area") << any << 1.0 << 1.0;
+        newRow("tiny") << scaled(torus(24), 1e-12f, glm::dvec3(0.0)) << 1e-12 << 1e-12;
+        newRow("huge") << scaled(torus(24), 1e12f, glm::dvec3(0.0)) << 1e12 << 1e12;
+        newRow("a map's coordinates") << scaled(torus(24), 1.0f, {4.5e6, -5.5e6, 300}) << 1.0 << 1.5;
+        newRow("no size") << std::shared_ptr<const Model>(modelOf({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}})) << 1.0 << 5.0;
     }
 
     void asCloseAsTestingAll()

@@ -65,16 +65,16 @@ class TestPixelEdge : public QObject {
 private slots:
     void theOtherSurfaceIsTold_data()
     {
-        QTest::addColumn<bool>("isBox");
-        QTest::addColumn<double>("x"); ///< of the click; the rim is at 320.25
-        QTest::addColumn<bool>("hasBack");
-        QTest::addColumn<bool>("hasEdge");
-        QTest::addColumn<int>("object"); ///< -1: the background
-        QTest::addColumn<double>("behind");
+        addColumn<bool>("isBox");
+        addColumn<double>("x"); ///< of the click; the rim is at 320.25
+        addColumn<bool>("hasBack");
+        addColumn<bool>("hasEdge");
+        addColumn<int>("object"); ///< -1: the background
+        addColumn<double>("behind");
 
         for (const bool isBox : {false, true}) {
             const auto row = [&](const char *name) -> QTestData & {
-                return QTest::newRow((std::string(isBox ? "box, " : "perspective, ") + name).c_str()) << isBox;
+                return newRow((std::string(isBox ? "box, " : "perspective, ") + name).c_str()) << isBox;
             };
             row("on the front surface") << 320.5 << true << true << 1 << 2.0;
             row("on the back surface") << 320.1 << true << true << 0 << -2.0;
@@ -175,13 +175,13 @@ private slots:
 
     void edgesAreFoundAsADenseGridOfRaysFindsThem_data()
     {
-        QTest::addColumn<std::shared_ptr<const Model>>("model");
+        addColumn<std::shared_ptr<const Model>>("model");
 
-        QTest::newRow("head") << examples::bundledModels().at("Head");
-        QTest::newRow("teapot") << examples::bundledModels().at("Teapot");
-        QTest::newRow("sphere") << std::shared_ptr<const Model>(cubeSphere(40, 0.0));
-        QTest::newRow("hills") << std::shared_ptr<const Model>(cubeSphere(60, 0.1));
-        QTest::newRow("soup") << std::shared_ptr<const Model>(soup(2'000, 3));
+        newRow("head") << examples::bundledModels().at("Head");
+        newRow("teapot") << examples::bundledModels().at("Teapot");
+        newRow("sphere") << std::shared_ptr<const Model>(cubeSphere(40, 0.0));
+        newRow("hills") << std::shared_ptr<const Model>(cubeSphere(60, 0.1));
+        newRow("soup") << std::shared_ptr<const Model>(soup(2'000, 3));
     }
 
     void edgesAreFoundAsADenseGridOfRaysFindsThem()

@@ -27,9 +27,9 @@ std::shared_ptr<const RayCaster> built(const std::shared_ptr<const Model> &model
 
 void eachTree()
 {
-    QTest::addColumn<Tree>("tree");
-    QTest::newRow("fastest") << Tree::Fastest;
-    QTest::newRow("plain") << Tree::Plain;
+    addColumn<Tree>("tree");
+    newRow("fastest") << Tree::Fastest;
+    newRow("plain") << Tree::Plain;
 }
 
 std::array<glm::dvec3, 3> placedCorners(const Model &model, std::uint32_t triangle)
@@ -143,16 +143,16 @@ private slots:
 
     void nothingSlipsThroughAClosedSurface_data()
     {
-        QTest::addColumn<std::shared_ptr<Model>>("model");
-        QTest::addColumn<Tree>("tree");
+        addColumn<std::shared_ptr<Model>>("model");
+        addColumn<Tree>("tree");
         const auto sphere = cubeSphere(60);
         const auto distant = std::make_shared<Model>(*cubeSphere(60));
         distant->meshes[0].origin = {4e6, 5e5, 300.0};
         distant->bounds = boundsOf(distant->meshes);
-        QTest::newRow("hilly sphere, fastest") << sphere << Tree::Fastest;
-        QTest::newRow("hilly sphere, plain") << sphere << Tree::Plain;
-        QTest::newRow("far from its origin, fastest") << distant << Tree::Fastest;
-        QTest::newRow("far from its origin, plain") << distant << Tree::Plain;
+        newRow("hilly sphere, fastest") << sphere << Tree::Fastest;
+        newRow("hilly sphere, plain") << sphere << Tree::Plain;
+        newRow("far from its origin, fastest") << distant << Tree::Fastest;
+        newRow("far from its origin, plain") << distant << Tree::Plain;
     }
 
     /// Rays through points of edges and through vertices, where two and six triangles meet: a ray from
@@ -181,10 +181,10 @@ private slots:
 
     void hitsLieOnTheRayAndTheTriangle_data()
     {
-        QTest::addColumn<std::shared_ptr<Model>>("model");
-        QTest::newRow("sphere") << cubeSphere(200, 0.0);
-        QTest::newRow("torus") << torus(300);
-        QTest::newRow("cube") << modelOf(
+        addColumn<std::shared_ptr<Model>>("model");
+        newRow("sphere") << cubeSphere(200, 0.0);
+        newRow("torus") << torus(300);
+        newRow("cube") << modelOf(
             {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}},
             {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
              2, 3, 7, 2, 7, 6, 1, 2, 6, 1, 6, 5, 0, 4, 7, 0, 7, 3});
@@ -404,9 +404,9 @@ private slots:
 
     void sizesOfAnyMagnitude_data()
     {
-        QTest::addColumn<double>("size");
+        addColumn<double>("size");
         for (const double size : {1e-30, 1e-9, 1e9, 1e30})
-            QTest::newRow(qPrintable(QString::number(size))) << size;
+            newRow(qPrintable(QString::number(size))) << size;
     }
 
     void sizesOfAnyMagnitude()

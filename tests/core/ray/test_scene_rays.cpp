@@ -162,25 +162,25 @@ class TestSceneRays : public QObject {
 private slots:
     void hitsAreSeenWhereTheClickWas_data()
     {
-        QTest::addColumn<Setup>("picture");
+        addColumn<Setup>("picture");
         const Perspective perspective{radiansFromDegrees(40.0), 4.0 / 3.0, 0.5, 50.0};
         const Ortho ortho{-2.0, 2.0, -1.5, 1.5, 0.5, 50.0};
         const auto matrixOf = [](const Projection &projection) {
             return MatrixProjection{*clipFromEye(projection), std::nullopt};
         };
-        QTest::newRow("perspective") << pictureWith(perspective);
-        QTest::newRow("off-centre frustum") << pictureWith(Frustum{-0.2, 0.1, -0.1, 0.15, 0.5, 50.0});
-        QTest::newRow("mirrored frustum") << pictureWith(Frustum{0.2, -0.2, -0.15, 0.15, 0.5, 50.0});
-        QTest::newRow("ortho") << pictureWith(ortho);
-        QTest::newRow("ortho, near behind the eye") << pictureWith(Ortho{-2.0, 2.0, -1.5, 1.5, -30.0, 50.0});
-        QTest::newRow("oblique") << pictureWith(Oblique{ortho, radiansFromDegrees(80.0), radiansFromDegrees(100.0)});
-        QTest::newRow("reversed depth range") << pictureWith(perspective, {1.0, 0.0});
-        QTest::newRow("matrix of a perspective") << pictureWith(matrixOf(perspective));
-        QTest::newRow("matrix of a box") << pictureWith(matrixOf(ortho));
-        QTest::newRow("matrix, reversed, far at infinity")
+        newRow("perspective") << pictureWith(perspective);
+        newRow("off-centre frustum") << pictureWith(Frustum{-0.2, 0.1, -0.1, 0.15, 0.5, 50.0});
+        newRow("mirrored frustum") << pictureWith(Frustum{0.2, -0.2, -0.15, 0.15, 0.5, 50.0});
+        newRow("ortho") << pictureWith(ortho);
+        newRow("ortho, near behind the eye") << pictureWith(Ortho{-2.0, 2.0, -1.5, 1.5, -30.0, 50.0});
+        newRow("oblique") << pictureWith(Oblique{ortho, radiansFromDegrees(80.0), radiansFromDegrees(100.0)});
+        newRow("reversed depth range") << pictureWith(perspective, {1.0, 0.0});
+        newRow("matrix of a perspective") << pictureWith(matrixOf(perspective));
+        newRow("matrix of a box") << pictureWith(matrixOf(ortho));
+        newRow("matrix, reversed, far at infinity")
             << pictureWith(MatrixProjection{reversedInfinite(0.5), NdcDepth::ZeroToOne});
-        QTest::newRow("skewed") << pictureWith(Frustum{-0.2, 0.1, -0.1, 0.15, 0.5, 50.0, 0.3});
-        QTest::newRow("pinhole") << pictureWith(Pinhole{600, 500, 200, 250, 30, 640, 480, 0.5, 50.0, true});
+        newRow("skewed") << pictureWith(Frustum{-0.2, 0.1, -0.1, 0.15, 0.5, 50.0, 0.3});
+        newRow("pinhole") << pictureWith(Pinhole{600, 500, 200, 250, 30, 640, 480, 0.5, 50.0, true});
         glm::dmat4 skewed = *clipFromEye(Projection(perspective));
         skewed[1][0] += 0.1;
         const std::pair<const char *, glm::dmat4> matrices[] = {
@@ -190,17 +190,16 @@ private slots:
             {"box, rolled", rolled(*clipFromEye(Projection(ortho)))},
         };
         for (const auto &[name, matrix] : matrices) {
-            QTest::addRow("matrix, %s", name) << pictureWith(MatrixProjection{matrix, std::nullopt});
-            QTest::addRow("matrix, %s, negated", name) << pictureWith(MatrixProjection{-matrix, std::nullopt});
-            QTest::addRow("matrix, %s, reversed", name)
-                << pictureWith(MatrixProjection{reversed(matrix), std::nullopt});
-            QTest::addRow("matrix, %s, reversed, negated", name)
+            addRow("matrix, %s", name) << pictureWith(MatrixProjection{matrix, std::nullopt});
+            addRow("matrix, %s, negated", name) << pictureWith(MatrixProjection{-matrix, std::nullopt});
+            addRow("matrix, %s, reversed", name) << pictureWith(MatrixProjection{reversed(matrix), std::nullopt});
+            addRow("matrix, %s, reversed, negated", name)
                 << pictureWith(MatrixProjection{-reversed(matrix), std::nullopt});
         }
-        QTest::newRow("view by matrix") << pictureWith(perspective, {}, eyeFromWorld(*eyeFrame(kCamera)));
+        newRow("view by matrix") << pictureWith(perspective, {}, eyeFromWorld(*eyeFrame(kCamera)));
         Setup part = pictureWith(perspective);
         part.viewport = {100.0, 50.0, 320.0, 240.0};
-        QTest::newRow("viewport in a part of the window") << part;
+        newRow("viewport in a part of the window") << part;
     }
 
     void hitsAreSeenWhereTheClickWas()
@@ -209,7 +208,7 @@ private slots:
         const SceneRays rays = Clicked{{objectOf(cubeSphere(40))}}.rays(picture);
         Aim aim(1);
         int hits = 0;
-        for (int i = 0; i < 2000; ++i) {
+        for (int i = 0; i < tests::rounds(2000); ++i) {
             const DevicePoint click(640.0 * aim.share(), 480.0 * aim.share());
             const auto hit = rays.at(click);
             QVERIFY(hit.hasValue());
@@ -223,15 +222,13 @@ private slots:
             QVERIFY(dot((*hit)->triangle->normal, ray.along) < 0.0);
             QVERIFY(dot(ray.along, kCamera.center - kCamera.eye) > 0.0);
         }
-        QVERIFY2(hits > 50, qPrintable(QString::number(hits)));
+        QVERIFY2(hits > tests::rounds(50), qPrintable(QString::number(hits)));
     }
 
     void placedObjectsAnswerAsTheirTrianglesInTheWorld_data()
     {
-        QTest::addColumn<std::vector<TransformStep>>("transform");
-        const auto row = [](const char *name, const std::vector<TransformStep> &steps) {
-            QTest::newRow(name) << steps;
-        };
+        addColumn<std::vector<TransformStep>>("transform");
+        const auto row = [](const char *name, const std::vector<TransformStep> &steps) { newRow(name) << steps; };
         row("none", {});
         row("turned and moved", {Translate{{0.5, -0.3, 1.0}}, Rotate{37.0, {1.0, 2.0, 0.5}}});
         row("mirrored", {Scale{{-1.0, 1.0, 1.0}}});
@@ -247,7 +244,7 @@ private slots:
         const glm::dmat4 m = worldFromObject(transform);
         Aim aim(3);
         int hits = 0;
-        for (int i = 0; i < 4000; ++i) {
+        for (int i = 0; i < tests::rounds(4000); ++i) {
             const DevicePoint click(640.0 * aim.share(), 480.0 * aim.share());
             const Ray<WorldSpace> ray = *rays.rays().at(click);
             const LineCrossing line(ray.from.coordinates(), ray.along.coordinates());
@@ -270,7 +267,7 @@ private slots:
             const glm::dvec3 back(m * glm::dvec4(hit->objectPoint.coordinates(), 1.0));
             QVERIFY(distance(WorldPoint(back), hit->world) < 1e-12);
         }
-        QVERIFY2(hits > 50, qPrintable(QString::number(hits)));
+        QVERIFY2(hits > tests::rounds(50), qPrintable(QString::number(hits)));
     }
 
     void nearAndFarEndTheRay()
@@ -296,10 +293,10 @@ private slots:
 
     void clipPlanesCut_data()
     {
-        QTest::addColumn<std::vector<glm::dvec4>>("planes");
-        QTest::addColumn<double>("z"); // of the wall that the ray hits; 9: none
+        addColumn<std::vector<glm::dvec4>>("planes");
+        addColumn<double>("z"); // of the wall that the ray hits; 9: none
         const auto row = [](const char *name, const std::vector<glm::dvec4> &planes, double z) {
-            QTest::newRow(name) << planes << z;
+            newRow(name) << planes << z;
         };
         row("none", {}, 2.0);
         row("cuts the first wall off", {{0.0, 0.0, -1.0, 1.0}}, 0.0);
@@ -343,10 +340,8 @@ private slots:
 
     void normalsLookOut_data()
     {
-        QTest::addColumn<std::vector<TransformStep>>("transform");
-        const auto row = [](const char *name, const std::vector<TransformStep> &steps) {
-            QTest::newRow(name) << steps;
-        };
+        addColumn<std::vector<TransformStep>>("transform");
+        const auto row = [](const char *name, const std::vector<TransformStep> &steps) { newRow(name) << steps; };
         row("as it is", {});
         row("mirrored", {Scale{{1.0, 1.0, -1.0}}});
         row("flattened", {Rotate{30.0, {0.0, 0.0, 1.0}}, Scale{{1.0, 0.1, 1.0}}});
@@ -359,7 +354,7 @@ private slots:
         const SceneRays rays = Clicked{{objectOf(model, transform)}}.rays(usualPicture());
         const glm::dmat3 normalMatrix = glm::inverse(glm::transpose(glm::dmat3(worldFromObject(transform))));
         Aim aim(4);
-        for (int i = 0; i < 500; ++i) {
+        for (int i = 0; i < tests::rounds(500); ++i) {
             const auto hit = *rays.at(DevicePoint(640.0 * aim.share(), 480.0 * aim.share()));
             if (!hit)
                 continue;
@@ -422,7 +417,7 @@ private slots:
         const SceneRays nearRays = Clicked{{objectOf(cubeSphere(40))}}.rays(usualPicture());
         Aim aim(5);
         int hits = 0;
-        for (int i = 0; i < 1000; ++i) {
+        for (int i = 0; i < tests::rounds(1000); ++i) {
             const DevicePoint click(640.0 * aim.share(), 480.0 * aim.share());
             const auto farHit = *farRays.at(click), backHit = *backRays.at(click), hit = *nearRays.at(click);
             if (!hit || !farHit || !backHit)
@@ -439,18 +434,18 @@ private slots:
             const glm::dvec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
             QVERIFY(std::abs(glm::dot(backHit->world.coordinates() - corners[0], normal)) < 1e-12);
         }
-        QVERIFY2(hits > 50, qPrintable(QString::number(hits)));
+        QVERIFY2(hits > tests::rounds(50), qPrintable(QString::number(hits)));
     }
 
     void uncertaintyHoldsWhatIsRounded_data()
     {
-        QTest::addColumn<double>("offset");
-        QTest::addColumn<double>("thickness");
-        QTest::newRow("about the origin") << 0.0 << 0.3;
-        QTest::newRow("beside it") << 100.0 << 0.3;
-        QTest::newRow("far away") << 1e7 << 0.3;
-        QTest::newRow("thin") << 0.0 << 1e-5;
-        QTest::newRow("very thin") << 100.0 << 1e-11;
+        addColumn<double>("offset");
+        addColumn<double>("thickness");
+        newRow("about the origin") << 0.0 << 0.3;
+        newRow("beside it") << 100.0 << 0.3;
+        newRow("far away") << 1e7 << 0.3;
+        newRow("thin") << 0.0 << 1e-5;
+        newRow("very thin") << 100.0 << 1e-11;
     }
 
     /// The truth is computed with 50 digits.
@@ -507,7 +502,7 @@ private slots:
             ratios.push_back(length(hit->uncertainty) / glm::length(off));
             outside += isInside ? 0 : 1;
         };
-        for (int i = 0; i < 20000; ++i)
+        for (int i = 0; i < tests::rounds(20000); ++i)
             click(DevicePoint(200.0 + 240.0 * aim.share(), 120.0 + 240.0 * aim.share()));
         // Thin ones have to be aimed at.
         for (std::size_t i = 0; i < exact.size(); i += 3) {
@@ -517,7 +512,7 @@ private slots:
                 click(deviceFromWindow(setup.surface, *seen));
         }
         std::sort(ratios.begin(), ratios.end());
-        QVERIFY2(hits > (thickness < 1e-3 ? 50 : 2000), qPrintable(QString::number(hits)));
+        QVERIFY2(hits > (thickness < 1e-3 ? 50 : tests::rounds(2000)), qPrintable(QString::number(hits)));
         QCOMPARE(outside, 0);
         QVERIFY2(ratios[ratios.size() / 2] < 1000.0, qPrintable(QString::number(ratios[ratios.size() / 2])));
     }
@@ -545,7 +540,7 @@ private slots:
         Aim aim(7);
         const auto anyOf = [&](double from, double to) { return from * std::pow(to / from, aim.share()); };
         Shares shares;
-        for (int i = 0; i < 1600; ++i) {
+        for (int i = 0; i < tests::rounds(1600); ++i) {
             const double n = anyOf(0.01, 10.0), f = n * anyOf(2.0, i % 4 == 0 ? 1e12 : 1e5);
             glm::dmat4 matrix =
                 *clipFromEye(Frustum{-n * anyOf(0.2, 1.0), n * anyOf(0.2, 1.0), -0.4 * n, 0.5 * n, n, f});
@@ -580,7 +575,7 @@ private slots:
                     shares.add(**hit, onPlane(oracle, {click.x, 480.0 - click.y}, exact));
             }
         }
-        QVERIFY2(shares.hits() > 800, qPrintable(QString::number(shares.hits())));
+        QVERIFY2(shares.hits() > tests::rounds(800), qPrintable(QString::number(shares.hits())));
         qInfo("%d hits, the uncertainty is %.3g times the error in the median", int(shares.hits()), shares.median());
         QCOMPARE(shares.outside(), 0);
         QVERIFY2(shares.median() < 1000.0, qPrintable(QString::number(shares.median())));
@@ -592,7 +587,7 @@ private slots:
         Aim aim(8);
         const auto within = [&](double size) { return size * (2.0 * aim.share() - 1.0); };
         Shares shares;
-        for (int i = 0; i < 200; ++i) {
+        for (int i = 0; i < tests::rounds(200); ++i) {
             const double depth = std::pow(10.0, 9.0 + i % 4);
             const Ortho box{-1.3, 1.4, -1.0, 1.1, -depth, depth};
             const LookAt camera{WorldPoint{within(1.0), within(1.0), within(1.0)}, // in this order
@@ -623,7 +618,7 @@ private slots:
                     shares.add(**hit, onPlane(oracle, {click.x, 480.0 - click.y}, exact));
             }
         }
-        QVERIFY2(shares.hits() > 500, qPrintable(QString::number(shares.hits())));
+        QVERIFY2(shares.hits() > tests::rounds(500), qPrintable(QString::number(shares.hits())));
         qInfo("%d hits, the uncertainty is %.3g times the error in the median", int(shares.hits()), shares.median());
         QCOMPARE(shares.outside(), 0);
     }

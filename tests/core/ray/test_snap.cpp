@@ -82,14 +82,14 @@ class TestSnap : public QObject {
 private slots:
     void verticesSnapWithinEightPixels_data()
     {
-        QTest::addColumn<DevicePoint>("click");
-        QTest::addColumn<int>("vertex"); // -1: none
-        QTest::newRow("on it") << seen(1.0, -1.0) << 1;
-        QTest::newRow("inside the triangle") << seen(-1.0, -1.0, 3.0, -3.0) << 0;
-        QTest::newRow("beside the triangle") << seen(-1.0, -1.0, -5.0, 5.0) << 0;
-        QTest::newRow("7.9 pixels away") << seen(-1.0, -1.0, 0.0, -7.9) << 0;
-        QTest::newRow("8.1 pixels away, on the triangle") << seen(-1.0, -1.0, 0.1, -8.1) << -1;
-        QTest::newRow("far away") << seen(3.0, 3.0) << -1;
+        addColumn<DevicePoint>("click");
+        addColumn<int>("vertex"); // -1: none
+        newRow("on it") << seen(1.0, -1.0) << 1;
+        newRow("inside the triangle") << seen(-1.0, -1.0, 3.0, -3.0) << 0;
+        newRow("beside the triangle") << seen(-1.0, -1.0, -5.0, 5.0) << 0;
+        newRow("7.9 pixels away") << seen(-1.0, -1.0, 0.0, -7.9) << 0;
+        newRow("8.1 pixels away, on the triangle") << seen(-1.0, -1.0, 0.1, -8.1) << -1;
+        newRow("far away") << seen(3.0, 3.0) << -1;
     }
 
     void verticesSnapWithinEightPixels()
@@ -109,15 +109,15 @@ private slots:
 
     void edgesSnapWithinEightPixels_data()
     {
-        QTest::addColumn<DevicePoint>("click");
-        QTest::addColumn<bool>("isTaken");
-        QTest::addColumn<WorldPoint>("world");
-        QTest::newRow("below the lower edge") << seen(0.25, -1.0, 0.0, 5.0) << true << WorldPoint(0.25, -1.0, 0.0);
-        QTest::newRow("above it") << seen(-0.5, -1.0, 0.0, -7.5) << true << WorldPoint(-0.5, -1.0, 0.0);
-        QTest::newRow("beside the slanted one") << seen(0.25, -0.25, 3.0, -3.0) << true << WorldPoint(0.25, -0.25, 0.0);
-        QTest::newRow("beyond a corner") << seen(1.0, -1.0, 4.0, 4.0) << true << WorldPoint(1.0, -1.0, 0.0);
-        QTest::newRow("in the middle") << seen(-0.4, -0.4) << false << WorldPoint();
-        QTest::newRow("9 pixels beside") << seen(0.0, -1.0, 0.0, 9.0) << false << WorldPoint();
+        addColumn<DevicePoint>("click");
+        addColumn<bool>("isTaken");
+        addColumn<WorldPoint>("world");
+        newRow("below the lower edge") << seen(0.25, -1.0, 0.0, 5.0) << true << WorldPoint(0.25, -1.0, 0.0);
+        newRow("above it") << seen(-0.5, -1.0, 0.0, -7.5) << true << WorldPoint(-0.5, -1.0, 0.0);
+        newRow("beside the slanted one") << seen(0.25, -0.25, 3.0, -3.0) << true << WorldPoint(0.25, -0.25, 0.0);
+        newRow("beyond a corner") << seen(1.0, -1.0, 4.0, 4.0) << true << WorldPoint(1.0, -1.0, 0.0);
+        newRow("in the middle") << seen(-0.4, -0.4) << false << WorldPoint();
+        newRow("9 pixels beside") << seen(0.0, -1.0, 0.0, 9.0) << false << WorldPoint();
     }
 
     void edgesSnapWithinEightPixels()
@@ -185,7 +185,7 @@ private slots:
         const SceneRays rays = raysOf({model});
         Aim aim(1);
         int vertices = 0, edges = 0;
-        for (int i = 0; i < 60; ++i) {
+        for (int i = 0; i < tests::rounds(60); ++i) {
             const DevicePoint click = seen(2.4 * aim.share() - 1.2, 2.4 * aim.share() - 1.2);
             const auto pixels = [&](const SceneHit &hit) {
                 return distance(deviceFromWindow(setup.surface, *windowFromWorld(setup, hit.world)), click);
@@ -203,19 +203,19 @@ private slots:
                 QVERIFY(edge->triangle->edge.distance < 1e-12 && pixels(*edge) <= kSnapPixels + 1e-9);
             }
         }
-        QVERIFY2(vertices > 10 && edges > 20, qPrintable(QStringLiteral("%1 %2").arg(vertices).arg(edges)));
+        QVERIFY2(vertices > tests::rounds(10) && edges > tests::rounds(20),
+                 qPrintable(QStringLiteral("%1 %2").arg(vertices).arg(edges)));
     }
 
     void sliversSnapAsTestingAll_data()
     {
-        QTest::addColumn<Lens>("lens");
-        QTest::addColumn<Tree>("tree");
+        addColumn<Lens>("lens");
+        addColumn<Tree>("tree");
         for (const auto &[name, tree] : {std::pair("fastest", Tree::Fastest), std::pair("plain", Tree::Plain)}) {
-            QTest::addRow("perspective, %s", name) << Lens(Frustum{-1.0, 1.0, -0.75, 0.75, 1.0, 11.0}) << tree;
-            QTest::addRow("deep, %s", name) << Lens(Frustum{-0.001, 0.001, -0.00075, 0.00075, 0.001, 1e5}) << tree;
-            QTest::addRow("ortho, %s", name) << Lens(Ortho{-2.0, 2.0, -1.5, 1.5, 1.0, 11.0}) << tree;
-            QTest::addRow("oblique, %s", name)
-                << Lens(Oblique{Ortho{-2.0, 2.0, -1.5, 1.5, 1.0, 11.0}, 1.3, 1.8}) << tree;
+            addRow("perspective, %s", name) << Lens(Frustum{-1.0, 1.0, -0.75, 0.75, 1.0, 11.0}) << tree;
+            addRow("deep, %s", name) << Lens(Frustum{-0.001, 0.001, -0.00075, 0.00075, 0.001, 1e5}) << tree;
+            addRow("ortho, %s", name) << Lens(Ortho{-2.0, 2.0, -1.5, 1.5, 1.0, 11.0}) << tree;
+            addRow("oblique, %s", name) << Lens(Oblique{Ortho{-2.0, 2.0, -1.5, 1.5, 1.0, 11.0}, 1.3, 1.8}) << tree;
         }
     }
 
@@ -229,7 +229,7 @@ private slots:
         setup.lens = lens;
         Aim aim(5);
         std::vector<glm::vec3> corners;
-        for (int i = 0; i < 1500; ++i) {
+        for (int i = 0; i < tests::rounds(1500); ++i) {
             const glm::dvec3 from = 2.0 * aim.share() * aim.direction(), way = 0.4 * aim.share() * aim.direction();
             const double width = i % 20 == 0 ? 0.3 : 0.0002;
             corners.insert(corners.end(), {glm::vec3(from), glm::vec3(from + way),
@@ -278,7 +278,7 @@ private slots:
             const DevicePoint at = deviceFromWindow(setup.surface, *windowFromWorld(setup, edge->world));
             QVERIFY(distance(at, click) <= distance(nearest->at, click) + 1e-6);
         }
-        QVERIFY2(hits > 60, qPrintable(QString::number(hits)));
+        QVERIFY2(hits > tests::rounds(60), qPrintable(QString::number(hits)));
     }
 
     /// Seen straight, the corners behind are at the same position, but for a rounding.
@@ -347,10 +347,10 @@ private slots:
 
     void theFrontPointNearestToTheClickIsTaken_data()
     {
-        QTest::addColumn<std::vector<glm::vec3>>("points");
-        QTest::addColumn<int>("taken"); // -1: none
+        addColumn<std::vector<glm::vec3>>("points");
+        addColumn<int>("taken"); // -1: none
         const auto row = [](const char *name, const std::vector<glm::vec3> &points, int taken) {
-            QTest::newRow(name) << points << taken;
+            newRow(name) << points << taken;
         };
         // The click is at the middle of the picture, 64 pixels a unit at z = 0.
         row("nothing", {}, -1);
@@ -425,10 +425,10 @@ private slots:
 
     void pointsAnswerAsTestingAll_data()
     {
-        QTest::addColumn<Lens>("lens");
-        QTest::newRow("perspective") << Lens(Frustum{-1.0, 1.0, -0.75, 0.75, 1.0, 11.0});
-        QTest::newRow("ortho") << Lens(Ortho{-2.0, 2.0, -1.5, 1.5, 1.0, 11.0});
-        QTest::newRow("oblique") << Lens(Oblique{Ortho{-2.0, 2.0, -1.5, 1.5, 1.0, 11.0}, 1.3, 1.8});
+        addColumn<Lens>("lens");
+        newRow("perspective") << Lens(Frustum{-1.0, 1.0, -0.75, 0.75, 1.0, 11.0});
+        newRow("ortho") << Lens(Ortho{-2.0, 2.0, -1.5, 1.5, 1.0, 11.0});
+        newRow("oblique") << Lens(Oblique{Ortho{-2.0, 2.0, -1.5, 1.5, 1.0, 11.0}, 1.3, 1.8});
     }
 
     void pointsAnswerAsTestingAll()

@@ -179,19 +179,19 @@ class TestSurfacePaths : public QObject {
 private slots:
     void aCubeUnfolds_data()
     {
-        QTest::addColumn<glm::dvec3>("from");
-        QTest::addColumn<glm::dvec3>("to");
-        QTest::addColumn<double>("length");
+        addColumn<glm::dvec3>("from");
+        addColumn<glm::dvec3>("to");
+        addColumn<double>("length");
 
-        QTest::newRow("one-triangle") << glm::dvec3(0.2, 0.1, 1) << glm::dvec3(0.9, 0.3, 1) << std::hypot(0.7, 0.2);
-        QTest::newRow("one-side") << glm::dvec3(0.1, 0.9, 1) << glm::dvec3(0.9, 0.2, 1) << std::hypot(0.8, 0.7);
-        QTest::newRow("around-an-edge") << glm::dvec3(0.5, 0.2, 1) << glm::dvec3(1, 0.7, 0.5) << std::hypot(1.0, 0.5);
-        QTest::newRow("opposite-corners") << glm::dvec3(0, 0, 0) << glm::dvec3(1, 1, 1) << std::sqrt(5.0);
-        QTest::newRow("opposite-sides") << glm::dvec3(0.5, 0.5, 0) << glm::dvec3(0.5, 0.5, 1) << 2.0;
+        newRow("one-triangle") << glm::dvec3(0.2, 0.1, 1) << glm::dvec3(0.9, 0.3, 1) << std::hypot(0.7, 0.2);
+        newRow("one-side") << glm::dvec3(0.1, 0.9, 1) << glm::dvec3(0.9, 0.2, 1) << std::hypot(0.8, 0.7);
+        newRow("around-an-edge") << glm::dvec3(0.5, 0.2, 1) << glm::dvec3(1, 0.7, 0.5) << std::hypot(1.0, 0.5);
+        newRow("opposite-corners") << glm::dvec3(0, 0, 0) << glm::dvec3(1, 1, 1) << std::sqrt(5.0);
+        newRow("opposite-sides") << glm::dvec3(0.5, 0.5, 0) << glm::dvec3(0.5, 0.5, 1) << 2.0;
         // Top to front to right beats top to right: the unfolded one turns by the corner.
-        QTest::newRow("by-a-corner") << glm::dvec3(0.9, 0.95, 1) << glm::dvec3(0.95, 1, 0.2) << std::hypot(0.05, 0.85);
-        QTest::newRow("along-an-edge") << glm::dvec3(0, 0, 0.25) << glm::dvec3(0, 0, 0.75) << 0.5;
-        QTest::newRow("one-place") << glm::dvec3(0.3, 0.3, 1) << glm::dvec3(0.3, 0.3, 1) << 0.0;
+        newRow("by-a-corner") << glm::dvec3(0.9, 0.95, 1) << glm::dvec3(0.95, 1, 0.2) << std::hypot(0.05, 0.85);
+        newRow("along-an-edge") << glm::dvec3(0, 0, 0.25) << glm::dvec3(0, 0, 0.75) << 0.5;
+        newRow("one-place") << glm::dvec3(0.3, 0.3, 1) << glm::dvec3(0.3, 0.3, 1) << 0.0;
     }
 
     void aCubeUnfolds()
@@ -207,14 +207,14 @@ private slots:
 
     void aPrismUnrolls_data()
     {
-        QTest::addColumn<int>("sides");
-        QTest::addColumn<int>("rows");
-        QTest::addColumn<double>("turn"); // share of a turn, between two corners of the prism
-        QTest::addColumn<double>("rise");
+        addColumn<int>("sides");
+        addColumn<int>("rows");
+        addColumn<double>("turn"); // share of a turn, between two corners of the prism
+        addColumn<double>("rise");
         for (const auto &[sides, rows] : {std::pair(8, 1), {64, 1}, {64, 40}, {64, 200}}) {
             for (const auto &[turn, rise] :
                  {std::pair(0.25, 1.0), {0.375, 3.0}, {0.125, 0.0}, {0.375, 0.1}, {0.0, 2.0}})
-                QTest::addRow("%d-sides-%d-rows-%g-%g", sides, rows, turn, rise) << sides << rows << turn << rise;
+                addRow("%d-sides-%d-rows-%g-%g", sides, rows, turn, rise) << sides << rows << turn << rise;
         }
     }
 
@@ -236,12 +236,11 @@ private slots:
 
     void aSphereHasGreatCircles_data()
     {
-        QTest::addColumn<int>("times");
-        QTest::addColumn<double>(
-            "most"); // relative: a polyhedron of such triangles is that much smaller than the sphere
-        QTest::newRow("512") << 3 << 0.02;
-        QTest::newRow("8192") << 5 << 0.0015;
-        QTest::newRow("131072") << 7 << 0.0001;
+        addColumn<int>("times");
+        addColumn<double>("most"); // relative: a polyhedron of such triangles is that much smaller than the sphere
+        newRow("512") << 3 << 0.02;
+        newRow("8192") << 5 << 0.0015;
+        newRow("131072") << 7 << 0.0001;
     }
 
     void aSphereHasGreatCircles()
@@ -250,7 +249,7 @@ private slots:
         QFETCH(double, most);
         const auto model = ball(times);
         ray_meshes::Aim aim(19);
-        for (int i = 0; i < 20; ++i) {
+        for (int i = 0; i < tests::rounds(20); ++i) {
             const glm::dvec3 a = aim.direction(), b = aim.direction();
             const double angle = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
             if (angle > 2.8)
@@ -295,7 +294,7 @@ private slots:
         const auto model = ray_meshes::torus(60);
         const auto surface = surfaceOf(*model);
         ray_meshes::Aim aim(5);
-        for (int i = 0; i < 50; ++i) {
+        for (int i = 0; i < tests::rounds(50); ++i) {
             const SurfacePlace a{std::uint32_t(aim.below(surface->triangleCount())), {0.2, 0.3, 0.5}};
             const SurfacePlace b{std::uint32_t(aim.below(surface->triangleCount())), {0.6, 0.3, 0.1}};
             const auto path = geodesic(*surface, a, b, kAsItIs, {});
@@ -338,13 +337,13 @@ private slots:
 
     void longWaysAreAsShortAsByTheWholeSearch_data()
     {
-        QTest::addColumn<std::shared_ptr<const Model>>("model");
-        QTest::addColumn<int>("longer"); ///< of 25 ways, by more than 10 parts per million
+        addColumn<std::shared_ptr<const Model>>("model");
+        addColumn<int>("longer"); ///< of 25 ways, by more than 10 parts per million
 
-        QTest::newRow("head") << examples::bundledModels().at("Head") << 0;
-        QTest::newRow("hills") << std::shared_ptr<const Model>(cubeSphere(40)) << 1;
-        QTest::newRow("torus") << std::shared_ptr<const Model>(ray_meshes::torus(100)) << 1;
-        QTest::newRow("sheet with a hole") << std::shared_ptr<const Model>(sheetWithAHole()) << 0;
+        newRow("head") << examples::bundledModels().at("Head") << 0;
+        newRow("hills") << std::shared_ptr<const Model>(cubeSphere(40)) << 1;
+        newRow("torus") << std::shared_ptr<const Model>(ray_meshes::torus(100)) << 1;
+        newRow("sheet with a hole") << std::shared_ptr<const Model>(sheetWithAHole()) << 0;
     }
 
     void longWaysAreAsShortAsByTheWholeSearch()
@@ -355,7 +354,7 @@ private slots:
         std::mt19937 random(3);
         int count = 0;
         double most = 0.0;
-        for (int i = 0; i < 25; ++i) {
+        for (int i = 0; i < tests::rounds(25); ++i) {
             const SurfacePlace from{static_cast<std::uint32_t>(random() % mesh->triangleCount()), {0.2, 0.3, 0.5}},
                 to{static_cast<std::uint32_t>(random() % mesh->triangleCount()), {0.5, 0.3, 0.2}};
             const auto whole = geodesic(*mesh, from, to, kAsItIs, {}, std::numeric_limits<std::size_t>::max());
@@ -384,9 +383,9 @@ private slots:
 
     void progressNeverDecreases_data()
     {
-        QTest::addColumn<qulonglong>("mostEdges");
-        QTest::newRow("short") << qulonglong(kMostEdges);
-        QTest::newRow("long") << qulonglong(100);
+        addColumn<qulonglong>("mostEdges");
+        newRow("short") << qulonglong(kMostEdges);
+        newRow("long") << qulonglong(100);
     }
 
     void progressNeverDecreases()

@@ -102,11 +102,11 @@ class TestClicks : public QObject {
 private slots:
     void everyClickComputedFromItsJsonIsTheSame_data()
     {
-        QTest::addColumn<int>("kind");
-        QTest::newRow("frustum") << int(oracle::RandomKind::Frustum);
-        QTest::newRow("perspective") << int(oracle::RandomKind::Perspective);
-        QTest::newRow("ortho") << int(oracle::RandomKind::Ortho);
-        QTest::newRow("oblique") << int(oracle::RandomKind::Oblique);
+        addColumn<int>("kind");
+        newRow("frustum") << int(oracle::RandomKind::Frustum);
+        newRow("perspective") << int(oracle::RandomKind::Perspective);
+        newRow("ortho") << int(oracle::RandomKind::Ortho);
+        newRow("oblique") << int(oracle::RandomKind::Oblique);
     }
 
     void everyClickComputedFromItsJsonIsTheSame()
@@ -236,11 +236,11 @@ private slots:
 
     void malformedClicksAreRefusedWithTheirPlace_data()
     {
-        QTest::addColumn<QString>("pointer");
-        QTest::addColumn<QString>("value");
-        QTest::addColumn<QString>("message");
+        addColumn<QString>("pointer");
+        addColumn<QString>("value");
+        addColumn<QString>("message");
         const auto row = [](const char *name, const char *pointer, const char *value, const char *message) {
-            QTest::newRow(name) << pointer << value << message;
+            newRow(name) << pointer << value << message;
         };
         row("no click", "/1", "7", "[1]: expected an object in { }, found a number");
         row("window of two", "/1/window", "[1, 2]", "[1].window: has 2 elements; it must have 3");

@@ -84,15 +84,15 @@ private slots:
 
     void aSceneSavedElsewhereKeepsUnknownKeys_data()
     {
-        QTest::addColumn<QString>("target");
-        QTest::addColumn<bool>("isAbsolute");
-        QTest::addColumn<QString>("path"); // expected in the file
-        QTest::newRow("the same file") << "here/scene.json" << false << "models/a.obj";
-        QTest::newRow("the folder above") << "scene.json" << false << "here/models/a.obj";
-        QTest::newRow("another folder") << "there/other.json" << false << "../here/models/a.obj";
-        QTest::newRow("beside the model") << "here/models/scene.json" << false << "a.obj";
-        QTest::newRow("absolute path, the same file") << "here/scene.json" << true << "models/a.obj";
-        QTest::newRow("absolute path, another folder") << "there/other.json" << true << "../here/models/a.obj";
+        addColumn<QString>("target");
+        addColumn<bool>("isAbsolute");
+        addColumn<QString>("path"); // expected in the file
+        newRow("the same file") << "here/scene.json" << false << "models/a.obj";
+        newRow("the folder above") << "scene.json" << false << "here/models/a.obj";
+        newRow("another folder") << "there/other.json" << false << "../here/models/a.obj";
+        newRow("beside the model") << "here/models/scene.json" << false << "a.obj";
+        newRow("absolute path, the same file") << "here/scene.json" << true << "models/a.obj";
+        newRow("absolute path, another folder") << "there/other.json" << true << "../here/models/a.obj";
     }
 
     void aSceneSavedElsewhereKeepsUnknownKeys()
@@ -158,10 +158,10 @@ private slots:
 
     void whatNoWindowDrawsIsRefusedWithItsKey_data()
     {
-        QTest::addColumn<QByteArray>("members");
-        QTest::addColumn<QByteArray>("message"); // nothing: it is drawn
+        addColumn<QByteArray>("members");
+        addColumn<QByteArray>("message"); // nothing: it is drawn
         const auto row = [](const char *name, const char *members, const char *message) {
-            QTest::newRow(name) << QByteArray(members) << QByteArray(message);
+            newRow(name) << QByteArray(members) << QByteArray(message);
         };
         row("a fraction", R"("viewport": {"x": 0, "y": 5.5, "width": 80, "height": 60})",
             "s.json: viewport.y: 5.5 is not a whole number of pixels");
@@ -198,40 +198,40 @@ private slots:
 
     void aModelBehindALinkStaysTheSame_data()
     {
-        QTest::addColumn<QString>("model");  // as the scene is given it
-        QTest::addColumn<QString>("target"); // where the scene is written
-        QTest::addColumn<QString>("path");   // expected in the file
+        addColumn<QString>("model");  // as the scene is given it
+        addColumn<QString>("target"); // where the scene is written
+        addColumn<QString>("path");   // expected in the file
         // far/folder/m.obj and far/m.obj are there, and m.obj; link leads to far/folder.
-        QTest::newRow("in a linked folder") << "link/m.obj"
-                                            << "scene.json"
-                                            << "link/m.obj";
-        QTest::newRow("above a linked folder") << "link/../m.obj"
-                                               << "scene.json"
-                                               << "far/m.obj";
-        QTest::newRow("below a folder, above a linked one") << "link/deep/../../m.obj"
-                                                            << "scene.json"
-                                                            << "far/m.obj";
-        QTest::newRow("no link") << "far/../m.obj"
-                                 << "scene.json"
-                                 << "m.obj";
-        QTest::newRow("a linked model") << "linked.obj"
+        newRow("in a linked folder") << "link/m.obj"
+                                     << "scene.json"
+                                     << "link/m.obj";
+        newRow("above a linked folder") << "link/../m.obj"
                                         << "scene.json"
-                                        << "linked.obj";
-        QTest::newRow("a missing model") << "none/../missing.obj"
-                                         << "scene.json"
-                                         << "missing.obj";
-        QTest::newRow("the scene in a linked folder") << "m.obj"
-                                                      << "link/scene.json"
-                                                      << "../../m.obj";
-        QTest::newRow("the scene and the model in a linked folder") << "link/m.obj"
-                                                                    << "link/scene.json"
-                                                                    << "m.obj";
-        QTest::newRow("the scene in a linked folder, the model in its own") << "far/folder/m.obj"
-                                                                            << "link/scene.json"
-                                                                            << "m.obj";
-        QTest::newRow("a linked model seen from a linked folder") << "linked.obj"
-                                                                  << "link/scene.json"
-                                                                  << "../../linked.obj";
+                                        << "far/m.obj";
+        newRow("below a folder, above a linked one") << "link/deep/../../m.obj"
+                                                     << "scene.json"
+                                                     << "far/m.obj";
+        newRow("no link") << "far/../m.obj"
+                          << "scene.json"
+                          << "m.obj";
+        newRow("a linked model") << "linked.obj"
+                                 << "scene.json"
+                                 << "linked.obj";
+        newRow("a missing model") << "none/../missing.obj"
+                                  << "scene.json"
+                                  << "missing.obj";
+        newRow("the scene in a linked folder") << "m.obj"
+                                               << "link/scene.json"
+                                               << "../../m.obj";
+        newRow("the scene and the model in a linked folder") << "link/m.obj"
+                                                             << "link/scene.json"
+                                                             << "m.obj";
+        newRow("the scene in a linked folder, the model in its own") << "far/folder/m.obj"
+                                                                     << "link/scene.json"
+                                                                     << "m.obj";
+        newRow("a linked model seen from a linked folder") << "linked.obj"
+                                                           << "link/scene.json"
+                                                           << "../../linked.obj";
     }
 
     void aModelBehindALinkStaysTheSame()

@@ -142,30 +142,30 @@ private slots:
 
     void whatIsReadIsWrittenAndReadAgain_data()
     {
-        QTest::addColumn<QByteArray>("text");
-        QTest::newRow("every key") << QByteArray(kFullScene);
-        QTest::newRow("as little as can be") << QByteArray(kLeastScene);
-        QTest::newRow("byte order mark") << QByteArray("\xEF\xBB\xBF").append(kLeastScene);
-        QTest::newRow("perspective") << withProjection(
+        addColumn<QByteArray>("text");
+        newRow("every key") << QByteArray(kFullScene);
+        newRow("as little as can be") << QByteArray(kLeastScene);
+        newRow("byte order mark") << QByteArray("\xEF\xBB\xBF").append(kLeastScene);
+        newRow("perspective") << withProjection(
             R"({"type": "perspective", "fovy": 33.3, "aspect": 1.7, "near": 1, "far": 9})");
-        QTest::newRow("perspective without aspect")
+        newRow("perspective without aspect")
             << withProjection(R"({"type": "perspective", "fovy": 45, "near": 1, "far": 9})");
-        QTest::newRow("oblique") << withProjection(
+        newRow("oblique") << withProjection(
             R"({"type": "oblique", "left": -1, "right": 1, "bottom": -1, "top": 1,
                                                    "near": 1, "far": 9, "theta": 44.690708, "phi": 135})");
-        QTest::newRow("extreme numbers") << withProjection(
+        newRow("extreme numbers") << withProjection(
             R"({"type": "ortho", "left": -1.7976931348623157e308, "right": 5e-324,
                                                           "bottom": -0.0, "top": 9007199254740993, "near": 0.1, "far": 0.30000000000000004})");
-        QTest::newRow("matrix") << withProjection(kMatrix);
-        QTest::newRow("matrix of [0, 1]")
+        newRow("matrix") << withProjection(kMatrix);
+        newRow("matrix of [0, 1]")
             << QByteArray(withProjection(kMatrix)).replace("\"matrix\", ", "\"matrix\", \"ndcDepth\": [0, 1], ");
-        QTest::newRow("view matrix") << withView("{\"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,-5.1,1]}");
-        QTest::newRow("unknown keys") << withMember(R"("by": {"a": [1, {"b": null}]}, "ui": {"theme": "dark"})");
-        QTest::newRow("object point") << withMember(
+        newRow("view matrix") << withView("{\"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,-5.1,1]}");
+        newRow("unknown keys") << withMember(R"("by": {"a": [1, {"b": null}]}, "ui": {"theme": "dark"})");
+        newRow("object point") << withMember(
             R"("point": {"space": "object", "coordinates": [0.1, -0.0, 5e-324], "object": "a face", "by": 1})");
-        QTest::newRow("clip point") << withMember(R"("point": {"space": "clip", "coordinates": [1, 2, 3, -4.1]})");
+        newRow("clip point") << withMember(R"("point": {"space": "clip", "coordinates": [1, 2, 3, -4.1]})");
         for (const char *space : {"world", "eye", "ndc", "window"})
-            QTest::newRow(space) << withMember(
+            newRow(space) << withMember(
                 QByteArray(R"("point": {"space": "SPACE", "coordinates": [1, 2, 0.3]})").replace("SPACE", space));
     }
 
@@ -206,15 +206,15 @@ private slots:
 
     void unknownKeysAreKeptEverywhere_data()
     {
-        QTest::addColumn<QByteArray>("text");
-        QTest::newRow("every key") << QByteArray(kFullScene);
-        QTest::newRow("perspective") << withProjection(
+        addColumn<QByteArray>("text");
+        newRow("every key") << QByteArray(kFullScene);
+        newRow("perspective") << withProjection(
             R"({"type": "perspective", "fovy": 33.3, "aspect": 1.7, "near": 1, "far": 9})");
-        QTest::newRow("oblique") << withProjection(
+        newRow("oblique") << withProjection(
             R"({"type": "oblique", "left": -1, "right": 1, "bottom": -1, "top": 1,
                                                    "near": 1, "far": 9, "theta": 44.690708, "phi": 135})");
-        QTest::newRow("matrix") << withProjection(kMatrix);
-        QTest::newRow("view matrix") << withView("{\"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,-5.1,1]}");
+        newRow("matrix") << withProjection(kMatrix);
+        newRow("view matrix") << withView("{\"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,-5.1,1]}");
     }
 
     void unknownKeysAreKeptEverywhere()
@@ -234,13 +234,13 @@ private slots:
 
     void numbersOfUnknownKeysAreKeptToTheDigit_data()
     {
-        QTest::addColumn<QByteArray>("number");
+        addColumn<QByteArray>("number");
         for (const char *number :
              {"9007199254740993", "18446744073709551615", "18446744073709551617", "-9223372036854775809",
               "123456789012345678901234567890", "0.1000000000000000055511151231257827", "3.14159265358979323846",
               "-0.0", "1.7976931348623157081e308", "1234567890.12345678901234567890e-5", "1e-07", "0.5", "5e-324",
               "0.00000000001234567890123456789"})
-            QTest::newRow(number) << QByteArray(number);
+            newRow(number) << QByteArray(number);
     }
 
     void numbersOfUnknownKeysAreKeptToTheDigit()

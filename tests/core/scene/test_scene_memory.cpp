@@ -48,14 +48,15 @@ private slots:
     void cleanupTestCase() { mostBytesAtOnce = std::numeric_limits<std::size_t>::max(); }
     void aLargeFileTakesLittleMemory_data()
     {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QByteArray>("message");
-        constexpr qsizetype most = (8 << 20) - 1000; // memory grows with the text: as much as a test may take
+        addColumn<QByteArray>("text");
+        addColumn<QByteArray>("message");
+        constexpr qsizetype most =
+            tests::rounds((8 << 20) - 1000); // memory grows with the text: as much as a test may take
         const auto many = [](const QByteArray &element, qsizetype bytes) {
             return '[' + (element + ',').repeated(bytes / (element.size() + 1)).chopped(1) + ']';
         };
         const auto row = [](const char *name, const QByteArray &text, const char *message) {
-            QTest::newRow(name) << text << QByteArray(message);
+            newRow(name) << text << QByteArray(message);
         };
         const char *const noObject = "scene.json: objects[0]: expected an object in { }, found a number";
         row("numbers for clicks", many("0", most), "scene.json: [0]: expected an object in { }, found a number");

@@ -60,10 +60,10 @@ class TestSceneOnDisk : public QObject {
 private slots:
     void scenesAreKnownByTheirContents_data()
     {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<bool>("isScene");
+        addColumn<QByteArray>("text");
+        addColumn<bool>("isScene");
         const auto row = [](const char *name, const QByteArray &text, bool isScene) {
-            QTest::newRow(name) << text << isScene;
+            newRow(name) << text << isScene;
         };
         row("all keys", kFullScene, true);
         row("the least", kLeastScene, true);

@@ -69,14 +69,14 @@ private slots:
 
     void theVerdictNamesTheCause_data()
     {
-        QTest::addColumn<double>("ulps");
-        QTest::addColumn<double>("nearDistance");
-        QTest::addColumn<glm::dvec3>("point");
-        QTest::addColumn<double>("uncertainty");
-        QTest::addColumn<QString>("verdict");
+        addColumn<double>("ulps");
+        addColumn<double>("nearDistance");
+        addColumn<glm::dvec3>("point");
+        addColumn<double>("uncertainty");
+        addColumn<QString>("verdict");
         const auto row = [](const char *name, double ulps, double nearDistance, const glm::dvec3 &point,
                             double uncertainty, const char *verdict) {
-            QTest::newRow(name) << ulps << nearDistance << point << uncertainty << QString::fromUtf8(verdict);
+            newRow(name) << ulps << nearDistance << point << uncertainty << QString::fromUtf8(verdict);
         };
         row("the same", 0.0, 2.0, kPoint, 1.0, "Formula and matrix agree to the last digit");
         row("one", 0.7, 2.0, kPoint, 1.0, "Formula and matrix agree to within 1 ulp");

@@ -79,9 +79,9 @@ double percentile(const std::vector<double> &sorted, double share)
 
 void addSets()
 {
-    QTest::addColumn<InstructionSet>("set");
+    addColumn<InstructionSet>("set");
     for (const InstructionSet set : {InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512})
-        QTest::newRow(name(set)) << set;
+        newRow(name(set)) << set;
 }
 
 } // namespace
@@ -122,11 +122,11 @@ class TestBatchUnproject : public QObject {
 private slots:
     void unitsInTheLastPlace_data()
     {
-        QTest::addColumn<double>("nearDistance");
-        QTest::addColumn<double>("farDistance");
-        QTest::newRow("5 : 80000") << 5.0 << 80000.0;
-        QTest::newRow("0.1 : 10000") << 0.1 << 10000.0;
-        QTest::newRow("1 : 100") << 1.0 << 100.0;
+        addColumn<double>("nearDistance");
+        addColumn<double>("farDistance");
+        newRow("5 : 80000") << 5.0 << 80000.0;
+        newRow("0.1 : 10000") << 0.1 << 10000.0;
+        newRow("1 : 100") << 1.0 << 100.0;
     }
 
     void unitsInTheLastPlace()
@@ -196,13 +196,13 @@ private slots:
 
     void everyInstructionSetGivesTheSameDigits_data()
     {
-        QTest::addColumn<InstructionSet>("set");
-        QTest::addColumn<RandomKind>("kind");
+        addColumn<InstructionSet>("set");
+        addColumn<RandomKind>("kind");
         for (const InstructionSet set : {InstructionSet::Avx2, InstructionSet::Avx512}) {
-            QTest::addRow("%s, frustum, off-centre and mirrored too", name(set)) << set << RandomKind::Frustum;
-            QTest::addRow("%s, perspective", name(set)) << set << RandomKind::Perspective;
-            QTest::addRow("%s, ortho, around the eye too", name(set)) << set << RandomKind::Ortho;
-            QTest::addRow("%s, oblique", name(set)) << set << RandomKind::Oblique;
+            addRow("%s, frustum, off-centre and mirrored too", name(set)) << set << RandomKind::Frustum;
+            addRow("%s, perspective", name(set)) << set << RandomKind::Perspective;
+            addRow("%s, ortho, around the eye too", name(set)) << set << RandomKind::Ortho;
+            addRow("%s, oblique", name(set)) << set << RandomKind::Oblique;
         }
     }
 
@@ -234,13 +234,13 @@ private slots:
     void manyPointsAreThoseOfFew_data()
     {
         using Starts = std::array<std::size_t, 3>;
-        QTest::addColumn<InstructionSet>("set");
-        QTest::addColumn<Starts>("starts");
+        addColumn<InstructionSet>("set");
+        addColumn<Starts>("starts");
         for (const InstructionSet set : {InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512}) {
-            QTest::addRow("%s, where the memory starts", name(set)) << set << Starts{0, 0, 0};
-            QTest::addRow("%s, one further", name(set)) << set << Starts{1, 1, 1};
-            QTest::addRow("%s, a line less one further", name(set)) << set << Starts{15, 15, 15};
-            QTest::addRow("%s, each elsewhere", name(set)) << set << Starts{0, 1, 2};
+            addRow("%s, where the memory starts", name(set)) << set << Starts{0, 0, 0};
+            addRow("%s, one further", name(set)) << set << Starts{1, 1, 1};
+            addRow("%s, a line less one further", name(set)) << set << Starts{15, 15, 15};
+            addRow("%s, each elsewhere", name(set)) << set << Starts{0, 1, 2};
         }
     }
 
@@ -284,32 +284,33 @@ private slots:
 
     void matricesOfOtherPrograms_data()
     {
-        QTest::addColumn<glm::dmat4>("projection");
-        QTest::addColumn<bool>("isZeroToOne");
-        QTest::addColumn<bool>("isFormulaOurs");
+        addColumn<glm::dmat4>("projection");
+        addColumn<bool>("isZeroToOne");
+        addColumn<bool>("isFormulaOurs");
         // Columns; near 0.5, far 50 where there is one; off-centre.
         const double n = 0.5, f = 50.0;
         const auto perspective = [](double zz, double zw, double side) {
             return glm::dmat4{{1.2, 0, 0, 0}, {0, 1.6, 0, 0}, {-0.1 * side, 0.2 * side, zz, side}, {0, 0, zw, 0}};
         };
-        QTest::newRow("OpenGL") << perspective(-(f + n) / (f - n), -2 * f * n / (f - n), -1) << false << true;
-        QTest::newRow("OpenGL, times 3") << 3.0 * perspective(-(f + n) / (f - n), -2 * f * n / (f - n), -1) << false
-                                         << true;
-        QTest::newRow("Vulkan") << perspective(-f / (f - n), -f * n / (f - n), -1) << true << true;
-        QTest::newRow("Direct3D, along +z") << perspective(f / (f - n), -f * n / (f - n), 1) << true << true;
-        QTest::newRow("reversed") << perspective(n / (f - n), f * n / (f - n), -1) << true << true;
-        QTest::newRow("reversed, far at infinity") << perspective(0, n, -1) << true << true;
-        QTest::newRow("OpenGL, far at infinity") << perspective(-1, -2 * n, -1) << false << true;
-        QTest::newRow("box") << glm::dmat4{{0.2, 0, 0, 0}, {0, 0.3, 0, 0}, {0, 0, -0.04, 0}, {0.1, -0.2, -1.02, 1}}
-                             << false << true;
-        QTest::newRow("box, times 7")
+        newRow("OpenGL") << perspective(-(f + n) / (f - n), -2 * f * n / (f - n), -1) << false << true;
+        newRow("OpenGL, times 3") << 3.0 * perspective(-(f + n) / (f - n), -2 * f * n / (f - n), -1) << false << true;
+        newRow("Vulkan") << perspective(-f / (f - n), -f * n / (f - n), -1) << true << true;
+        newRow("Direct3D, along +z") << perspective(f / (f - n), -f * n / (f - n), 1) << true << true;
+        newRow("reversed") << perspective(n / (f - n), f * n / (f - n), -1) << true << true;
+        newRow("reversed, far at infinity") << perspective(0, n, -1) << true << true;
+        newRow("OpenGL, far at infinity") << perspective(-1, -2 * n, -1) << false << true;
+        newRow("box") << glm::dmat4{{0.2, 0, 0, 0}, {0, 0.3, 0, 0}, {0, 0, -0.04, 0}, {0.1, -0.2, -1.02, 1}} << false
+                      << true;
+        newRow("box, times 7")
             << 7.0 * glm::dmat4{{0.2, 0, 0, 0}, {0, 0.3, 0, 0}, {0, 0, -0.04, 0}, {0.1, -0.2, -1.02, 1}} << false
             << true;
-        QTest::newRow("sheared box, [0, 1]")
-            << glm::dmat4{{0.2, 0, 0, 0}, {0, 0.3, 0, 0}, {0.05, 0.02, -0.02, 0}, {0.1, -0.2, -0.01, 1}} << true
-            << true;
-        QTest::newRow("no known form")
-            << glm::dmat4{{1, 0.5, 0, 0}, {0.25, 1, 0, 0}, {0, 0, -1.02, -1}, {0, 0, -2.02, 0}} << false << false;
+        newRow("sheared box, [0, 1]") << glm::dmat4{{0.2, 0, 0, 0},
+                                                    {0, 0.3, 0, 0},
+                                                    {0.05, 0.02, -0.02, 0},
+                                                    {0.1, -0.2, -0.01, 1}}
+                                      << true << true;
+        newRow("no known form") << glm::dmat4{{1, 0.5, 0, 0}, {0.25, 1, 0, 0}, {0, 0, -1.02, -1}, {0, 0, -2.02, 0}}
+                                << false << false;
     }
 
     /// The loops against the one-point functions, which have their own tests.

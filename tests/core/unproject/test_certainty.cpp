@@ -196,16 +196,16 @@ class TestCertainty : public QObject {
 private slots:
     void aDepthBufferKeepsDepthsInSteps_data()
     {
-        QTest::addColumn<int>("bits"); // 0: floating point
-        QTest::addColumn<double>("depth");
-        QTest::addColumn<double>("halfStep");
-        QTest::newRow("16 bits") << 16 << 0.3 << 0.5 / 65535.0;
-        QTest::newRow("24 bits") << 24 << 0.9 << 0.5 / 16777215.0;
-        QTest::newRow("32 bits") << 32 << 0.9 << 0.5 / 4294967295.0;
-        QTest::newRow("float, upper half") << 0 << 0.75 << 0x1p-25;
-        QTest::newRow("float, 1") << 0 << 1.0 << 0x1p-24;
-        QTest::newRow("float, small") << 0 << 0.001 << 0x1p-34;
-        QTest::newRow("float, 0") << 0 << 0.0 << 0x1p-150;
+        addColumn<int>("bits"); // 0: floating point
+        addColumn<double>("depth");
+        addColumn<double>("halfStep");
+        newRow("16 bits") << 16 << 0.3 << 0.5 / 65535.0;
+        newRow("24 bits") << 24 << 0.9 << 0.5 / 16777215.0;
+        newRow("32 bits") << 32 << 0.9 << 0.5 / 4294967295.0;
+        newRow("float, upper half") << 0 << 0.75 << 0x1p-25;
+        newRow("float, 1") << 0 << 1.0 << 0x1p-24;
+        newRow("float, small") << 0 << 0.001 << 0x1p-34;
+        newRow("float, 0") << 0 << 0.0 << 0x1p-150;
     }
 
     void aDepthBufferKeepsDepthsInSteps()
@@ -243,11 +243,11 @@ private slots:
 
     void aTriangleTellsItsSlope_data()
     {
-        QTest::addColumn<Projection>("projection");
-        QTest::newRow("frustum") << kFrustum;
-        QTest::newRow("off-centre frustum") << kOffCenter;
-        QTest::newRow("box") << kBox;
-        QTest::newRow("oblique") << kOblique;
+        addColumn<Projection>("projection");
+        newRow("frustum") << kFrustum;
+        newRow("off-centre frustum") << kOffCenter;
+        newRow("box") << kBox;
+        newRow("oblique") << kOblique;
     }
 
     /// The triangle is three unprojected window points, whose slope is known. A corner behind the eye
@@ -279,14 +279,14 @@ private slots:
 
     void anErrorOfDepthIsOneOfDistance_data()
     {
-        QTest::addColumn<Projection>("projection");
-        QTest::addColumn<DepthRange>("range");
+        addColumn<Projection>("projection");
+        addColumn<DepthRange>("range");
         for (const auto &[rangeName, range] :
              {std::pair{"", DepthRange{}}, std::pair{", reversed", DepthRange{1.0, 0.0}},
               std::pair{", partial", DepthRange{0.2, 0.9}}}) {
-            QTest::addRow("frustum%s", rangeName) << kFrustum << range;
-            QTest::addRow("box%s", rangeName) << kBox << range;
-            QTest::addRow("oblique%s", rangeName) << kOblique << range;
+            addRow("frustum%s", rangeName) << kFrustum << range;
+            addRow("box%s", rangeName) << kBox << range;
+            addRow("oblique%s", rangeName) << kOblique << range;
         }
     }
 
@@ -321,18 +321,18 @@ private slots:
 
     void theSurfaceLiesInTheBox_data()
     {
-        QTest::addColumn<Projection>("projection");
-        QTest::addColumn<DepthRange>("range");
-        QTest::addColumn<Rasteriser>("rasteriser");
-        QTest::addColumn<bool>("isFarAway");
+        addColumn<Projection>("projection");
+        addColumn<DepthRange>("range");
+        addColumn<Rasteriser>("rasteriser");
+        addColumn<bool>("isFarAway");
         const auto rows = [](const char *name, const Rasteriser &rasteriser) {
-            QTest::addRow("frustum, %s", name) << kFrustum << DepthRange{} << rasteriser << false;
-            QTest::addRow("off-centre frustum, reversed range, %s", name)
+            addRow("frustum, %s", name) << kFrustum << DepthRange{} << rasteriser << false;
+            addRow("off-centre frustum, reversed range, %s", name)
                 << kOffCenter << DepthRange{1.0, 0.0} << rasteriser << false;
-            QTest::addRow("frustum far from the origin, %s", name) << kFrustum << DepthRange{} << rasteriser << true;
-            QTest::addRow("box, %s", name) << kBox << DepthRange{} << rasteriser << false;
-            QTest::addRow("box, partial range, %s", name) << kBox << DepthRange{0.2, 0.9} << rasteriser << false;
-            QTest::addRow("oblique, %s", name) << kOblique << DepthRange{} << rasteriser << false;
+            addRow("frustum far from the origin, %s", name) << kFrustum << DepthRange{} << rasteriser << true;
+            addRow("box, %s", name) << kBox << DepthRange{} << rasteriser << false;
+            addRow("box, partial range, %s", name) << kBox << DepthRange{0.2, 0.9} << rasteriser << false;
+            addRow("oblique, %s", name) << kOblique << DepthRange{} << rasteriser << false;
         };
         rows("24 bits", {24});
         rows("24 bits, on the grid", {24, true, true});
@@ -365,9 +365,9 @@ private slots:
 
     void aThinTriangleLiesInTheBox_data()
     {
-        QTest::addColumn<double>("thinness");
-        QTest::newRow("20 times as long as high") << 0.05;
-        QTest::newRow("1000 times") << 0.001;
+        addColumn<double>("thinness");
+        newRow("20 times as long as high") << 0.05;
+        newRow("1000 times") << 0.001;
     }
 
     void aThinTriangleLiesInTheBox()

@@ -112,8 +112,8 @@ class TestClickBatch : public QObject {
 private slots:
     void rowsHaveTheDigitsOfAClick_data()
     {
-        QTest::addColumn<int>("kind");
-        QTest::addColumn<int>("set");
+        addColumn<int>("kind");
+        addColumn<int>("set");
         const std::array<std::pair<const char *, oracle::RandomKind>, 4> kinds{
             {{"frustum", oracle::RandomKind::Frustum},
              {"perspective", oracle::RandomKind::Perspective},
@@ -121,7 +121,7 @@ private slots:
              {"sheared box", oracle::RandomKind::Oblique}}};
         for (const auto &[kindName, kind] : kinds) {
             for (const InstructionSet set : {InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512})
-                QTest::addRow("%s, %s", kindName, name(set)) << int(kind) << int(set);
+                addRow("%s, %s", kindName, name(set)) << int(kind) << int(set);
         }
     }
 
@@ -178,11 +178,11 @@ private slots:
 
     void largeAndSmallScenesToo_data()
     {
-        QTest::addColumn<int>("exponent");
-        QTest::addColumn<int>("set");
+        addColumn<int>("exponent");
+        addColumn<int>("set");
         for (const int exponent : {-1000, -960, -900, -500, -60, 60, 500, 900, 960, 1000}) {
             for (const InstructionSet set : {InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512})
-                QTest::addRow("2^%d, %s", exponent, name(set)) << exponent << int(set);
+                addRow("2^%d, %s", exponent, name(set)) << exponent << int(set);
         }
     }
 

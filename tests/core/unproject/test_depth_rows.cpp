@@ -24,13 +24,13 @@ class TestDepthRows : public QObject {
 private slots:
     void rowsAreTheSurfacesOfABatch_data()
     {
-        QTest::addColumn<InstructionSet>("set");
-        QTest::addColumn<RandomKind>("kind");
+        addColumn<InstructionSet>("set");
+        addColumn<RandomKind>("kind");
         for (const InstructionSet set : {InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512}) {
-            QTest::addRow("%s, frustum, off-centre and mirrored too", name(set)) << set << RandomKind::Frustum;
-            QTest::addRow("%s, perspective", name(set)) << set << RandomKind::Perspective;
-            QTest::addRow("%s, ortho, around the eye too", name(set)) << set << RandomKind::Ortho;
-            QTest::addRow("%s, oblique", name(set)) << set << RandomKind::Oblique;
+            addRow("%s, frustum, off-centre and mirrored too", name(set)) << set << RandomKind::Frustum;
+            addRow("%s, perspective", name(set)) << set << RandomKind::Perspective;
+            addRow("%s, ortho, around the eye too", name(set)) << set << RandomKind::Ortho;
+            addRow("%s, oblique", name(set)) << set << RandomKind::Oblique;
         }
     }
 
@@ -75,9 +75,9 @@ private slots:
 
     void rowsLeaveOutWhatNoFloatHolds_data()
     {
-        QTest::addColumn<InstructionSet>("set");
+        addColumn<InstructionSet>("set");
         for (const InstructionSet set : {InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512})
-            QTest::newRow(name(set)) << set;
+            newRow(name(set)) << set;
     }
 
     void rowsLeaveOutWhatNoFloatHolds()

@@ -44,17 +44,17 @@ private slots:
 
     void whereTheyLook_data()
     {
-        QTest::addColumn<OtherProgram>("program");
-        QTest::addColumn<double>("x"); // window position, H = 600, pixel (100, 40)
-        QTest::addColumn<double>("y");
-        QTest::addColumn<int>("depthRow"); // from the bottom, as glReadPixels counts
-        QTest::newRow("paper") << OtherProgram::Paper << 100.0 << 560.0 << 559;
-        QTest::newRow("screen2world") << OtherProgram::Screen2World << 100.0 << 560.0 << 560;
-        QTest::newRow("MeshLab") << OtherProgram::MeshLab << 100.0 << 560.0 << 560;
-        QTest::newRow("Polyscope") << OtherProgram::Polyscope << 100.0 << 560.0 << 560;
-        QTest::newRow("CloudCompare") << OtherProgram::CloudCompare << 100.0 << 559.0 << 559;
-        QTest::newRow("Open3D") << OtherProgram::Open3D << 100.0 << 560.0 << 559;
-        QTest::newRow("VTK") << OtherProgram::Vtk << 100.0 * 800 / 799 << 559.0 * 600 / 599 << 559;
+        addColumn<OtherProgram>("program");
+        addColumn<double>("x"); // window position, H = 600, pixel (100, 40)
+        addColumn<double>("y");
+        addColumn<int>("depthRow"); // from the bottom, as glReadPixels counts
+        newRow("paper") << OtherProgram::Paper << 100.0 << 560.0 << 559;
+        newRow("screen2world") << OtherProgram::Screen2World << 100.0 << 560.0 << 560;
+        newRow("MeshLab") << OtherProgram::MeshLab << 100.0 << 560.0 << 560;
+        newRow("Polyscope") << OtherProgram::Polyscope << 100.0 << 560.0 << 560;
+        newRow("CloudCompare") << OtherProgram::CloudCompare << 100.0 << 559.0 << 559;
+        newRow("Open3D") << OtherProgram::Open3D << 100.0 << 560.0 << 559;
+        newRow("VTK") << OtherProgram::Vtk << 100.0 * 800 / 799 << 559.0 * 600 / 599 << 559;
     }
 
     void whereTheyLook()

@@ -54,63 +54,60 @@ class TestPick : public QObject {
 private slots:
     void aClickIsFollowedBackToTheWorld_data()
     {
-        QTest::addColumn<Setup>("geometry");
-        QTest::addColumn<glm::dvec3>("click"); // widget x, y; depth
-        QTest::addColumn<QPoint>("pixel");
-        QTest::addColumn<glm::dvec3>("window");
-        QTest::addColumn<glm::dvec3>("eye");
-        QTest::addColumn<glm::dvec3>("world");
+        addColumn<Setup>("geometry");
+        addColumn<glm::dvec3>("click"); // widget x, y; depth
+        addColumn<QPoint>("pixel");
+        addColumn<glm::dvec3>("window");
+        addColumn<glm::dvec3>("eye");
+        addColumn<glm::dvec3>("world");
 
         // z = 1 x 10 / (10 x 0.5 + 1 x 0.5) = 10 / 5.5; x = z (400.5 x 2 / 800 - 1), y = z (299.5 x 1.5
         // / 600 - 0.75)
         const double z = 1.8181818181818181;
-        QTest::newRow("frustum, middle@1x")
-            << plainFrustum() << glm::dvec3(400.0, 300.0, 0.5) << QPoint(400, 300) << glm::dvec3(400.5, 299.5, 0.5)
-            << glm::dvec3(0.00125 * z, -0.00125 * z, -z) << glm::dvec3(0.00125 * z, -0.00125 * z, 5.0 - z);
+        newRow("frustum, middle@1x") << plainFrustum() << glm::dvec3(400.0, 300.0, 0.5) << QPoint(400, 300)
+                                     << glm::dvec3(400.5, 299.5, 0.5) << glm::dvec3(0.00125 * z, -0.00125 * z, -z)
+                                     << glm::dvec3(0.00125 * z, -0.00125 * z, 5.0 - z);
         // The corner pixels: half a pixel, 0.00125 of z, inside the window's edges -1 .. 1 and -0.75 ..
         // 0.75.
-        QTest::newRow("frustum, top-left@1x, near plane")
+        newRow("frustum, top-left@1x, near plane")
             << plainFrustum() << glm::dvec3(0.0, 0.0, 0.0) << QPoint(0, 0) << glm::dvec3(0.5, 599.5, 0.0)
             << glm::dvec3(-0.99875, 0.74875, -1.0) << glm::dvec3(-0.99875, 0.74875, 4.0);
-        QTest::newRow("frustum, bottom-right@1x, far plane")
+        newRow("frustum, bottom-right@1x, far plane")
             << plainFrustum() << glm::dvec3(799.9, 599.9, 1.0) << QPoint(799, 599) << glm::dvec3(799.5, 0.5, 1.0)
             << glm::dvec3(9.9875, -7.4875, -10.0) << glm::dvec3(9.9875, -7.4875, -5.0);
 
         // device (450.75, 750.75); y_v = 900 - 750.5; x = 350.5 x 6 / 600 - 3, y = 99.5 x 4 / 400 - 2;
         // z = 0.75 + 9 x 0.25
         const glm::dvec3 click(300.5, 500.5, 0.25), window(450.5, 149.5, 0.25);
-        QTest::newRow("ortho, offset viewport@1.5x")
-            << offsetBox() << click << QPoint(450, 750) << window << glm::dvec3(0.505, -1.005, -3.0)
-            << glm::dvec3(10.505, 18.995, 27.0);
+        newRow("ortho, offset viewport@1.5x") << offsetBox() << click << QPoint(450, 750) << window
+                                              << glm::dvec3(0.505, -1.005, -3.0) << glm::dvec3(10.505, 18.995, 27.0);
         Setup reversed = offsetBox();
         reversed.depthRange = {1.0, 0.0};
-        QTest::newRow("ortho, reversed depth range@1.5x")
+        newRow("ortho, reversed depth range@1.5x")
             << reversed << glm::dvec3(300.5, 500.5, 0.75) << QPoint(450, 750) << glm::dvec3(450.5, 149.5, 0.75)
             << glm::dvec3(0.505, -1.005, -3.0) << glm::dvec3(10.505, 18.995, 27.0);
         // cot 45 degrees = 1: x and y grow by z = 3.
         Setup oblique = offsetBox();
         oblique.projection() =
             Oblique{std::get<Ortho>(offsetBox().projection()), radiansFromDegrees(45.0), radiansFromDegrees(45.0)};
-        QTest::newRow("oblique, offset viewport@1.5x")
-            << oblique << click << QPoint(450, 750) << window << glm::dvec3(3.505, 1.995, -3.0)
-            << glm::dvec3(13.505, 21.995, 27.0);
+        newRow("oblique, offset viewport@1.5x") << oblique << click << QPoint(450, 750) << window
+                                                << glm::dvec3(3.505, 1.995, -3.0) << glm::dvec3(13.505, 21.995, 27.0);
         // The same window as a frustum with n = 1, f = 9: z = 9 / (9 x 0.75 + 0.25) = 9 / 7, x = 0.505
         // z, y = -1.005 z
         Setup frustum = offsetBox();
         frustum.projection() = Frustum{-3.0, 3.0, -2.0, 2.0, 1.0, 9.0};
         const double distance = 9.0 / 7.0;
-        QTest::newRow("frustum, offset viewport@1.5x")
+        newRow("frustum, offset viewport@1.5x")
             << frustum << click << QPoint(450, 750) << window
             << glm::dvec3(0.505 * distance, -1.005 * distance, -distance)
             << glm::dvec3(10.0 + 0.505 * distance, 20.0 - 1.005 * distance, 30.0 - distance);
         // Seen along +x with z up: s = -y, u = z, f = x, so world = eye + (z, -x, y).
         Setup turned = offsetBox();
         turned.camera() = {WorldPoint(10.0, 20.0, 30.0), WorldPoint(11.0, 20.0, 30.0), {0.0, 0.0, 1.0}};
-        QTest::newRow("ortho, turned camera@1.5x")
-            << turned << click << QPoint(450, 750) << window << glm::dvec3(0.505, -1.005, -3.0)
-            << glm::dvec3(13.0, 19.495, 28.995);
+        newRow("ortho, turned camera@1.5x") << turned << click << QPoint(450, 750) << window
+                                            << glm::dvec3(0.505, -1.005, -3.0) << glm::dvec3(13.0, 19.495, 28.995);
         // Column 413 of ratio 1.5 comes as 413 / 1.5, whose product with 1.5 may fall just below 413.
-        QTest::newRow("ortho, device column as a widget position@1.5x")
+        newRow("ortho, device column as a widget position@1.5x")
             << offsetBox() << glm::dvec3(413.0 / 1.5, 750.0 / 1.5, 0.25) << QPoint(413, 750)
             << glm::dvec3(413.5, 149.5, 0.25) << glm::dvec3(0.135, -1.005, -3.0) << glm::dvec3(10.135, 18.995, 27.0);
     }
@@ -184,11 +181,11 @@ private slots:
 
     void whatCannotBePickedIsRefused_data()
     {
-        QTest::addColumn<Setup>("geometry");
-        QTest::addColumn<glm::dvec3>("click");
-        QTest::addColumn<int>("code");
+        addColumn<Setup>("geometry");
+        addColumn<glm::dvec3>("click");
+        addColumn<int>("code");
         const auto row = [](const char *name, const Setup &g, const glm::dvec3 &click, ErrorCode code) {
-            QTest::newRow(name) << g << click << static_cast<int>(code);
+            newRow(name) << g << click << static_cast<int>(code);
         };
         constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
         const glm::dvec3 middle(400.0, 300.0, 0.5);
@@ -238,38 +235,35 @@ private slots:
 
     void certaintyHasTheDepthStepAndThePixel_data()
     {
-        QTest::addColumn<Setup>("geometry");
-        QTest::addColumn<double>("distance");
-        QTest::addColumn<int>("bits");
-        QTest::addColumn<glm::dvec3>("expected"); // half a depth step, pixel's width and height
+        addColumn<Setup>("geometry");
+        addColumn<double>("distance");
+        addColumn<int>("bits");
+        addColumn<glm::dvec3>("expected"); // half a depth step, pixel's width and height
 
         // 25 x 9 / 10 / (2^24 - 1) / 2; 2 x 5 / 800, 1.5 x 5 / 600
-        QTest::newRow("frustum, 24 bits")
-            << plainFrustum() << 5.0 << 24 << glm::dvec3(6.705522936911759e-7, 0.0125, 0.0125);
+        newRow("frustum, 24 bits") << plainFrustum() << 5.0 << 24 << glm::dvec3(6.705522936911759e-7, 0.0125, 0.0125);
         // 25 x 9 / 10 / 65535 / 2
-        QTest::newRow("frustum, 16 bits")
-            << plainFrustum() << 5.0 << 16 << glm::dvec3(1.7166399633783476e-4, 0.0125, 0.0125);
+        newRow("frustum, 16 bits") << plainFrustum() << 5.0 << 16 << glm::dvec3(1.7166399633783476e-4, 0.0125, 0.0125);
         // 81 x 9 / 10 / 255 / 2
-        QTest::newRow("frustum, 8 bits, far away")
+        newRow("frustum, 8 bits, far away")
             << plainFrustum() << 9.0 << 8 << glm::dvec3(0.14294117647058824, 0.0225, 0.0225);
         // 8 / (2^24 - 1) / 2; 6 / 600, 4 / 400, wherever it lies
-        QTest::newRow("ortho, 24 bits") << offsetBox() << 3.0 << 24 << glm::dvec3(2.3841859331241806e-7, 0.01, 0.01);
-        QTest::newRow("ortho, 24 bits, behind the eye")
+        newRow("ortho, 24 bits") << offsetBox() << 3.0 << 24 << glm::dvec3(2.3841859331241806e-7, 0.01, 0.01);
+        newRow("ortho, 24 bits, behind the eye")
             << offsetBox() << -3.0 << 24 << glm::dvec3(2.3841859331241806e-7, 0.01, 0.01);
         Setup half = offsetBox();
         half.depthRange = {0.75, 0.25};
-        QTest::newRow("ortho, half the depth range")
-            << half << 3.0 << 24 << glm::dvec3(4.768371866248361e-7, 0.01, 0.01);
+        newRow("ortho, half the depth range") << half << 3.0 << 24 << glm::dvec3(4.768371866248361e-7, 0.01, 0.01);
         // gluPerspective(90 degrees, 2, 0.5, 8): window 2 x 1 at n = 0.5; 16 x 7.5 / 4 / (2^24 - 1) /
         // 2; 2 x 4 / 0.5 / 800, 4 / 0.5 / 600
         Setup perspective = plainFrustum();
         perspective.projection() = Perspective{1.5707963267948966, 2.0, 0.5, 8.0};
-        QTest::newRow("perspective, wide pixels")
+        newRow("perspective, wide pixels")
             << perspective << 4.0 << 24 << glm::dvec3(8.940697249215677e-7, 0.02, 4.0 / 300.0);
         // A mirrored window: sizes stay positive.
         Setup mirrored = plainFrustum();
         mirrored.projection() = Frustum{1.0, -1.0, 0.75, -0.75, 1.0, 10.0};
-        QTest::newRow("mirrored frustum") << mirrored << 5.0 << 24 << glm::dvec3(6.705522936911759e-7, 0.0125, 0.0125);
+        newRow("mirrored frustum") << mirrored << 5.0 << 24 << glm::dvec3(6.705522936911759e-7, 0.0125, 0.0125);
     }
 
     void certaintyHasTheDepthStepAndThePixel()
@@ -297,36 +291,35 @@ private slots:
 
     void eachAxisHasItsOwnUncertainty_data()
     {
-        QTest::addColumn<Setup>("geometry");
-        QTest::addColumn<EyePoint>("point");
-        QTest::addColumn<glm::dvec3>("inEye");
-        QTest::addColumn<glm::dvec3>("inWorld");
+        addColumn<Setup>("geometry");
+        addColumn<EyePoint>("point");
+        addColumn<glm::dvec3>("inEye");
+        addColumn<glm::dvec3>("inWorld");
         // Half a depth step of 0.5, a pixel of 0.2 x 0.1.
         Setup setup = plainFrustum();
         setup.pose = LookAt{WorldPoint(0, 0, 0), WorldPoint(0, 0, -1), {0, 1, 0}};
         // The ray through (1, -2, -4) is (0.25, -0.5, -1) a unit: 0.125 + 0.1, 0.25 + 0.05, 0.5.
-        QTest::newRow("frustum along the axes")
-            << setup << EyePoint(1, -2, -4) << glm::dvec3(0.225, 0.3, 0.5) << glm::dvec3(0.225, 0.3, 0.5);
+        newRow("frustum along the axes") << setup << EyePoint(1, -2, -4) << glm::dvec3(0.225, 0.3, 0.5)
+                                         << glm::dvec3(0.225, 0.3, 0.5);
         // Looking along +x with z up: s = -y, u = z, f = x.
         setup.pose = LookAt{WorldPoint(5, 5, 5), WorldPoint(6, 5, 5), {0, 0, 1}};
-        QTest::newRow("frustum along x") << setup << EyePoint(1, -2, -4) << glm::dvec3(0.225, 0.3, 0.5)
-                                         << glm::dvec3(0.5, 0.225, 0.3);
+        newRow("frustum along x") << setup << EyePoint(1, -2, -4) << glm::dvec3(0.225, 0.3, 0.5)
+                                  << glm::dvec3(0.5, 0.225, 0.3);
         // A rotation by 45 degrees about y: s = (r, 0, -r), f = (-r, 0, -r) with r = sqrt(1/2). The
         // ray's step is 0.125 s - 0.25 u + 0.5 f = (-0.375 r, -0.25, -0.625 r); the pixel adds 0.1 r,
         // 0.05, 0.1 r.
         const double r = std::sqrt(0.5);
         setup.pose = LookAt{WorldPoint(1, 0, 1), WorldPoint(0, 0, 0), {0, 1, 0}};
-        QTest::newRow("frustum at an angle")
-            << setup << EyePoint(1, -2, -4) << glm::dvec3(0.225, 0.3, 0.5) << glm::dvec3(0.475 * r, 0.3, 0.725 * r);
+        newRow("frustum at an angle") << setup << EyePoint(1, -2, -4) << glm::dvec3(0.225, 0.3, 0.5)
+                                      << glm::dvec3(0.475 * r, 0.3, 0.725 * r);
         Setup box = offsetBox();
         box.pose = LookAt{WorldPoint(0, 0, 0), WorldPoint(0, 0, -1), {0, 1, 0}};
-        QTest::newRow("box") << box << EyePoint(1, -2, -4) << glm::dvec3(0.1, 0.05, 0.5) << glm::dvec3(0.1, 0.05, 0.5);
-        QTest::newRow("box, behind the eye")
-            << box << EyePoint(1, -2, 4) << glm::dvec3(0.1, 0.05, 0.5) << glm::dvec3(0.1, 0.05, 0.5);
+        newRow("box") << box << EyePoint(1, -2, -4) << glm::dvec3(0.1, 0.05, 0.5) << glm::dvec3(0.1, 0.05, 0.5);
+        newRow("box, behind the eye") << box << EyePoint(1, -2, 4) << glm::dvec3(0.1, 0.05, 0.5)
+                                      << glm::dvec3(0.1, 0.05, 0.5);
         // cot 45 degrees is 1: x goes along with the depth.
         box.projection() = Oblique{{-3, 3, -2, 2, 1, 9}, std::acos(-1.0) / 4.0, std::acos(-1.0) / 2.0};
-        QTest::newRow("oblique") << box << EyePoint(1, -2, -4) << glm::dvec3(0.6, 0.05, 0.5)
-                                 << glm::dvec3(0.6, 0.05, 0.5);
+        newRow("oblique") << box << EyePoint(1, -2, -4) << glm::dvec3(0.6, 0.05, 0.5) << glm::dvec3(0.6, 0.05, 0.5);
     }
 
     void eachAxisHasItsOwnUncertainty()

@@ -82,18 +82,18 @@ class TestPixelMap : public QObject {
 private slots:
     void surfacesAreWhatRaysMeet_data()
     {
-        QTest::addColumn<Setup>("picture");
-        QTest::newRow("perspective") << pictureWith(kPerspective);
-        QTest::newRow("reversed") << pictureWith(kPerspective, {1.0, 0.0});
-        QTest::newRow("partial range") << pictureWith(kPerspective, {0.2, 0.3});
-        QTest::newRow("ortho") << pictureWith(Projection(Ortho{-2, 2, -1.5, 1.5, -3, 12}));
-        QTest::newRow("oblique") << pictureWith(Projection(Oblique{{-2, 2, -1.5, 1.5, -3, 12}, 1.2, 1.3}));
+        addColumn<Setup>("picture");
+        newRow("perspective") << pictureWith(kPerspective);
+        newRow("reversed") << pictureWith(kPerspective, {1.0, 0.0});
+        newRow("partial range") << pictureWith(kPerspective, {0.2, 0.3});
+        newRow("ortho") << pictureWith(Projection(Ortho{-2, 2, -1.5, 1.5, -3, 12}));
+        newRow("oblique") << pictureWith(Projection(Oblique{{-2, 2, -1.5, 1.5, -3, 12}, 1.2, 1.3}));
         glm::dmat4 infinite(0.0);
         infinite[0][0] = 1.8;
         infinite[1][1] = 2.4;
         infinite[2][3] = -1.0;
         infinite[3][2] = 0.5;
-        QTest::newRow("reversed, far at infinity") << pictureWith(MatrixProjection{infinite, NdcDepth::ZeroToOne});
+        newRow("reversed, far at infinity") << pictureWith(MatrixProjection{infinite, NdcDepth::ZeroToOne});
     }
 
     void surfacesAreWhatRaysMeet()
@@ -249,16 +249,16 @@ private slots:
 
     void mistakesOfThePixel_data()
     {
-        QTest::addColumn<double>("x");
-        QTest::addColumn<double>("y");
+        addColumn<double>("x");
+        addColumn<double>("y");
         // Device pixel (20, 11) of 64 x 48, two to a logical one: logical pixel (10, 5) of 32 x 24; the
         // viewport's height is 36.
-        QTest::newRow("y-not-flipped") << 20.5 << 11.5;
-        QTest::newRow("flipped-with-viewport-height") << 20.5 << 24.5;
-        QTest::newRow("row-above") << 20.5 << 37.5;
-        QTest::newRow("pixel-corner") << 20.0 << 37.0;
-        QTest::newRow("ratio-logical-in-device") << 10.5 << 42.5;
-        QTest::newRow("ratio-logical-both") << 10.5 << 18.5;
+        newRow("y-not-flipped") << 20.5 << 11.5;
+        newRow("flipped-with-viewport-height") << 20.5 << 24.5;
+        newRow("row-above") << 20.5 << 37.5;
+        newRow("pixel-corner") << 20.0 << 37.0;
+        newRow("ratio-logical-in-device") << 10.5 << 42.5;
+        newRow("ratio-logical-both") << 10.5 << 18.5;
     }
 
     /// The other program's position in the window.
@@ -315,13 +315,13 @@ private slots:
 
     void bandsGiveTheWhole_data()
     {
-        QTest::addColumn<Question>("question");
+        addColumn<Question>("question");
         for (const Quantity quantity : kQuantities) {
             if (quantity != Quantity::Displacement)
-                QTest::newRow(std::string(keyOf(quantity)).c_str()) << Question{quantity, Unit::World, {}};
+                newRow(std::string(keyOf(quantity)).c_str()) << Question{quantity, Unit::World, {}};
         }
         for (const NamedConvention &convention : namedConventions())
-            QTest::newRow(std::string(convention.key).c_str())
+            newRow(std::string(convention.key).c_str())
                 << Question{Quantity::Displacement, Unit::Ulps, convention.other};
     }
 

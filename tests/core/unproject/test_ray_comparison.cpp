@@ -58,15 +58,15 @@ class TestRayComparison : public QObject {
 private slots:
     void eachCaseIsToldFromTheOthers_data()
     {
-        QTest::addColumn<bool>("isDrawn");
-        QTest::addColumn<std::optional<double>>("share");
-        QTest::addColumn<double>("degrees");
-        QTest::addColumn<bool>("isSameObject");
-        QTest::addColumn<Kind>("kind");
+        addColumn<bool>("isDrawn");
+        addColumn<std::optional<double>>("share");
+        addColumn<double>("degrees");
+        addColumn<bool>("isSameObject");
+        addColumn<Kind>("kind");
         // A share of the uncertainty that the click states: so far behind, or before.
         using Share = std::optional<double>;
         const auto row = [](const char *name, bool isDrawn, Share share, double degrees, bool isSameObject, Kind kind) {
-            QTest::newRow(name) << isDrawn << share << degrees << isSameObject << kind;
+            newRow(name) << isDrawn << share << degrees << isSameObject << kind;
         };
         row("the very point", true, 0.0, 0.0, true, Kind::SameSurface);
         row("deeper, as far as is said", true, 0.99, 0.0, true, Kind::SameSurface);

@@ -113,12 +113,12 @@ double matrixAmplification(const CoreScene &s, const Click &c)
 
 void addKinds()
 {
-    QTest::addColumn<RandomKind>("kind");
-    QTest::addColumn<quint64>("seed");
-    QTest::newRow("frustum, off-centre and mirrored too") << RandomKind::Frustum << quint64(1);
-    QTest::newRow("perspective") << RandomKind::Perspective << quint64(2);
-    QTest::newRow("ortho, around the eye too") << RandomKind::Ortho << quint64(3);
-    QTest::newRow("oblique") << RandomKind::Oblique << quint64(4);
+    addColumn<RandomKind>("kind");
+    addColumn<quint64>("seed");
+    newRow("frustum, off-centre and mirrored too") << RandomKind::Frustum << quint64(1);
+    newRow("perspective") << RandomKind::Perspective << quint64(2);
+    newRow("ortho, around the eye too") << RandomKind::Ortho << quint64(3);
+    newRow("oblique") << RandomKind::Oblique << quint64(4);
 }
 
 constexpr int kScenesPerKind = 1500; // 6000 cameras in all
@@ -256,9 +256,9 @@ private slots:
 
     void closedFormHoldsWhereDigitsAreFew_data()
     {
-        QTest::addColumn<oracle::View>("view");
-        QTest::addColumn<oracle::Projection>("projection");
-        QTest::addColumn<oracle::Target>("target");
+        addColumn<oracle::View>("view");
+        addColumn<oracle::Projection>("projection");
+        addColumn<oracle::Target>("target");
 
         const oracle::View front{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}};
         oracle::Projection deep;
@@ -273,15 +273,15 @@ private slots:
         };
         const oracle::Target plain{0, 0, 800, 600, 0, 1};
 
-        QTest::newRow("0.01 : 10^6") << front << deep << plain;
-        QTest::newRow("0.01 : 10^6, depth reversed") << front << deep << oracle::Target{0, 0, 800, 600, 1, 0};
-        QTest::newRow("0.01 : 10^6, depth 0.2 to 0.9") << front << deep << oracle::Target{0, 0, 800, 600, 0.2, 0.9};
-        QTest::newRow("174 degrees") << front << change(deep, [](auto &p) { p.verticalFovRadians = 3.04; }) << plain;
-        QTest::newRow("up 10^-6 off the view")
-            << oracle::View{{1, 2, 3}, {0.3, 0.7, 0.1}, {-0.7 + 1e-6, -1.3, -2.9}} << deep << plain;
-        QTest::newRow("eye 10^6 away, centre 10^-2 further")
+        newRow("0.01 : 10^6") << front << deep << plain;
+        newRow("0.01 : 10^6, depth reversed") << front << deep << oracle::Target{0, 0, 800, 600, 1, 0};
+        newRow("0.01 : 10^6, depth 0.2 to 0.9") << front << deep << oracle::Target{0, 0, 800, 600, 0.2, 0.9};
+        newRow("174 degrees") << front << change(deep, [](auto &p) { p.verticalFovRadians = 3.04; }) << plain;
+        newRow("up 10^-6 off the view") << oracle::View{{1, 2, 3}, {0.3, 0.7, 0.1}, {-0.7 + 1e-6, -1.3, -2.9}} << deep
+                                        << plain;
+        newRow("eye 10^6 away, centre 10^-2 further")
             << oracle::View{{1e6, 3e5, -7e5}, {1e6 + 0.007, 3e5 - 0.004, -7e5 + 0.001}, {0, 1, 0}} << deep << plain;
-        QTest::newRow("box around the eye") << front << change(deep, [](auto &p) {
+        newRow("box around the eye") << front << change(deep, [](auto &p) {
             p.kind = RandomKind::Ortho;
             p.left = -1e4;
             p.right = 1e4 + 0.1;
@@ -424,23 +424,23 @@ private slots:
 
     void literalPixels_data()
     {
-        QTest::addColumn<double>("ratio");
-        QTest::addColumn<WidgetPoint>("click");
-        QTest::addColumn<glm::dvec3>("world");
+        addColumn<double>("ratio");
+        addColumn<WidgetPoint>("click");
+        addColumn<glm::dvec3>("world");
 
         // 400 x 300 logical pixels. The eye at (0, 0, 10) looks down -z; the frustum is [-4, 4] x [-3,
         // 3] on z = 5, far 20. Depth 2/3 is the distance 10, the plane of the origin, where the picture
         // is 16 x 12: 0.04 a pixel at 1x.
-        QTest::newRow("top-left@1x") << 1.0 << WidgetPoint(0, 0) << glm::dvec3(-7.98, 5.98, 0);
-        QTest::newRow("top-right@1x") << 1.0 << WidgetPoint(399, 0) << glm::dvec3(7.98, 5.98, 0);
-        QTest::newRow("bottom-left@1x") << 1.0 << WidgetPoint(0, 299) << glm::dvec3(-7.98, -5.98, 0);
-        QTest::newRow("bottom-right@1x") << 1.0 << WidgetPoint(399, 299) << glm::dvec3(7.98, -5.98, 0);
-        QTest::newRow("right below the centre@1x") << 1.0 << WidgetPoint(200, 150) << glm::dvec3(0.02, -0.02, 0);
-        QTest::newRow("anywhere in the pixel@1x") << 1.0 << WidgetPoint(200.9, 150.1) << glm::dvec3(0.02, -0.02, 0);
-        QTest::newRow("top-left@2x") << 2.0 << WidgetPoint(0, 0) << glm::dvec3(-7.99, 5.99, 0);
-        QTest::newRow("last pixel@2x") << 2.0 << WidgetPoint(399.5, 299.5) << glm::dvec3(7.99, -5.99, 0);
-        QTest::newRow("top-left@1.25x") << 1.25 << WidgetPoint(0, 0) << glm::dvec3(-7.984, 5.984, 0);
-        QTest::newRow("last pixel@1.25x") << 1.25 << WidgetPoint(399.2, 299.2) << glm::dvec3(7.984, -5.984, 0);
+        newRow("top-left@1x") << 1.0 << WidgetPoint(0, 0) << glm::dvec3(-7.98, 5.98, 0);
+        newRow("top-right@1x") << 1.0 << WidgetPoint(399, 0) << glm::dvec3(7.98, 5.98, 0);
+        newRow("bottom-left@1x") << 1.0 << WidgetPoint(0, 299) << glm::dvec3(-7.98, -5.98, 0);
+        newRow("bottom-right@1x") << 1.0 << WidgetPoint(399, 299) << glm::dvec3(7.98, -5.98, 0);
+        newRow("right below the centre@1x") << 1.0 << WidgetPoint(200, 150) << glm::dvec3(0.02, -0.02, 0);
+        newRow("anywhere in the pixel@1x") << 1.0 << WidgetPoint(200.9, 150.1) << glm::dvec3(0.02, -0.02, 0);
+        newRow("top-left@2x") << 2.0 << WidgetPoint(0, 0) << glm::dvec3(-7.99, 5.99, 0);
+        newRow("last pixel@2x") << 2.0 << WidgetPoint(399.5, 299.5) << glm::dvec3(7.99, -5.99, 0);
+        newRow("top-left@1.25x") << 1.25 << WidgetPoint(0, 0) << glm::dvec3(-7.984, 5.984, 0);
+        newRow("last pixel@1.25x") << 1.25 << WidgetPoint(399.2, 299.2) << glm::dvec3(7.984, -5.984, 0);
     }
 
     void literalPixels()
@@ -482,11 +482,11 @@ private slots:
 
     void unitsInTheLastPlace_data()
     {
-        QTest::addColumn<double>("nearDistance");
-        QTest::addColumn<double>("farDistance");
-        QTest::newRow("5 : 80000") << 5.0 << 80000.0;
-        QTest::newRow("0.1 : 10000") << 0.1 << 10000.0;
-        QTest::newRow("1 : 100") << 1.0 << 100.0;
+        addColumn<double>("nearDistance");
+        addColumn<double>("farDistance");
+        newRow("5 : 80000") << 5.0 << 80000.0;
+        newRow("0.1 : 10000") << 0.1 << 10000.0;
+        newRow("1 : 100") << 1.0 << 100.0;
     }
 
     /// Errors in units in the last place of the exact point's largest world component, for typical

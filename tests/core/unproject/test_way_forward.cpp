@@ -156,10 +156,10 @@ private slots:
 
     void anglesInDegrees_data()
     {
-        QTest::addColumn<double>("degrees");
+        addColumn<double>("degrees");
         for (const double degrees :
              {179.9, 179.0, 178.56, 173.60000000000002, 132.91171418488918, 120.0, 60.1, 45.0, 1.0, 0.001})
-            QTest::addRow("%.17g", degrees) << degrees;
+            addRow("%.17g", degrees) << degrees;
     }
 
     /// A field of view and a shear in degrees: the tangent is computed from the given degrees, not from

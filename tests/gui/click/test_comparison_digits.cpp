@@ -26,12 +26,12 @@ class TestComparisonDigits : public QObject {
 private slots:
     void certainDigitsAreBlackAndTwoMoreGrey_data()
     {
-        QTest::addColumn<double>("x");
-        QTest::addColumn<double>("uncertainty");
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<QString>("black");
+        addColumn<double>("x");
+        addColumn<double>("uncertainty");
+        addColumn<QString>("text");
+        addColumn<QString>("black");
         const auto row = [](const char *name, double x, double uncertainty, const char *text, const char *black) {
-            QTest::newRow(name) << x << uncertainty << QString::fromLatin1(text) << QString::fromLatin1(black);
+            newRow(name) << x << uncertainty << QString::fromLatin1(text) << QString::fromLatin1(black);
         };
         row("to a hundredth", 1.25, 0.004, "1.2500", "1.25");
         row("exactly a hundredth", 1.25, 0.01, "1.2500", "1.25");
@@ -222,13 +222,13 @@ private slots:
 
     void greyDigitsCanBeRead_data()
     {
-        QTest::addColumn<QColor>("ink");
-        QTest::addColumn<QColor>("base");
-        QTest::newRow("light") << QColor(Qt::black) << QColor(Qt::white);
-        QTest::newRow("dark") << QColor(Qt::white) << QColor(0x1e, 0x1e, 0x1e);
-        QTest::newRow("Breeze") << QColor(0x23, 0x26, 0x29) << QColor(0xfc, 0xfc, 0xfc);
-        QTest::newRow("Breeze Dark") << QColor(0xfc, 0xfc, 0xfc) << QColor(0x1b, 0x1e, 0x20);
-        QTest::newRow("selected") << QColor(Qt::white) << QColor(0x30, 0x8c, 0xc6);
+        addColumn<QColor>("ink");
+        addColumn<QColor>("base");
+        newRow("light") << QColor(Qt::black) << QColor(Qt::white);
+        newRow("dark") << QColor(Qt::white) << QColor(0x1e, 0x1e, 0x1e);
+        newRow("Breeze") << QColor(0x23, 0x26, 0x29) << QColor(0xfc, 0xfc, 0xfc);
+        newRow("Breeze Dark") << QColor(0xfc, 0xfc, 0xfc) << QColor(0x1b, 0x1e, 0x20);
+        newRow("selected") << QColor(Qt::white) << QColor(0x30, 0x8c, 0xc6);
     }
 
     void greyDigitsCanBeRead()

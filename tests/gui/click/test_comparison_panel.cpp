@@ -332,12 +332,12 @@ private slots:
 
     void theShownDepthTellsThePoint_data()
     {
-        QTest::addColumn<double>("distance");
-        QTest::addColumn<DepthRange>("range");
+        addColumn<double>("distance");
+        addColumn<DepthRange>("range");
         for (const double distance : {0.0015, 0.1, 2.966360, 150.0, 8000.0}) {
-            QTest::addRow("%g", distance) << distance << DepthRange{0.0, 1.0};
-            QTest::addRow("%g, reversed", distance) << distance << DepthRange{1.0, 0.0};
-            QTest::addRow("%g, behind nines", distance) << distance << DepthRange{0.9, 1.0};
+            addRow("%g", distance) << distance << DepthRange{0.0, 1.0};
+            addRow("%g, reversed", distance) << distance << DepthRange{1.0, 0.0};
+            addRow("%g, behind nines", distance) << distance << DepthRange{0.9, 1.0};
         }
     }
 

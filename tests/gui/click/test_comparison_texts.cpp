@@ -45,51 +45,51 @@ class TestComparisonTexts : public QObject {
 private slots:
     void numbersAreWritten_data()
     {
-        QTest::addColumn<QString>("is");
-        QTest::addColumn<QString>("expected");
-        QTest::newRow("shortest") << shortestText(0.1) << "0.1";
-        QTest::newRow("shortest, all digits") << shortestText(0.1 + 0.2) << "0.30000000000000004";
-        QTest::newRow("shortest, tiny") << shortestText(1e-17) << "1e-17";
-        QTest::newRow("shortest, far from zero") << shortestText(4000000.0) << "4000000";
-        QTest::newRow("shortest, to the millimetre") << shortestText(-4000000.123) << "-4000000.123";
-        QTest::newRow("shortest, ten thousand million") << shortestText(1e10) << "1e+10";
-        QTest::newRow("written, far from zero") << writtenText(4000000.123, 4) << "4000000";
-        QTest::newRow("written, nearly ten thousand million") << writtenText(9.5e9, 2) << "9500000000";
-        QTest::newRow("written, ten thousand million") << writtenText(1e10, 2) << "1e+10";
-        QTest::newRow("written, a ten-thousandth") << writtenText(0.000123456, 3) << "0.000123";
-        QTest::newRow("written, less") << writtenText(1.234567e-8, 5) << "1.2346e-08";
-        QTest::newRow("written, less, in few digits") << writtenText(0.00002, 5) << "0.00002";
-        QTest::newRow("written, tiny") << writtenText(-1.23456e-88, 5) << "-1.2346e-88";
-        QTest::newRow("written, not a number") << writtenText(std::numeric_limits<double>::quiet_NaN(), 5) << "nan";
-        QTest::newRow("written, infinite") << writtenText(-std::numeric_limits<double>::infinity()) << "-inf";
-        QTest::newRow("certain, far from zero") << certainText(4000000.1234, 0.0005) << "4000000.123";
-        QTest::newRow("certain, far below") << certainText(1.0802858072384839e-13, 9.18e-21) << "1.0802858e-13";
-        QTest::newRow("certain, below 1e-20") << certainText(1.0802858072384839e-18, 9.18e-26) << "1.0802858e-18";
-        QTest::newRow("certain, farther") << certainText(123456789012.0, 300.0) << "1.23456789e+11";
-        QTest::newRow("certain, farther, rounded to nothing") << certainText(4e10, 1e12) << "0";
-        QTest::newRow("how large") << significantText(1234567.0, 2) << "1.2e+06";
-        QTest::newRow("significant") << significantText(0.82842712, 4) << "0.8284";
-        QTest::newRow("significant, negative zero") << significantText(-0.0, 4) << "0";
-        QTest::newRow("fixed") << fixedText(-1.5, 3) << "-1.500";
-        QTest::newRow("fixed, rounds to zero") << fixedText(-0.0001, 3) << "0.000";
-        QTest::newRow("point") << pointText({1.0, -2.96, 0.25}, {0.01, 0.05, 2.0}) << "(1.00, -3.0, 0)";
-        QTest::newRow("decimals for 123") << QString::number(decimalsFor({1.0, -123.0, 4.0}, 16)) << "13";
-        QTest::newRow("decimals for nothing") << QString::number(decimalsFor({0.0, 0.0, 0.0}, 16)) << "15";
-        QTest::newRow("readable") << readableText(0.048) << "0.05";
-        QTest::newRow("readable, first digit 1") << readableText(0.00123) << "0.0012";
-        QTest::newRow("readable, rounds to 1") << readableText(0.0096) << "0.01";
-        QTest::newRow("readable, a pixel of a city") << readableText(312.0) << "300";
-        QTest::newRow("readable, tens of thousands") << readableText(15500.0) << "16000";
-        QTest::newRow("readable, a millionth") << readableText(1.26e-6) << "0.0000013";
-        QTest::newRow("readable, tiny") << readableText(7.9e-9) << "8 × 10⁻⁹";
-        QTest::newRow("readable, huge") << readableText(1.26e9) << "1.3 × 10⁹";
-        QTest::newRow("readable, nothing") << readableText(0.0) << "0";
-        QTest::newRow("point of a survey") << pointText({4000000.1234, 500000.4567, 300.7891}, {0.0005, 0.0005, 0.02})
-                                           << "(4000000.123, 500000.457, 300.8)";
-        QTest::newRow("smaller than the uncertainty") << QString::number(certainPlace(0.002)) << "-2";
-        QTest::newRow("smaller than the uncertainty, a power of ten") << QString::number(certainPlace(0.001)) << "-3";
-        QTest::newRow("smaller than the uncertainty of hundreds") << QString::number(certainPlace(300.0)) << "3";
-        QTest::newRow("smaller than the uncertainty of infinity")
+        addColumn<QString>("is");
+        addColumn<QString>("expected");
+        newRow("shortest") << shortestText(0.1) << "0.1";
+        newRow("shortest, all digits") << shortestText(0.1 + 0.2) << "0.30000000000000004";
+        newRow("shortest, tiny") << shortestText(1e-17) << "1e-17";
+        newRow("shortest, far from zero") << shortestText(4000000.0) << "4000000";
+        newRow("shortest, to the millimetre") << shortestText(-4000000.123) << "-4000000.123";
+        newRow("shortest, ten thousand million") << shortestText(1e10) << "1e+10";
+        newRow("written, far from zero") << writtenText(4000000.123, 4) << "4000000";
+        newRow("written, nearly ten thousand million") << writtenText(9.5e9, 2) << "9500000000";
+        newRow("written, ten thousand million") << writtenText(1e10, 2) << "1e+10";
+        newRow("written, a ten-thousandth") << writtenText(0.000123456, 3) << "0.000123";
+        newRow("written, less") << writtenText(1.234567e-8, 5) << "1.2346e-08";
+        newRow("written, less, in few digits") << writtenText(0.00002, 5) << "0.00002";
+        newRow("written, tiny") << writtenText(-1.23456e-88, 5) << "-1.2346e-88";
+        newRow("written, not a number") << writtenText(std::numeric_limits<double>::quiet_NaN(), 5) << "nan";
+        newRow("written, infinite") << writtenText(-std::numeric_limits<double>::infinity()) << "-inf";
+        newRow("certain, far from zero") << certainText(4000000.1234, 0.0005) << "4000000.123";
+        newRow("certain, far below") << certainText(1.0802858072384839e-13, 9.18e-21) << "1.0802858e-13";
+        newRow("certain, below 1e-20") << certainText(1.0802858072384839e-18, 9.18e-26) << "1.0802858e-18";
+        newRow("certain, farther") << certainText(123456789012.0, 300.0) << "1.23456789e+11";
+        newRow("certain, farther, rounded to nothing") << certainText(4e10, 1e12) << "0";
+        newRow("how large") << significantText(1234567.0, 2) << "1.2e+06";
+        newRow("significant") << significantText(0.82842712, 4) << "0.8284";
+        newRow("significant, negative zero") << significantText(-0.0, 4) << "0";
+        newRow("fixed") << fixedText(-1.5, 3) << "-1.500";
+        newRow("fixed, rounds to zero") << fixedText(-0.0001, 3) << "0.000";
+        newRow("point") << pointText({1.0, -2.96, 0.25}, {0.01, 0.05, 2.0}) << "(1.00, -3.0, 0)";
+        newRow("decimals for 123") << QString::number(decimalsFor({1.0, -123.0, 4.0}, 16)) << "13";
+        newRow("decimals for nothing") << QString::number(decimalsFor({0.0, 0.0, 0.0}, 16)) << "15";
+        newRow("readable") << readableText(0.048) << "0.05";
+        newRow("readable, first digit 1") << readableText(0.00123) << "0.0012";
+        newRow("readable, rounds to 1") << readableText(0.0096) << "0.01";
+        newRow("readable, a pixel of a city") << readableText(312.0) << "300";
+        newRow("readable, tens of thousands") << readableText(15500.0) << "16000";
+        newRow("readable, a millionth") << readableText(1.26e-6) << "0.0000013";
+        newRow("readable, tiny") << readableText(7.9e-9) << "8 × 10⁻⁹";
+        newRow("readable, huge") << readableText(1.26e9) << "1.3 × 10⁹";
+        newRow("readable, nothing") << readableText(0.0) << "0";
+        newRow("point of a survey") << pointText({4000000.1234, 500000.4567, 300.7891}, {0.0005, 0.0005, 0.02})
+                                    << "(4000000.123, 500000.457, 300.8)";
+        newRow("smaller than the uncertainty") << QString::number(certainPlace(0.002)) << "-2";
+        newRow("smaller than the uncertainty, a power of ten") << QString::number(certainPlace(0.001)) << "-3";
+        newRow("smaller than the uncertainty of hundreds") << QString::number(certainPlace(300.0)) << "3";
+        newRow("smaller than the uncertainty of infinity")
             << QString::number(certainPlace(std::numeric_limits<double>::infinity())) << "-20";
     }
 
@@ -102,13 +102,13 @@ private slots:
 
     void aNumberInAnyRoomIsRightInItsDigits_data()
     {
-        QTest::addColumn<double>("value");
-        QTest::addColumn<double>("error"); // negative: unknown
+        addColumn<double>("value");
+        addColumn<double>("error"); // negative: unknown
         for (const double value :
              {0.0422343399942, 24.773746776, 103.76353143, 1.0715559448, 9.9996, 0.99999999, 0.3, 1234.5, 5123000.25,
               4.5e9, 6.02e23, 1.2e-7, -0.042234339, -1.5e-300, 2.0 / 3.0, 0.0}) {
             for (const double error : {1.5e-13, 2e-9, 0.05, 300.0, 0.0, -1.0})
-                QTest::addRow("%.17g within %g", value, error) << value << error;
+                addRow("%.17g within %g", value, error) << value << error;
         }
     }
 
@@ -196,23 +196,23 @@ private slots:
 
     void theFormulaIsWrittenWithItsNumbers_data()
     {
-        QTest::addColumn<Pick>("pick");
-        QTest::addColumn<QString>("expected");
+        addColumn<Pick>("pick");
+        addColumn<QString>("expected");
 
         // z = 20 / (2.5 + 1.5) = 5. x = 0.828427 x (2 x 412.5 / 800 - 1) x 5 / 2 = 0.0647209; y the
         // same with 300.5 / 600.
-        QTest::newRow("frustum")
-            << picked(frustumGeometry(), 412.0, 299.0, 0.75)
-            << QStringLiteral("(13) z = n f / (f (1 − d) + n d)\n"
-                              "  = 2 × 10 / (10 × (1 − 0.75) + 2 × 0.75) = 5\n\n"
-                              "(9) x = (px − vx) (r − l) z / (width · n) + l z / n\n  = (412.5 − 0) × (0.828427 "
-                              "− (−0.828427)) × 5 / (800 × 2) + (−0.828427) × 5 / 2 = 0.0647209\n\n"
-                              "(10) y = (rect.bottom − py − vy) (t − b) z / (height · n) + b z / n\n  = (600 − "
-                              "299.5 − 0) × (0.62132 − (−0.62132)) × 5 / (600 × 2) + (−0.62132) × 5 / 2 = "
-                              "0.00258883\n\n"
-                              "(16) world = eye + x s + y u + z f\n"
-                              "  = (0, 0, 5) + 0.0647209 × (1, 0, 0) + 0.00258883 × (0, 1, 0) + 5 × (0, 0, −1) = "
-                              "(0.0647209, 0.00258883, 0)");
+        newRow("frustum") << picked(frustumGeometry(), 412.0, 299.0, 0.75)
+                          << QStringLiteral(
+                                 "(13) z = n f / (f (1 − d) + n d)\n"
+                                 "  = 2 × 10 / (10 × (1 − 0.75) + 2 × 0.75) = 5\n\n"
+                                 "(9) x = (px − vx) (r − l) z / (width · n) + l z / n\n  = (412.5 − 0) × (0.828427 "
+                                 "− (−0.828427)) × 5 / (800 × 2) + (−0.828427) × 5 / 2 = 0.0647209\n\n"
+                                 "(10) y = (rect.bottom − py − vy) (t − b) z / (height · n) + b z / n\n  = (600 − "
+                                 "299.5 − 0) × (0.62132 − (−0.62132)) × 5 / (600 × 2) + (−0.62132) × 5 / 2 = "
+                                 "0.00258883\n\n"
+                                 "(16) world = eye + x s + y u + z f\n"
+                                 "  = (0, 0, 5) + 0.0647209 × (1, 0, 0) + 0.00258883 × (0, 1, 0) + 5 × (0, 0, −1) = "
+                                 "(0.0647209, 0.00258883, 0)");
 
         // A viewport of 400 x 300 from (100, 50); window 0.5 .. 1.5 and -0.5 .. 1 at n = 1, f = 4: z =
         // 4 / (2 + 0.5) = 1.6; x = (200.5 x 1 / 400 + 0.5) x 1.6 = 1.602, y = (100.5 x 1.5 / 300 - 0.5)
@@ -220,7 +220,7 @@ private slots:
         Setup offset = frustumGeometry();
         offset.viewport = {100.0, 50.0, 400.0, 300.0};
         offset.projection() = Frustum{0.5, 1.5, -0.5, 1.0, 1.0, 4.0};
-        QTest::newRow("off-centre frustum in an offset viewport")
+        newRow("off-centre frustum in an offset viewport")
             << picked(offset, 300.0, 449.0, 0.5)
             << QStringLiteral(
                    "(13) z = n f / (f (1 − d) + n d)\n"
@@ -235,7 +235,7 @@ private slots:
 
         // z = 0.75 + 2.25 = 3; x = 350.5 x 6 / 600 - 3 = 0.505; y = 279.5 x 4 / 400 - 2 = 0.795
         const Ortho box{-3.0, 3.0, -2.0, 2.0, 1.0, 9.0};
-        QTest::newRow("ortho")
+        newRow("ortho")
             << picked(boxGeometry(box), 350.0, 120.0, 0.25)
             << QStringLiteral(
                    "(14) z = n (1 − d) + f d\n"
@@ -248,7 +248,7 @@ private slots:
                    "  = (10, 20, 30) + 0.505 × (1, 0, 0) + 0.795 × (0, 1, 0) + 3 × (0, 0, −1) = (10.505, 20.795, 27)");
 
         // The near plane of a box may lie behind the eye: z = -0.75 + 2.25 = 1.5 with n = -1.
-        QTest::newRow("ortho, negative near")
+        newRow("ortho, negative near")
             << picked(boxGeometry(Ortho{-3.0, 3.0, -2.0, 2.0, -1.0, 9.0}), 50.0, 120.0, 0.25)
             << QStringLiteral(
                    "(14) z = n (1 − d) + f d\n"
@@ -261,7 +261,7 @@ private slots:
                    "  = (10, 20, 30) + (−2.495) × (1, 0, 0) + 0.795 × (0, 1, 0) + 1.5 × (0, 0, −1) = (7.505, 20.795, "
                    "28.5)");
 
-        QTest::newRow("oblique")
+        newRow("oblique")
             << picked(boxGeometry(Oblique{box, radiansFromDegrees(45.0), radiansFromDegrees(90.0)}), 350.0, 120.0, 0.25)
             << QStringLiteral(
                    "(14) z = n (1 − d) + f d\n"
@@ -362,12 +362,12 @@ private slots:
 
     void everyErrorHasItsSentence_data()
     {
-        QTest::addColumn<int>("code");
-        QTest::addColumn<QStringList>("named");
+        addColumn<int>("code");
+        addColumn<QStringList>("named");
         std::set<int> codes;
         const auto row = [&codes](const char *name, ErrorCode code, const QStringList &named = {}) {
             codes.insert(static_cast<int>(code));
-            QTest::newRow(name) << static_cast<int>(code) << named;
+            newRow(name) << static_cast<int>(code) << named;
         };
         // 0.25 and 7.5 are the values; 0.25 radians are 14.3239 degrees.
         const QString value = QStringLiteral("0.25"), other = QStringLiteral("7.5"), angle = QStringLiteral("14.3239");
@@ -425,12 +425,12 @@ private slots:
 
     void everyImportErrorHasItsSentence_data()
     {
-        QTest::addColumn<int>("code");
-        QTest::addColumn<QString>("named");
+        addColumn<int>("code");
+        addColumn<QString>("named");
         std::set<int> codes;
         const auto row = [&codes](const char *name, ImportErrorCode code, const char *named) {
             codes.insert(static_cast<int>(code));
-            QTest::newRow(name) << static_cast<int>(code) << QString::fromLatin1(named);
+            newRow(name) << static_cast<int>(code) << QString::fromLatin1(named);
         };
         row("not found", ImportErrorCode::NotFound, "no such file");
         row("folder", ImportErrorCode::IsDirectory, "folder");

@@ -129,19 +129,19 @@ private slots:
 
     void anotherSetupIsNamed_data()
     {
-        QTest::addColumn<Verb>("verb");
-        QTest::addColumn<QString>("expected");
-        QTest::newRow("the camera") << Verb([](SceneDocument &d) {
+        addColumn<Verb>("verb");
+        addColumn<QString>("expected");
+        newRow("the camera") << Verb([](SceneDocument &d) {
             QVERIFY(editProjection(d, {d.scene().projection, true, false}, kLabel));
             setCamera(d, cameraAt(17.0));
         }) << "Setup: other camera";
-        QTest::newRow("the depth range") << Verb([](SceneDocument &d) {
+        newRow("the depth range") << Verb([](SceneDocument &d) {
             QVERIFY(editViewport(d, d.scene().viewport, {0.1, 0.9}, kLabel));
         }) << "Setup: other depth range";
-        QTest::newRow("the window") << Verb([](SceneDocument &d) {
+        newRow("the window") << Verb([](SceneDocument &d) {
             d.setSurface({400, 600, 1.0});
         }) << "Setup: other projection, viewport, window size";
-        QTest::newRow("the object's place") << Verb([](SceneDocument &d) {
+        newRow("the object's place") << Verb([](SceneDocument &d) {
             const Translate step{{0.5, 0.0, 0.0}};
             QVERIFY(editTransform(d, 0, {step}, kLabel));
         }) << "The object was moved between the two clicks.";

@@ -135,10 +135,10 @@ private slots:
 
     void thePointHasTheSameDigitsEverywhere_data()
     {
-        QTest::addColumn<double>("nearDistance");
-        QTest::addColumn<double>("farDistance");
-        QTest::newRow("the opening's planes") << 0.0 << 0.0;
-        QTest::newRow("planes far apart") << 0.001 << 1e5;
+        addColumn<double>("nearDistance");
+        addColumn<double>("farDistance");
+        newRow("the opening's planes") << 0.0 << 0.0;
+        newRow("planes far apart") << 0.001 << 1e5;
     }
 
     /// The headline, the table, the line below the view, the lines along the axes and the list of

@@ -92,11 +92,11 @@ class TestRayPanel : public QObject {
 private slots:
     void eachSituationIsExplained_data()
     {
-        QTest::addColumn<WidgetPoint>("position");
-        QTest::addColumn<DepthSample>("sample");
-        QTest::addColumn<QStringList>("expected");
+        addColumn<WidgetPoint>("position");
+        addColumn<DepthSample>("sample");
+        addColumn<QStringList>("expected");
         const auto row = [](const char *name, const WidgetPoint &position, const DepthSample &sample,
-                            const QStringList &expected) { QTest::newRow(name) << position << sample << expected; };
+                            const QStringList &expected) { newRow(name) << position << sample << expected; };
         const WidgetPoint onCube(220, 140), beside(20, 20), nearPoint(352, 146);
         row("the same surface", onCube, at(1.0, 0), {" from the formula, in depth steps 0. Trust the exact hit"});
         row("a step off", onCube, at(1.0 - 40.0 / 16777215.0, 0),
@@ -133,20 +133,19 @@ private slots:
 
     void anEdgeInThePixelIsTold_data()
     {
-        QTest::addColumn<WidgetPoint>("position");
-        QTest::addColumn<DepthSample>("sample");
-        QTest::addColumn<Snap>("snap");
-        QTest::addColumn<QString>("expected");
+        addColumn<WidgetPoint>("position");
+        addColumn<DepthSample>("sample");
+        addColumn<Snap>("snap");
+        addColumn<QString>("expected");
         const QString centre = QStringLiteral(" The ± is for the pixel's centre only.");
         // The cube in front is moved by a quarter of a pixel to the right.
-        QTest::newRow("over the back") << WidgetPoint(150, 140) << at(1.0, 0) << Snap::Surface
-                                       << "This pixel holds an edge of the surface: 5 behind it lies back." + centre;
-        QTest::newRow("a vertex has none") << WidgetPoint(150, 200) << at(1.0, 0) << Snap::Vertex << QString();
-        QTest::newRow("on the background")
-            << WidgetPoint(250, 140) << kBackground << Snap::Surface
-            << QStringLiteral("This pixel holds an edge of front. The click is beside it.");
-        QTest::newRow("three pixels before") << WidgetPoint(147, 140) << kBackground << Snap::Surface << QString();
-        QTest::newRow("in the middle") << WidgetPoint(220, 140) << at(1.0, 0) << Snap::Surface << QString();
+        newRow("over the back") << WidgetPoint(150, 140) << at(1.0, 0) << Snap::Surface
+                                << "This pixel holds an edge of the surface: 5 behind it lies back." + centre;
+        newRow("a vertex has none") << WidgetPoint(150, 200) << at(1.0, 0) << Snap::Vertex << QString();
+        newRow("on the background") << WidgetPoint(250, 140) << kBackground << Snap::Surface
+                                    << QStringLiteral("This pixel holds an edge of front. The click is beside it.");
+        newRow("three pixels before") << WidgetPoint(147, 140) << kBackground << Snap::Surface << QString();
+        newRow("in the middle") << WidgetPoint(220, 140) << at(1.0, 0) << Snap::Surface << QString();
     }
 
     void anEdgeInThePixelIsTold()
@@ -202,14 +201,14 @@ private slots:
 
     void whatAClickTakesIsShown_data()
     {
-        QTest::addColumn<int>("snap");
-        QTest::addColumn<WidgetPoint>("position");
-        QTest::addColumn<QString>("head");
-        QTest::addColumn<QList<double>>("point");
-        QTest::addColumn<QStringList>("detail");
+        addColumn<int>("snap");
+        addColumn<WidgetPoint>("position");
+        addColumn<QString>("head");
+        addColumn<QList<double>>("point");
+        addColumn<QStringList>("detail");
         const auto row = [](const char *name, Snap snap, const WidgetPoint &position, const char *head,
                             const QList<double> &point, const QStringList &detail) {
-            QTest::newRow(name) << int(snap) << position << QString::fromLatin1(head) << point << detail;
+            newRow(name) << int(snap) << position << QString::fromLatin1(head) << point << detail;
         };
         // The cube's corner (1, 1, 1) is at pixel (250, 100), its right edge at column 250.
         row("a vertex", Snap::Vertex, WidgetPoint(246, 104), "Vertex", {1, 1, 1}, {"Snapped to vertex", "of triangle"});

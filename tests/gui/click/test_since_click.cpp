@@ -86,16 +86,15 @@ class TestSinceClick : public QObject {
 private slots:
     void whatHappenedSinceTheClickIsSaid_data()
     {
-        QTest::addColumn<Happening>("happening");
-        QTest::addColumn<QStringList>("said");
-        QTest::addColumn<QStringList>("notSaid");
-        QTest::addColumn<bool>("canCompute");
+        addColumn<Happening>("happening");
+        addColumn<QStringList>("said");
+        addColumn<QStringList>("notSaid");
+        addColumn<bool>("canCompute");
         const QStringList changed{QStringLiteral("The view has changed since this click")};
         const QStringList outside{QStringLiteral("outside")};
         const auto row = [](const char *name, const Happening &happening, const QStringList &said,
-                            const QStringList &notSaid, bool canCompute = true) {
-            QTest::newRow(name) << happening << said << notSaid << canCompute;
-        };
+                            const QStringList &notSaid,
+                            bool canCompute = true) { newRow(name) << happening << said << notSaid << canCompute; };
         const auto camera = [](double x, double y, double z) {
             return [=](SceneDocument &document) { setCamera(document, cameraAt(x, y, z)); };
         };

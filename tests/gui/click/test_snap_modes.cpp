@@ -68,11 +68,11 @@ private slots:
 
     void keysAndButtonsChoose_data()
     {
-        QTest::addColumn<int>("key");
-        QTest::addColumn<int>("modifiers");
-        QTest::addColumn<int>("snap");
+        addColumn<int>("key");
+        addColumn<int>("modifiers");
+        addColumn<int>("snap");
         const auto row = [](const char *name, Qt::Key key, Qt::KeyboardModifiers modifiers, Snap snap) {
-            QTest::newRow(name) << int(key) << int(modifiers) << int(snap);
+            newRow(name) << int(key) << int(modifiers) << int(snap);
         };
         row("V: vertex", Qt::Key_V, Qt::NoModifier, Snap::Vertex);
         row("E: edge", Qt::Key_E, Qt::NoModifier, Snap::Edge);
@@ -104,11 +104,11 @@ private slots:
 
     void aClickTakesWhatIsChosen_data()
     {
-        QTest::addColumn<bool>("isOrtho");
-        QTest::addColumn<int>("snap");
+        addColumn<bool>("isOrtho");
+        addColumn<int>("snap");
         for (const bool isOrtho : {false, true}) {
             for (const Snap snap : {Snap::Surface, Snap::Vertex, Snap::Edge, Snap::Face})
-                QTest::addRow("%s, %d", isOrtho ? "orthographic" : "perspective", int(snap)) << isOrtho << int(snap);
+                addRow("%s, %d", isOrtho ? "orthographic" : "perspective", int(snap)) << isOrtho << int(snap);
         }
     }
 
@@ -159,12 +159,12 @@ private slots:
 
     void whatAClickWouldTakeIsMarked_data()
     {
-        QTest::addColumn<int>("snap");
-        QTest::addColumn<bool>("isMarked");
-        QTest::newRow("surface") << int(Snap::Surface) << false;
-        QTest::newRow("vertex") << int(Snap::Vertex) << true;
-        QTest::newRow("edge") << int(Snap::Edge) << true;
-        QTest::newRow("face") << int(Snap::Face) << true;
+        addColumn<int>("snap");
+        addColumn<bool>("isMarked");
+        newRow("surface") << int(Snap::Surface) << false;
+        newRow("vertex") << int(Snap::Vertex) << true;
+        newRow("edge") << int(Snap::Edge) << true;
+        newRow("face") << int(Snap::Face) << true;
     }
 
     void whatAClickWouldTakeIsMarked()

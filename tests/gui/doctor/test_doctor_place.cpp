@@ -202,13 +202,13 @@ private slots:
 
     void pointsAsProgramsPrintThem_data()
     {
-        QTest::addColumn<QString>("form");
-        QTest::newRow("blanks") << QStringLiteral("%1 %2 %3");
-        QTest::newRow("commas") << QStringLiteral("%1, %2, %3");
-        QTest::newRow("GLM") << QStringLiteral("dvec3(%1, %2, %3)");
-        QTest::newRow("NumPy") << QStringLiteral("[%1 %2 %3]");
-        QTest::newRow("named") << QStringLiteral("x=%1 y=%2 z=%3");
-        QTest::newRow("in brackets") << QStringLiteral("(%1,%2,%3)");
+        addColumn<QString>("form");
+        newRow("blanks") << QStringLiteral("%1 %2 %3");
+        newRow("commas") << QStringLiteral("%1, %2, %3");
+        newRow("GLM") << QStringLiteral("dvec3(%1, %2, %3)");
+        newRow("NumPy") << QStringLiteral("[%1 %2 %3]");
+        newRow("named") << QStringLiteral("x=%1 y=%2 z=%3");
+        newRow("in brackets") << QStringLiteral("(%1,%2,%3)");
     }
 
     void pointsAsProgramsPrintThem()
@@ -388,9 +388,9 @@ private slots:
 
     void rowsCanBePasted_data()
     {
-        QTest::addColumn<bool>("byMenu");
-        QTest::newRow("by key") << false;
-        QTest::newRow("by menu") << true;
+        addColumn<bool>("byMenu");
+        newRow("by key") << false;
+        newRow("by menu") << true;
     }
 
     void rowsCanBePasted()
@@ -483,8 +483,8 @@ private slots:
 
     void aClickMadeBeforeIsTaken_data()
     {
-        QTest::addColumn<Workspace>("workspace");
-        QTest::addColumn<Happening>("happening");
+        addColumn<Workspace>("workspace");
+        addColumn<Happening>("happening");
         const auto nothing = [](MainWindow &) {};
         const auto orbit = [](MainWindow &window) {
             setCamera(window.document(), {WorldPoint(20, 3, 4), WorldPoint(kCubeCenter), {0, 1, 0}});
@@ -494,13 +494,13 @@ private slots:
             QVERIFY(resized(window, {1000, 700}));
             settle();
         };
-        QTest::newRow("Click") << Workspace::Click << Happening(nothing);
-        QTest::newRow("Click, orbit") << Workspace::Click << Happening(orbit);
-        QTest::newRow("Click, projection") << Workspace::Click << Happening(lens);
-        QTest::newRow("Click, window size") << Workspace::Click << Happening(resize);
-        QTest::newRow("Pipeline, orbit") << Workspace::Pipeline << Happening(orbit);
-        QTest::newRow("Points") << Workspace::Landmarks << Happening(nothing);
-        QTest::newRow("Points, orbit") << Workspace::Landmarks << Happening(orbit);
+        newRow("Click") << Workspace::Click << Happening(nothing);
+        newRow("Click, orbit") << Workspace::Click << Happening(orbit);
+        newRow("Click, projection") << Workspace::Click << Happening(lens);
+        newRow("Click, window size") << Workspace::Click << Happening(resize);
+        newRow("Pipeline, orbit") << Workspace::Pipeline << Happening(orbit);
+        newRow("Points") << Workspace::Landmarks << Happening(nothing);
+        newRow("Points, orbit") << Workspace::Landmarks << Happening(orbit);
     }
 
     /// After any change since the click, the form has the click, and the doctor finds the mistake in

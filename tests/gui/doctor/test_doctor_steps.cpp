@@ -177,9 +177,9 @@ private slots:
     /// had, and whatever the view does afterwards.
     void aClickWithAGivenCameraStays_data()
     {
-        QTest::addColumn<bool>("hasPoint");
-        QTest::newRow("first point") << false;
-        QTest::newRow("another point") << true;
+        addColumn<bool>("hasPoint");
+        newRow("first point") << false;
+        newRow("another point") << true;
     }
 
     void aClickWithAGivenCameraStays()

@@ -73,17 +73,17 @@ private slots:
 
     void whatIsThrownIsAFailure_data()
     {
-        QTest::addColumn<Thrower>("thrower");
-        QTest::addColumn<QString>("reason");
+        addColumn<Thrower>("thrower");
+        addColumn<QString>("reason");
         const QString memory = QStringLiteral("there is not enough memory");
-        QTest::newRow("no memory") << Thrower([] { throw std::bad_alloc(); }) << memory;
-        QTest::newRow("more than any memory") << Thrower([] { throw std::length_error("long"); }) << memory;
-        QTest::newRow("no thread") << Thrower([] {
+        newRow("no memory") << Thrower([] { throw std::bad_alloc(); }) << memory;
+        newRow("more than any memory") << Thrower([] { throw std::length_error("long"); }) << memory;
+        newRow("no thread") << Thrower([] {
             throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
         }) << QStringLiteral("the system cannot start another thread");
-        QTest::newRow("exception") << Thrower([] { throw std::runtime_error("odd"); })
-                                   << QStringLiteral("an unexpected error occurred (odd)");
-        QTest::newRow("anything") << Thrower([] { throw 1; }) << QStringLiteral("an unexpected error occurred (?)");
+        newRow("exception") << Thrower([] { throw std::runtime_error("odd"); })
+                            << QStringLiteral("an unexpected error occurred (odd)");
+        newRow("anything") << Thrower([] { throw 1; }) << QStringLiteral("an unexpected error occurred (?)");
     }
 
     void whatIsThrownIsAFailure()

@@ -27,10 +27,10 @@ class TestDocument : public QObject {
 private slots:
     void everyVerbTellsItsKindOnceAndIsUndone_data()
     {
-        QTest::addColumn<Verb>("verb");
-        QTest::addColumn<Changes>("kinds");
+        addColumn<Verb>("verb");
+        addColumn<Changes>("kinds");
         const auto row = [](const char *name, Changes kinds, const Verb &verb) {
-            QTest::newRow(name) << verb << (kinds | Change::History);
+            newRow(name) << verb << (kinds | Change::History);
         };
         row("camera", Change::Setup, [](SceneDocument &d) { setCamera(d, cameraAt(7.0)); });
         row("projection", Change::Setup, [](SceneDocument &d) { switchProjection(d); });
@@ -99,11 +99,9 @@ private slots:
 
     void lookingAtNothingIsNoChange_data()
     {
-        QTest::addColumn<Verb>("first");
-        QTest::addColumn<Verb>("again");
-        const auto row = [](const char *name, const Verb &first, const Verb &again) {
-            QTest::newRow(name) << first << again;
-        };
+        addColumn<Verb>("first");
+        addColumn<Verb>("again");
+        const auto row = [](const char *name, const Verb &first, const Verb &again) { newRow(name) << first << again; };
         const auto twice = [&row](const char *name, const Verb &verb) { row(name, verb, verb); };
         const Verb nothing = [](SceneDocument &) {};
         twice("home", [](SceneDocument &d) { goHome(d); });
@@ -128,15 +126,15 @@ private slots:
 
     void fittingCutsNothingOff_data()
     {
-        QTest::addColumn<bool>("isBox");
-        QTest::addColumn<double>("nearDistance");
-        QTest::addColumn<double>("farDistance");
-        QTest::addColumn<bool>("isKept");
-        QTest::newRow("near in the objects") << false << 15.0 << 1000.0 << false;
-        QTest::newRow("far before them") << false << 0.01 << 0.1 << false;
-        QTest::newRow("far in a box") << true << -1000.0 << 1.0 << false;
-        QTest::newRow("wide enough") << false << 0.01 << 1000.0 << true;
-        QTest::newRow("wide enough, a box") << true << -1000.0 << 1000.0 << true;
+        addColumn<bool>("isBox");
+        addColumn<double>("nearDistance");
+        addColumn<double>("farDistance");
+        addColumn<bool>("isKept");
+        newRow("near in the objects") << false << 15.0 << 1000.0 << false;
+        newRow("far before them") << false << 0.01 << 0.1 << false;
+        newRow("far in a box") << true << -1000.0 << 1.0 << false;
+        newRow("wide enough") << false << 0.01 << 1000.0 << true;
+        newRow("wide enough, a box") << true << -1000.0 << 1000.0 << true;
     }
 
     /// Typed near and far distances stay where they contain everything.
@@ -204,25 +202,24 @@ private slots:
 
     void aRefusedVerbChangesNothing_data()
     {
-        QTest::addColumn<Verb>("verb");
-        QTest::newRow("near beyond far") << Verb([](SceneDocument &d) {
+        addColumn<Verb>("verb");
+        newRow("near beyond far") << Verb([](SceneDocument &d) {
             QVERIFY(!editProjection(d, {Ortho{-1, 1, -1, 1, 9, 3}, false, false}, kLabel));
         });
-        QTest::newRow("scale by 0") << Verb([](SceneDocument &d) {
+        newRow("scale by 0") << Verb([](SceneDocument &d) {
             QVERIFY(!editTransform(d, 1, {Scale{{1.0, 0.0, 1.0}}}, kLabel));
         });
-        QTest::newRow("plane without a normal")
-            << Verb([](SceneDocument &d) { QVERIFY(!editClipPlanes(d, {glm::dvec4(0.0)}, {}, kLabel)); });
-        QTest::newRow("eye at center") << Verb(
-            [](SceneDocument &d) { QVERIFY(!editCamera(d, cameraAt(0.0), kLabel)); });
-        QTest::newRow("one setting of two") << Verb([](SceneDocument &d) {
+        newRow("plane without a normal") << Verb(
+            [](SceneDocument &d) { QVERIFY(!editClipPlanes(d, {glm::dvec4(0.0)}, {}, kLabel)); });
+        newRow("eye at center") << Verb([](SceneDocument &d) { QVERIFY(!editCamera(d, cameraAt(0.0), kLabel)); });
+        newRow("one setting of two") << Verb([](SceneDocument &d) {
             SceneSettings settings = d.scene();
             settings.camera = cameraAt(7.0);
             settings.projection = Ortho{-1, 1, -1, 1, 9, 3};
             QVERIFY(!editSettings(d, settings, kLabel));
         });
-        QTest::newRow("look from nowhere") << Verb([](SceneDocument &d) { setCamera(d, cameraAt(0.0)); });
-        QTest::newRow("another scene") << Verb([](SceneDocument &d) {
+        newRow("look from nowhere") << Verb([](SceneDocument &d) { setCamera(d, cameraAt(0.0)); });
+        newRow("another scene") << Verb([](SceneDocument &d) {
             Scene scene;
             scene.depthRange = {0.5, 0.5};
             QVERIFY(!d.open(scene));
@@ -314,11 +311,11 @@ private slots:
 
     void anEditRebuildsOnlyWhatFollowsFromIt_data()
     {
-        QTest::addColumn<Verb>("verb");
-        QTest::addColumn<bool>("isOfLandmarks");
-        QTest::addColumn<bool>("keepsRays");
+        addColumn<Verb>("verb");
+        addColumn<bool>("isOfLandmarks");
+        addColumn<bool>("keepsRays");
         const auto row = [](const char *name, bool isOfLandmarks, bool keepsRays, const Verb &verb) {
-            QTest::newRow(name) << verb << isOfLandmarks << keepsRays;
+            newRow(name) << verb << isOfLandmarks << keepsRays;
         };
         row("placed landmark", true, true, [](SceneDocument &d) { QVERIFY(d.sceneLandmarks().place({})); });
         row("name of a landmark", true, true, [](SceneDocument &d) { QVERIFY(d.sceneLandmarks().rename(0, "other")); });
@@ -390,13 +387,13 @@ private slots:
 
     void nothingIsToldOfTheEnd_data()
     {
-        QTest::addColumn<Verb>("verb");
-        QTest::newRow("steps to undo") << Verb([](SceneDocument &d) { setCamera(d, cameraAt(7.0)); });
-        QTest::newRow("steps to redo") << Verb([](SceneDocument &d) {
+        addColumn<Verb>("verb");
+        newRow("steps to undo") << Verb([](SceneDocument &d) { setCamera(d, cameraAt(7.0)); });
+        newRow("steps to redo") << Verb([](SceneDocument &d) {
             setCamera(d, cameraAt(7.0));
             d.undoStack().undo();
         });
-        QTest::newRow("unsaved") << Verb([](SceneDocument &d) { d.markUnsaved(); });
+        newRow("unsaved") << Verb([](SceneDocument &d) { d.markUnsaved(); });
     }
 
     void nothingIsToldOfTheEnd()

@@ -91,11 +91,11 @@ class TestDocumentLandmarks : public QObject {
 private slots:
     void eachVerbIsOneStepByName_data()
     {
-        QTest::addColumn<Verb>("verb");
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<QStringList>("names");
+        addColumn<Verb>("verb");
+        addColumn<QString>("text");
+        addColumn<QStringList>("names");
         const auto row = [](const char *name, const char *text, const char *names, const Verb &verb) {
-            QTest::newRow(name) << verb << QString::fromLatin1(text) << QString::fromLatin1(names).split(u' ');
+            newRow(name) << verb << QString::fromLatin1(text) << QString::fromLatin1(names).split(u' ');
         };
         row("place", "Place nasion", "a b c nasion",
             [](auto &d) { QVERIFY(d.sceneLandmarks().place(pointAt(5, "nasion"))); });
@@ -363,10 +363,10 @@ private slots:
 
     void theSelectionGoesWithThePoints_data()
     {
-        QTest::addColumn<Verb>("verb");
-        QTest::addColumn<Places>("places");
+        addColumn<Verb>("verb");
+        addColumn<Places>("places");
         const auto row = [](const char *name, const Places &places, const Verb &verb) {
-            QTest::newRow(name) << verb << places;
+            newRow(name) << verb << places;
         };
         row("moved", {1, 2}, [](auto &d) { QVERIFY(d.sceneLandmarks().move(1, pointAt(9))); });
         row("one before it removed", {0, 1}, [](auto &d) { QVERIFY(d.sceneLandmarks().remove({0})); });
@@ -424,27 +424,26 @@ private slots:
 
     void pointsGoWithTheirObject_data()
     {
-        QTest::addColumn<Verb>("verb");
-        QTest::addColumn<QString>("object");
-        QTest::addColumn<glm::dvec3>("held");
-        QTest::addColumn<glm::dvec3>("free");
+        addColumn<Verb>("verb");
+        addColumn<QString>("object");
+        addColumn<glm::dvec3>("held");
+        addColumn<glm::dvec3>("free");
         const glm::dvec3 held(1.0, 1.0, 0.0), free(1.0, 1.0, 2.0);
         const auto transform = [](const std::vector<TransformStep> &steps) {
             return [steps](SceneDocument &d) { QVERIFY(editTransform(d, 0, steps, kLabel)); };
         };
-        QTest::newRow("moved") << Verb(transform({Translate{{10, 0, 0}}})) << "triangle" << held + glm::dvec3(10, 0, 0)
-                               << free + glm::dvec3(10, 0, 0);
-        QTest::newRow("scaled") << Verb(transform({Scale{{2, 3, 4}}})) << "triangle" << glm::dvec3(2, 3, 0)
-                                << glm::dvec3(2, 3, 8);
-        QTest::newRow("turned") << Verb(transform({Rotate{90.0, {0, 0, 1}}})) << "triangle" << glm::dvec3(-1, 1, 0)
-                                << glm::dvec3(-1, 1, 2);
-        QTest::newRow("renamed") << Verb([](auto &d) {
-            QCOMPARE(renameObject(d, 0, QStringLiteral("skull")), NameFault::None);
-        }) << "skull" << held << free;
-        QTest::newRow("removed") << Verb([](auto &d) { QVERIFY(removeObject(d, 0)); }) << "" << held << free;
-        QTest::newRow("hidden") << Verb([](auto &d) { QVERIFY(setObjectHidden(d, 0, true)); }) << "triangle" << held
-                                << free;
-        QTest::newRow("another added") << Verb([](auto &d) {
+        newRow("moved") << Verb(transform({Translate{{10, 0, 0}}})) << "triangle" << held + glm::dvec3(10, 0, 0)
+                        << free + glm::dvec3(10, 0, 0);
+        newRow("scaled") << Verb(transform({Scale{{2, 3, 4}}})) << "triangle" << glm::dvec3(2, 3, 0)
+                         << glm::dvec3(2, 3, 8);
+        newRow("turned") << Verb(transform({Rotate{90.0, {0, 0, 1}}})) << "triangle" << glm::dvec3(-1, 1, 0)
+                         << glm::dvec3(-1, 1, 2);
+        newRow("renamed") << Verb(
+            [](auto &d) { QCOMPARE(renameObject(d, 0, QStringLiteral("skull")), NameFault::None); })
+                          << "skull" << held << free;
+        newRow("removed") << Verb([](auto &d) { QVERIFY(removeObject(d, 0)); }) << "" << held << free;
+        newRow("hidden") << Verb([](auto &d) { QVERIFY(setObjectHidden(d, 0, true)); }) << "triangle" << held << free;
+        newRow("another added") << Verb([](auto &d) {
             QVERIFY(addObjects(d, {examples::bundledScene()[0]}));
             QVERIFY(moveObject(d, 1, 0));
         }) << "triangle" << held << free;
@@ -496,21 +495,20 @@ private slots:
 
     void clicksAreHeldByTheMesh_data()
     {
-        QTest::addColumn<ray::Snap>("snap");
-        QTest::addColumn<glm::dvec3>("world");
-        QTest::addColumn<landmarks::Anchor>("hold");
+        addColumn<ray::Snap>("snap");
+        addColumn<glm::dvec3>("world");
+        addColumn<landmarks::Anchor>("hold");
         using namespace landmarks;
         using namespace unprojector::geometry;
         using namespace unprojector::mesh;
         using namespace unprojector::scene;
         using namespace unprojector::unproject;
-        QTest::newRow("surface") << ray::Snap::Surface << glm::dvec3(1, 1, 0)
-                                 << Anchor(OnTriangle{0, glm::dvec3(0.5, 0.25, 0.25)});
-        QTest::newRow("vertex") << ray::Snap::Vertex << glm::dvec3(4, 0, 0) << Anchor(AtVertex{1});
-        QTest::newRow("edge") << ray::Snap::Edge << glm::dvec3(1, 0, 0) << Anchor(OnEdge{{0, 1}, 0.25});
-        QTest::newRow("slanting edge") << ray::Snap::Edge << glm::dvec3(3, 1, 0) << Anchor(OnEdge{{1, 2}, 0.25});
-        QTest::newRow("face") << ray::Snap::Face << glm::dvec3(1, 2, 0)
-                              << Anchor(OnTriangle{0, glm::dvec3(0.25, 0.25, 0.5)});
+        newRow("surface") << ray::Snap::Surface << glm::dvec3(1, 1, 0)
+                          << Anchor(OnTriangle{0, glm::dvec3(0.5, 0.25, 0.25)});
+        newRow("vertex") << ray::Snap::Vertex << glm::dvec3(4, 0, 0) << Anchor(AtVertex{1});
+        newRow("edge") << ray::Snap::Edge << glm::dvec3(1, 0, 0) << Anchor(OnEdge{{0, 1}, 0.25});
+        newRow("slanting edge") << ray::Snap::Edge << glm::dvec3(3, 1, 0) << Anchor(OnEdge{{1, 2}, 0.25});
+        newRow("face") << ray::Snap::Face << glm::dvec3(1, 2, 0) << Anchor(OnTriangle{0, glm::dvec3(0.25, 0.25, 0.5)});
     }
 
     void clicksAreHeldByTheMesh()

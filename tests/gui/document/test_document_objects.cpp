@@ -114,12 +114,12 @@ private slots:
 
     void objectsAreMovedInTheirList_data()
     {
-        QTest::addColumn<int>("from");
-        QTest::addColumn<int>("to");
-        QTest::newRow("to the end") << 0 << 3;
-        QTest::newRow("to the start") << 3 << 0;
-        QTest::newRow("down by one") << 1 << 2;
-        QTest::newRow("up by one") << 2 << 1;
+        addColumn<int>("from");
+        addColumn<int>("to");
+        newRow("to the end") << 0 << 3;
+        newRow("to the start") << 3 << 0;
+        newRow("down by one") << 1 << 2;
+        newRow("up by one") << 2 << 1;
     }
 
     void objectsAreMovedInTheirList()
@@ -167,15 +167,15 @@ private slots:
 
     void namesStayUnique_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<int>("fault");
-        QTest::newRow("another") << "bunny" << int(NameFault::None);
-        QTest::newRow("beyond ASCII") << QString::fromUtf8("兔子") << int(NameFault::None);
-        QTest::newRow("its own") << "1" << int(NameFault::None);
-        QTest::newRow("that of another") << "0" << int(NameFault::Taken);
-        QTest::newRow("that of another, in blanks") << " 0 " << int(NameFault::Taken);
-        QTest::newRow("blanks") << "  " << int(NameFault::Empty);
-        QTest::newRow("nothing") << "" << int(NameFault::Empty);
+        addColumn<QString>("name");
+        addColumn<int>("fault");
+        newRow("another") << "bunny" << int(NameFault::None);
+        newRow("beyond ASCII") << QString::fromUtf8("兔子") << int(NameFault::None);
+        newRow("its own") << "1" << int(NameFault::None);
+        newRow("that of another") << "0" << int(NameFault::Taken);
+        newRow("that of another, in blanks") << " 0 " << int(NameFault::Taken);
+        newRow("blanks") << "  " << int(NameFault::Empty);
+        newRow("nothing") << "" << int(NameFault::Empty);
     }
 
     void namesStayUnique()
@@ -198,18 +198,17 @@ private slots:
 
     void whatIsAddedIsInSight_data()
     {
-        QTest::addColumn<glm::dvec3>("middle");
-        QTest::addColumn<double>("scale");
-        QTest::addColumn<bool>("fits"); // near and far are fitted
-        QTest::addColumn<bool>("moves");
+        addColumn<glm::dvec3>("middle");
+        addColumn<double>("scale");
+        addColumn<bool>("fits"); // near and far are fitted
+        addColumn<bool>("moves");
         const glm::dvec3 center(0.0, 0.5, 0.0);
-        QTest::newRow("in sight: the camera stays") << center << 0.1 << true << false;
-        QTest::newRow("beside") << glm::dvec3(40.0, 0.0, 0.0) << 1.0 << true << true;
-        QTest::newRow("behind the eye") << glm::dvec3(0.0, 0.0, 100.0) << 1.0 << true << true;
-        QTest::newRow("a thousand times as large") << center << 1000.0 << true << true;
-        QTest::newRow("far off, near and far typed") << glm::dvec3(300.0, 0.0, 0.0) << 1.0 << false << true;
-        QTest::newRow("in the picture, behind the typed far plane")
-            << glm::dvec3(0.0, 0.0, -60.0) << 1.0 << false << false;
+        newRow("in sight: the camera stays") << center << 0.1 << true << false;
+        newRow("beside") << glm::dvec3(40.0, 0.0, 0.0) << 1.0 << true << true;
+        newRow("behind the eye") << glm::dvec3(0.0, 0.0, 100.0) << 1.0 << true << true;
+        newRow("a thousand times as large") << center << 1000.0 << true << true;
+        newRow("far off, near and far typed") << glm::dvec3(300.0, 0.0, 0.0) << 1.0 << false << true;
+        newRow("in the picture, behind the typed far plane") << glm::dvec3(0.0, 0.0, -60.0) << 1.0 << false << false;
     }
 
     void whatIsAddedIsInSight()

@@ -83,10 +83,10 @@ class TestPickedRay : public QObject {
 private slots:
     void theRayMeetsWhatIsShown_data()
     {
-        QTest::addColumn<Happening>("before");
-        QTest::addColumn<QString>("expected");
+        addColumn<Happening>("before");
+        addColumn<QString>("expected");
         const auto row = [](const char *name, const Happening &before, const char *expected) {
-            QTest::newRow(name) << before << QString::fromLatin1(expected);
+            newRow(name) << before << QString::fromLatin1(expected);
         };
         row(
             "the first", [](SceneDocument &) {}, "front 1");
@@ -147,10 +147,10 @@ private slots:
 
     void theAnswerIsThatOfTheClick_data()
     {
-        QTest::addColumn<Happening>("since");
-        QTest::addColumn<QString>("expected");
+        addColumn<Happening>("since");
+        addColumn<QString>("expected");
         const auto row = [](const char *name, const Happening &since, const char *expected) {
-            QTest::newRow(name) << since << QString::fromLatin1(expected);
+            newRow(name) << since << QString::fromLatin1(expected);
         };
         row(
             "another view", [](SceneDocument &d) { setCamera(d, cameraAt(30.0)); }, "front 1");
@@ -221,10 +221,10 @@ private slots:
 
     void theAnswerComesWhenTheModelIsReady_data()
     {
-        QTest::addColumn<Happening>("meanwhile");
-        QTest::addColumn<QString>("expected");
+        addColumn<Happening>("meanwhile");
+        addColumn<QString>("expected");
         const auto row = [](const char *name, const Happening &meanwhile, const char *expected) {
-            QTest::newRow(name) << meanwhile << QString::fromLatin1(expected);
+            newRow(name) << meanwhile << QString::fromLatin1(expected);
         };
         row(
             "nothing happens", [](SceneDocument &) {}, "ball 1");
@@ -288,13 +288,13 @@ private slots:
 
     void itsTriangleSaysHowSureThePointIs_data()
     {
-        QTest::addColumn<double>("depth");
-        QTest::addColumn<int>("object");
-        QTest::addColumn<bool>("isKnown");
+        addColumn<double>("depth");
+        addColumn<int>("object");
+        addColumn<bool>("isKnown");
         constexpr double kFront = 10.0 / 39.0;
-        QTest::newRow("the triangle was drawn") << kFront << 0 << true;
-        QTest::newRow("another part of its object was drawn") << 0.3 << 0 << false;
-        QTest::newRow("another object was drawn") << kFront << 1 << false;
+        newRow("the triangle was drawn") << kFront << 0 << true;
+        newRow("another part of its object was drawn") << 0.3 << 0 << false;
+        newRow("another object was drawn") << kFront << 1 << false;
     }
 
     /// An unknown slope counts as steep; the cube's front is flat.

@@ -127,11 +127,11 @@ private slots:
 
     void noModelIsKept_data()
     {
-        QTest::addColumn<int>("subdivisions");
-        QTest::addColumn<bool>("isReady");
-        QTest::newRow("ready at once") << kFew << true;
-        QTest::newRow("ready") << kMany << true;
-        QTest::newRow("being prepared") << kMany << false;
+        addColumn<int>("subdivisions");
+        addColumn<bool>("isReady");
+        newRow("ready at once") << kFew << true;
+        newRow("ready") << kMany << true;
+        newRow("being prepared") << kMany << false;
     }
 
     void noModelIsKept()

@@ -27,11 +27,11 @@ private slots:
 
     void scenesAreKnownByTheirContents_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::newRow("json") << "scene.json";
-        QTest::newRow("capitals") << "SCENE.Json";
-        QTest::newRow("no suffix") << "scene";
-        QTest::newRow("another suffix") << "scene.txt";
+        addColumn<QString>("name");
+        newRow("json") << "scene.json";
+        newRow("capitals") << "SCENE.Json";
+        newRow("no suffix") << "scene";
+        newRow("another suffix") << "scene.txt";
     }
 
     void scenesAreKnownByTheirContents()
@@ -49,31 +49,31 @@ private slots:
 
     void aSavedNameGetsItsSuffix_data()
     {
-        QTest::addColumn<QString>("given");
-        QTest::addColumn<QString>("written");
-        QTest::addColumn<QString>("there");
-        QTest::addColumn<bool>("yes");
-        QTest::newRow("none") << "face"
-                              << "face.json"
-                              << "" << false;
-        QTest::newRow("its own") << "face.json"
-                                 << "face.json"
-                                 << "" << false;
-        QTest::newRow("another") << "face.scene"
-                                 << "face.scene"
-                                 << "" << false;
-        QTest::newRow("its own, there already: that was asked with the name") << "face.json"
-                                                                              << "face.json"
-                                                                              << "face.json" << false;
-        QTest::newRow("none, and there is one: no") << "face"
-                                                    << ""
-                                                    << "face.json" << false;
-        QTest::newRow("none, and there is one: yes") << "face"
-                                                     << "face.json"
-                                                     << "face.json" << true;
-        QTest::newRow("no name") << ""
-                                 << ""
-                                 << "" << false;
+        addColumn<QString>("given");
+        addColumn<QString>("written");
+        addColumn<QString>("there");
+        addColumn<bool>("yes");
+        newRow("none") << "face"
+                       << "face.json"
+                       << "" << false;
+        newRow("its own") << "face.json"
+                          << "face.json"
+                          << "" << false;
+        newRow("another") << "face.scene"
+                          << "face.scene"
+                          << "" << false;
+        newRow("its own, there already: that was asked with the name") << "face.json"
+                                                                       << "face.json"
+                                                                       << "face.json" << false;
+        newRow("none, and there is one: no") << "face"
+                                             << ""
+                                             << "face.json" << false;
+        newRow("none, and there is one: yes") << "face"
+                                              << "face.json"
+                                              << "face.json" << true;
+        newRow("no name") << ""
+                          << ""
+                          << "" << false;
     }
 
     void aSavedNameGetsItsSuffix()
@@ -105,9 +105,9 @@ private slots:
 
     void whatSomebodyElseChangedIsAskedAbout_data()
     {
-        QTest::addColumn<bool>("yes");
-        QTest::newRow("leave it") << false;
-        QTest::newRow("replace it") << true;
+        addColumn<bool>("yes");
+        newRow("leave it") << false;
+        newRow("replace it") << true;
     }
 
     void whatSomebodyElseChangedIsAskedAbout()
@@ -183,18 +183,18 @@ private slots:
 
     void whatLoadsIsEndedBeforeAQuestion_data()
     {
-        QTest::addColumn<Step>("step");
-        QTest::addColumn<int>("questions");
-        QTest::newRow("bundled scene") << Step([](Desk &d) { d.session.openBundledScene(); }) << 1;
-        QTest::newRow("scene") << Step([this](Desk &d) {
+        addColumn<Step>("step");
+        addColumn<int>("questions");
+        newRow("bundled scene") << Step([](Desk &d) { d.session.openBundledScene(); }) << 1;
+        newRow("scene") << Step([this](Desk &d) {
             d.session.openScene(pathOf(writeScene(QStringLiteral("scene.json"))));
         }) << 1;
-        QTest::newRow("unreadable scene") << Step([this](Desk &d) {
+        newRow("unreadable scene") << Step([this](Desk &d) {
             d.session.openScene(pathOf(write(QStringLiteral("bad.json"), "{")));
             QCOMPARE(d.failures.size(), 1);
         }) << 0;
-        QTest::newRow("closing") << Step([](Desk &d) { QVERIFY(!d.session.mayLeave()); }) << 1;
-        QTest::newRow("save as") << Step([](Desk &d) { QVERIFY(!d.session.saveAs()); }) << 1;
+        newRow("closing") << Step([](Desk &d) { QVERIFY(!d.session.mayLeave()); }) << 1;
+        newRow("save as") << Step([](Desk &d) { QVERIFY(!d.session.saveAs()); }) << 1;
     }
 
     void whatLoadsIsEndedBeforeAQuestion()
@@ -244,21 +244,21 @@ private slots:
 
     void whatWasAddedIsTold_data()
     {
-        QTest::addColumn<double>("scale"); // of the triangle that is added, beside one of edge 1
-        QTest::addColumn<QString>("said");
+        addColumn<double>("scale"); // of the triangle that is added, beside one of edge 1
+        addColumn<QString>("said");
         const QString added = QStringLiteral("added.obj added: 1 triangle");
-        QTest::newRow("of the same size") << 1.0 << added;
-        QTest::newRow("100 times as large") << 99.9 << added;
-        QTest::newRow("101 times as large") << 101.0
-                                            << added
-                                                   + ". added.obj is 101 times as large as the rest. To see one "
-                                                     "object, choose Fit in the Objects panel.";
-        QTest::newRow("100 times as small") << 0.0101 << added;
-        QTest::newRow("5000 times as small") << 0.0002
-                                             << added
-                                                    + ". The rest is 5,000 times as large as added.obj. To see one "
-                                                      "object, choose Fit in the Objects panel.";
-        QTest::newRow("a point") << 0.0 << added;
+        newRow("of the same size") << 1.0 << added;
+        newRow("100 times as large") << 99.9 << added;
+        newRow("101 times as large") << 101.0
+                                     << added
+                                            + ". added.obj is 101 times as large as the rest. To see one "
+                                              "object, choose Fit in the Objects panel.";
+        newRow("100 times as small") << 0.0101 << added;
+        newRow("5000 times as small") << 0.0002
+                                      << added
+                                             + ". The rest is 5,000 times as large as added.obj. To see one "
+                                               "object, choose Fit in the Objects panel.";
+        newRow("a point") << 0.0 << added;
     }
 
     void whatWasAddedIsTold()

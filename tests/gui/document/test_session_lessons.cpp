@@ -212,11 +212,11 @@ private slots:
 private:
     void waysToLeave()
     {
-        QTest::addColumn<Step>("step");
-        QTest::newRow("bundled scene") << Step([](Desk &d) { d.session.openBundledScene(); });
-        QTest::newRow("model") << Step([this](Desk &d) { d.openAndWait({file(QStringLiteral("triangle.obj"))}); });
-        QTest::newRow("scene") << Step([this](Desk &d) { d.openAndWait({writeScene(QStringLiteral("scene.json"))}); });
-        QTest::newRow("closing") << Step([](Desk &d) {
+        addColumn<Step>("step");
+        newRow("bundled scene") << Step([](Desk &d) { d.session.openBundledScene(); });
+        newRow("model") << Step([this](Desk &d) { d.openAndWait({file(QStringLiteral("triangle.obj"))}); });
+        newRow("scene") << Step([this](Desk &d) { d.openAndWait({writeScene(QStringLiteral("scene.json"))}); });
+        newRow("closing") << Step([](Desk &d) {
             if (d.session.mayLeave())
                 d.session.end();
         });

@@ -46,10 +46,10 @@ class TestTextures : public QObject {
 private slots:
     void picturesAreDecoded_data()
     {
-        QTest::addColumn<QByteArray>("format");
-        QTest::newRow("PNG") << QByteArray("PNG");
-        QTest::newRow("BMP") << QByteArray("BMP");
-        QTest::newRow("PPM, as embedded texels come") << QByteArray("PPM");
+        addColumn<QByteArray>("format");
+        newRow("PNG") << QByteArray("PNG");
+        newRow("BMP") << QByteArray("BMP");
+        newRow("PPM, as embedded texels come") << QByteArray("PPM");
     }
 
     void picturesAreDecoded()
@@ -81,11 +81,11 @@ private slots:
 
     void whatCannotBeDecodedIsSaid_data()
     {
-        QTest::addColumn<QByteArray>("bytes");
-        QTest::newRow("no picture") << QByteArray("hello");
+        addColumn<QByteArray>("bytes");
+        newRow("no picture") << QByteArray("hello");
         const std::vector<std::uint8_t> whole = encoded(picture(64, 64), "PNG");
-        QTest::newRow("cut off") << QByteArray(reinterpret_cast<const char *>(whole.data()), 60);
-        QTest::newRow("a header of 100,000 by 100,000 pixels") << QByteArray("P6\n100000 100000\n255\n");
+        newRow("cut off") << QByteArray(reinterpret_cast<const char *>(whole.data()), 60);
+        newRow("a header of 100,000 by 100,000 pixels") << QByteArray("P6\n100000 100000\n255\n");
     }
 
     void whatCannotBeDecodedIsSaid()

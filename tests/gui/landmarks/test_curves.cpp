@@ -438,14 +438,14 @@ private slots:
 
     void theChosenMeasureIsShown_data()
     {
-        QTest::addColumn<QString>("kind");
-        QTest::addColumn<int>("points");
-        QTest::addColumn<int>("lines");
-        QTest::newRow("distance") << "Distance" << 2 << 1;
-        QTest::newRow("surface") << "Along the surface" << 2 << 0;
-        QTest::newRow("angle") << "Angle" << 3 << 26;
-        QTest::newRow("length") << "Length along" << 3 << 2;
-        QTest::newRow("height") << "Height" << 4 << 5;
+        addColumn<QString>("kind");
+        addColumn<int>("points");
+        addColumn<int>("lines");
+        newRow("distance") << "Distance" << 2 << 1;
+        newRow("surface") << "Along the surface" << 2 << 0;
+        newRow("angle") << "Angle" << 3 << 26;
+        newRow("length") << "Length along" << 3 << 2;
+        newRow("height") << "Height" << 4 << 5;
     }
 
     void theChosenMeasureIsShown()

@@ -34,11 +34,11 @@ private slots:
 
     void thoseThatAreThere_data()
     {
-        QTest::addColumn<int>("answer");
-        QTest::addColumn<int>("count");
-        QTest::newRow("replaced") << int(LandmarkFileQuestions::Join::Replace) << 1;
-        QTest::newRow("joined") << int(LandmarkFileQuestions::Join::Append) << 2;
-        QTest::newRow("given up") << int(LandmarkFileQuestions::Join::Cancel) << 1;
+        addColumn<int>("answer");
+        addColumn<int>("count");
+        newRow("replaced") << int(LandmarkFileQuestions::Join::Replace) << 1;
+        newRow("joined") << int(LandmarkFileQuestions::Join::Append) << 2;
+        newRow("given up") << int(LandmarkFileQuestions::Join::Cancel) << 1;
     }
 
     void thoseThatAreThere()
@@ -144,22 +144,22 @@ private slots:
 
     void pointsWithoutNamesFillByOrder_data()
     {
-        QTest::addColumn<QByteArray>("rows");
-        QTest::addColumn<int>("answer");
-        QTest::addColumn<QString>("names"); ///< of placed points
-        QTest::addColumn<QString>("said");
+        addColumn<QByteArray>("rows");
+        addColumn<int>("answer");
+        addColumn<QString>("names"); ///< of placed points
+        addColumn<QString>("said");
         using Order = LandmarkFileQuestions::Order;
-        QTest::newRow("as many") << QByteArray("1 1 0\n2 2 0\n3 3 0\n") << -1 << "a b c"
-                                 << "took the unplaced names in order";
-        QTest::newRow("one missing") << QByteArray("1 1 0\nNA NA NA\n3 3 0\n") << -1 << "a c"
-                                     << "in order";
-        QTest::newRow("fewer") << QByteArray("1 1 0\n2 2 0\n") << int(Order::Fill) << "a b"
-                               << "in order";
-        QTest::newRow("more") << QByteArray("1 1 0\n2 2 0\n3 3 0\n4 4 0\n") << int(Order::Fill) << "a b c "
+        newRow("as many") << QByteArray("1 1 0\n2 2 0\n3 3 0\n") << -1 << "a b c"
+                          << "took the unplaced names in order";
+        newRow("one missing") << QByteArray("1 1 0\nNA NA NA\n3 3 0\n") << -1 << "a c"
                               << "in order";
-        QTest::newRow("appended") << QByteArray("1 1 0\n2 2 0\n") << int(Order::Behind) << " "
-                                  << "appended: 2. Still";
-        QTest::newRow("given up") << QByteArray("1 1 0\n2 2 0\n") << int(Order::Cancel) << QString() << QString();
+        newRow("fewer") << QByteArray("1 1 0\n2 2 0\n") << int(Order::Fill) << "a b"
+                        << "in order";
+        newRow("more") << QByteArray("1 1 0\n2 2 0\n3 3 0\n4 4 0\n") << int(Order::Fill) << "a b c "
+                       << "in order";
+        newRow("appended") << QByteArray("1 1 0\n2 2 0\n") << int(Order::Behind) << " "
+                           << "appended: 2. Still";
+        newRow("given up") << QByteArray("1 1 0\n2 2 0\n") << int(Order::Cancel) << QString() << QString();
     }
 
     void pointsWithoutNamesFillByOrder()
@@ -218,16 +218,16 @@ private slots:
 
     void countsAddUp_data()
     {
-        QTest::addColumn<QByteArray>("rows");
-        QTest::addColumn<QString>("said");
-        QTest::newRow("all on the mesh") << QByteArray("a,1,2,0\nb,2,2,0\n") << "2. They lie on the mesh.";
-        QTest::newRow("one beyond all distances")
+        addColumn<QByteArray>("rows");
+        addColumn<QString>("said");
+        newRow("all on the mesh") << QByteArray("a,1,2,0\nb,2,2,0\n") << "2. They lie on the mesh.";
+        newRow("one beyond all distances")
             << QByteArray("a,1,2,0\nb,1e308,2,0\n")
             << "2. On the mesh: 1. They lie on the mesh. Left free, far from the mesh: 1.";
-        QTest::newRow("one of each")
+        newRow("one of each")
             << QByteArray("a,1,2,0\nb,1e308,2,0\nc,,,\nd,3,3,5\n")
             << "4. On the mesh: 1. They lie on the mesh. Left free, far from the mesh: 2. Not placed: 1.";
-        QTest::newRow("none on the mesh") << QByteArray("d,3,3,5\n") << "1. Left free, far from the mesh: 1.";
+        newRow("none on the mesh") << QByteArray("d,3,3,5\n") << "1. Left free, far from the mesh: 1.";
     }
 
     void countsAddUp()
@@ -243,20 +243,20 @@ private slots:
 
     void unitsAndKeysAreNotLost_data()
     {
-        QTest::addColumn<int>("answer");
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QString>("unit");
-        QTest::addColumn<QString>("said");
+        addColumn<int>("answer");
+        addColumn<QByteArray>("text");
+        addColumn<QString>("unit");
+        addColumn<QString>("said");
         using Join = LandmarkFileQuestions::Join;
         const QByteArray plain = "name,x,y,z\na,1,2,0\n", cm = "name,x,y,z,unit\na,1,2,0,cm\n",
                          mm = "name,x,y,z,unit\na,1,2,0,mm\n";
-        QTest::newRow("replaced, no unit") << int(Join::Replace) << plain << "mm" << QString();
-        QTest::newRow("replaced, the same") << int(Join::Replace) << mm << "mm" << QString();
-        QTest::newRow("replaced, another") << int(Join::Replace) << cm << "cm"
-                                           << "cm";
-        QTest::newRow("appended, no unit") << int(Join::Append) << plain << "mm" << QString();
-        QTest::newRow("appended, another") << int(Join::Append) << cm << "mm"
-                                           << "cm";
+        newRow("replaced, no unit") << int(Join::Replace) << plain << "mm" << QString();
+        newRow("replaced, the same") << int(Join::Replace) << mm << "mm" << QString();
+        newRow("replaced, another") << int(Join::Replace) << cm << "cm"
+                                    << "cm";
+        newRow("appended, no unit") << int(Join::Append) << plain << "mm" << QString();
+        newRow("appended, another") << int(Join::Append) << cm << "mm"
+                                    << "cm";
     }
 
     void unitsAndKeysAreNotLost()

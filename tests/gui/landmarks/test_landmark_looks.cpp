@@ -130,12 +130,12 @@ private slots:
 
     void aClickOnAnArrowPlaces_data()
     {
-        QTest::addColumn<int>("waiting");
-        QTest::addColumn<bool>("hasArrows");
-        QTest::newRow("no arrows") << 0 << false;
-        QTest::newRow("arrows by key") << 0 << true;
-        QTest::newRow("a name waits, no arrows") << 2 << false;
-        QTest::newRow("a name waits, arrows by key") << 2 << true;
+        addColumn<int>("waiting");
+        addColumn<bool>("hasArrows");
+        newRow("no arrows") << 0 << false;
+        newRow("arrows by key") << 0 << true;
+        newRow("a name waits, no arrows") << 2 << false;
+        newRow("a name waits, arrows by key") << 2 << true;
     }
 
     void aClickOnAnArrowPlaces()

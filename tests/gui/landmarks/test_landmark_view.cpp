@@ -230,14 +230,14 @@ private slots:
     /// Each row: the second press, and whether it is refused.
     void aDoubleClickPlacesOneLandmark_data()
     {
-        QTest::addColumn<QEvent::Type>("type");
-        QTest::addColumn<QPointF>("way");
-        QTest::addColumn<int>("share"); // of the double-click's interval after the first press, percent
-        QTest::addColumn<bool>("isRefused");
-        QTest::newRow("double-click") << QEvent::MouseButtonDblClick << QPointF(1, 0) << 50 << true;
-        QTest::newRow("as a press") << QEvent::MouseButtonPress << QPointF(2, 0) << 50 << true;
-        QTest::newRow("another point") << QEvent::MouseButtonPress << QPointF(20, 0) << 20 << false;
-        QTest::newRow("later") << QEvent::MouseButtonPress << QPointF(2, 0) << 200 << false; // selects the marker
+        addColumn<QEvent::Type>("type");
+        addColumn<QPointF>("way");
+        addColumn<int>("share"); // of the double-click's interval after the first press, percent
+        addColumn<bool>("isRefused");
+        newRow("double-click") << QEvent::MouseButtonDblClick << QPointF(1, 0) << 50 << true;
+        newRow("as a press") << QEvent::MouseButtonPress << QPointF(2, 0) << 50 << true;
+        newRow("another point") << QEvent::MouseButtonPress << QPointF(20, 0) << 20 << false;
+        newRow("later") << QEvent::MouseButtonPress << QPointF(2, 0) << 200 << false; // selects the marker
     }
 
     void aDoubleClickPlacesOneLandmark()
@@ -288,13 +288,13 @@ private slots:
 
     void arrowKeysMoveByPixels_data()
     {
-        QTest::addColumn<int>("key");
-        QTest::addColumn<int>("modifiers");
-        QTest::addColumn<QPointF>("way"); // device pixels, y up
-        QTest::newRow("right") << int(Qt::Key_Right) << int(Qt::NoModifier) << QPointF(1, 0);
-        QTest::newRow("up") << int(Qt::Key_Up) << int(Qt::NoModifier) << QPointF(0, 1);
-        QTest::newRow("ten to the left") << int(Qt::Key_Left) << int(Qt::ShiftModifier) << QPointF(-10, 0);
-        QTest::newRow("a tenth down") << int(Qt::Key_Down) << int(Qt::AltModifier) << QPointF(0, -0.1);
+        addColumn<int>("key");
+        addColumn<int>("modifiers");
+        addColumn<QPointF>("way"); // device pixels, y up
+        newRow("right") << int(Qt::Key_Right) << int(Qt::NoModifier) << QPointF(1, 0);
+        newRow("up") << int(Qt::Key_Up) << int(Qt::NoModifier) << QPointF(0, 1);
+        newRow("ten to the left") << int(Qt::Key_Left) << int(Qt::ShiftModifier) << QPointF(-10, 0);
+        newRow("a tenth down") << int(Qt::Key_Down) << int(Qt::AltModifier) << QPointF(0, -0.1);
     }
 
     void arrowKeysMoveByPixels()
@@ -509,12 +509,12 @@ private slots:
 
     void labelsNeverOverlap_data()
     {
-        QTest::addColumn<int>("count");
-        QTest::addColumn<double>("spread");
-        QTest::newRow("a few far apart") << 8 << 700.0;
-        QTest::newRow("a few at one place") << 8 << 1.0;
-        QTest::newRow("500 all over") << 500 << 760.0;
-        QTest::newRow("500 in a heap") << 500 << 120.0;
+        addColumn<int>("count");
+        addColumn<double>("spread");
+        newRow("a few far apart") << 8 << 700.0;
+        newRow("a few at one place") << 8 << 1.0;
+        newRow("500 all over") << 500 << 760.0;
+        newRow("500 in a heap") << 500 << 120.0;
     }
 
     void labelsNeverOverlap()
@@ -620,15 +620,15 @@ private slots:
 
     void keysForPointsSayThatThereIsNone_data()
     {
-        QTest::addColumn<QKeySequence>("key");
-        QTest::addColumn<bool>("isMissing");
-        QTest::newRow("go, nothing selected") << QKeySequence(Qt::Key_G) << false;
-        QTest::newRow("go, a missing point") << QKeySequence(Qt::Key_G) << true;
-        QTest::newRow("zoom") << QKeySequence(Qt::SHIFT | Qt::Key_G) << false;
-        QTest::newRow("back, nothing selected") << QKeySequence(Qt::Key_B) << false;
-        QTest::newRow("back, a missing point") << QKeySequence(Qt::Key_B) << true;
-        QTest::newRow("join") << QKeySequence(Qt::Key_J) << false;
-        QTest::newRow("join one point") << QKeySequence(Qt::SHIFT | Qt::Key_J) << true;
+        addColumn<QKeySequence>("key");
+        addColumn<bool>("isMissing");
+        newRow("go, nothing selected") << QKeySequence(Qt::Key_G) << false;
+        newRow("go, a missing point") << QKeySequence(Qt::Key_G) << true;
+        newRow("zoom") << QKeySequence(Qt::SHIFT | Qt::Key_G) << false;
+        newRow("back, nothing selected") << QKeySequence(Qt::Key_B) << false;
+        newRow("back, a missing point") << QKeySequence(Qt::Key_B) << true;
+        newRow("join") << QKeySequence(Qt::Key_J) << false;
+        newRow("join one point") << QKeySequence(Qt::SHIFT | Qt::Key_J) << true;
     }
 
     void keysForPointsSayThatThereIsNone()
@@ -682,10 +682,10 @@ private slots:
 
     void arrowsMoveOffTheSurface_data()
     {
-        QTest::addColumn<int>("axis");
-        QTest::newRow("x") << 0;
-        QTest::newRow("y") << 1;
-        QTest::newRow("z") << 2;
+        addColumn<int>("axis");
+        newRow("x") << 0;
+        newRow("y") << 1;
+        newRow("z") << 2;
     }
 
     void arrowsMoveOffTheSurface()

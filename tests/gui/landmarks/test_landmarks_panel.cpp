@@ -108,24 +108,24 @@ private slots:
 
     void certainDigitsAreTold_data()
     {
-        QTest::addColumn<double>("value");
-        QTest::addColumn<double>("uncertainty");
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<QString>("certain");
-        QTest::newRow("hundredths") << 12.3456789 << 0.008 << "12.3457"
-                                    << "12.34";
-        QTest::newRow("whole ones") << 1234.5678 << 0.9 << "1234.57"
-                                    << "1234";
-        QTest::newRow("hundreds") << 1234.5678 << 80.0 << "1235"
-                                  << "12";
-        QTest::newRow("more than the usual room") << 123.456789123 << 2e-6 << "123.45679"
-                                                  << "123.45679";
-        QTest::newRow("more than any room") << 123.456789123 << 2e-9 << "123.45678912"
-                                            << "123.45678912";
-        QTest::newRow("nothing known, on a map") << 5412345.987654321 << 0.0 << "5412345.988"
-                                                 << "";
-        QTest::newRow("nothing known") << 12.5 << 0.0 << "12.5000"
-                                       << "";
+        addColumn<double>("value");
+        addColumn<double>("uncertainty");
+        addColumn<QString>("text");
+        addColumn<QString>("certain");
+        newRow("hundredths") << 12.3456789 << 0.008 << "12.3457"
+                             << "12.34";
+        newRow("whole ones") << 1234.5678 << 0.9 << "1234.57"
+                             << "1234";
+        newRow("hundreds") << 1234.5678 << 80.0 << "1235"
+                           << "12";
+        newRow("more than the usual room") << 123.456789123 << 2e-6 << "123.45679"
+                                           << "123.45679";
+        newRow("more than any room") << 123.456789123 << 2e-9 << "123.45678912"
+                                     << "123.45678912";
+        newRow("nothing known, on a map") << 5412345.987654321 << 0.0 << "5412345.988"
+                                          << "";
+        newRow("nothing known") << 12.5 << 0.0 << "12.5000"
+                                << "";
     }
 
     void certainDigitsAreTold()
@@ -142,9 +142,9 @@ private slots:
 
     void errorsAreShownWhole_data()
     {
-        QTest::addColumn<double>("off");
+        addColumn<double>("off");
         for (const double off : {0.0, 0.5, 12.0, 0.011, 0.0011, 0.00011, 0.00097, 0.000004, 123456.0})
-            QTest::addRow("%g", off) << off;
+            addRow("%g", off) << off;
     }
 
     void errorsAreShownWhole()
@@ -274,17 +274,17 @@ private slots:
 
     void refusedCoordinatesSayWhy_data()
     {
-        QTest::addColumn<int>("row");
-        QTest::addColumn<QString>("typed");
-        QTest::addColumn<QString>("said");
-        QTest::newRow("no number") << 0 << "abc"
-                                   << "abc";
-        QTest::newRow("nothing") << 0 << ""
-                                 << "";
-        QTest::newRow("two numbers") << 0 << "1 2"
-                                     << "2";
-        QTest::newRow("one of a point without a place") << 2 << "1"
-                                                        << "not placed yet";
+        addColumn<int>("row");
+        addColumn<QString>("typed");
+        addColumn<QString>("said");
+        newRow("no number") << 0 << "abc"
+                            << "abc";
+        newRow("nothing") << 0 << ""
+                          << "";
+        newRow("two numbers") << 0 << "1 2"
+                              << "2";
+        newRow("one of a point without a place") << 2 << "1"
+                                                 << "not placed yet";
     }
 
     void refusedCoordinatesSayWhy()
@@ -306,12 +306,12 @@ private slots:
 
     void threeCoordinatesAtOnce_data()
     {
-        QTest::addColumn<QString>("typed");
-        QTest::newRow("blanks") << "1 -2 3.5";
-        QTest::newRow("commas") << "1, -2, 3.5";
-        QTest::newRow("semicolons") << "1;-2;3.5";
-        QTest::newRow("tabs, as tables are copied") << "1\t-2\t3.5";
-        QTest::newRow("expressions") << "2/2 -2 7/2";
+        addColumn<QString>("typed");
+        newRow("blanks") << "1 -2 3.5";
+        newRow("commas") << "1, -2, 3.5";
+        newRow("semicolons") << "1;-2;3.5";
+        newRow("tabs, as tables are copied") << "1\t-2\t3.5";
+        newRow("expressions") << "2/2 -2 7/2";
     }
 
     void threeCoordinatesAtOnce()
@@ -506,11 +506,11 @@ private slots:
 
     void theRowsStayWhileLandmarksArePlaced_data()
     {
-        QTest::addColumn<int>("width");
-        QTest::addColumn<bool>("hasPicture");
-        QTest::newRow("a narrow panel") << 300 << false;
-        QTest::newRow("the usual panel") << 420 << false;
-        QTest::newRow("an image beside some hints") << 420 << true;
+        addColumn<int>("width");
+        addColumn<bool>("hasPicture");
+        newRow("a narrow panel") << 300 << false;
+        newRow("the usual panel") << 420 << false;
+        newRow("an image beside some hints") << 420 << true;
     }
 
     void theRowsStayWhileLandmarksArePlaced()
@@ -779,30 +779,30 @@ private slots:
 
     void measuresOfWhatIsSelected_data()
     {
-        QTest::addColumn<std::vector<std::size_t>>("places");
-        QTest::addColumn<QStringList>("rows");
+        addColumn<std::vector<std::size_t>>("places");
+        addColumn<QStringList>("rows");
         using P = std::vector<std::size_t>;
-        QTest::newRow("none") << P{} << QStringList{};
-        QTest::newRow("one") << P{0} << QStringList{};
-        QTest::newRow("two") << P{0, 1} << QStringList{"Distance|a – b|3.0 ± 0.2 mm"};
-        QTest::newRow("two of unknown certainty") << P{1, 2} << QStringList{"Distance|b – c|5 ± ? mm"};
-        QTest::newRow("three") << P{0, 1, 2} << QStringList{"Distance|a – b|3.0 ± 0.2 mm",    "Distance|a – c|4 ± ? mm",
-                                                            "Distance|b – c|5 ± ? mm",        "Angle|at a|90° ± ?",
-                                                            "Angle|at b|53.1301° ± ?",        "Angle|at c|36.8699° ± ?",
-                                                            "Length along|a – b – c|8 ± ? mm"};
-        QTest::newRow("four") << P{0, 1, 2, 3}
-                              << QStringList{"Height|d over the plane a – b – c|2 ± ? mm",
-                                             "Length along|a – b – c – d|12.47214 ± ? mm"};
-        QTest::newRow("one to place") << P{0, 4} << QStringList{"Distance|a – e|e is not placed yet"};
-        QTest::newRow("a missing one") << P{0, 5} << QStringList{"Distance|a – f|f is missing on this specimen"};
-        QTest::newRow("both") << P{0, 4, 5}
-                              << QStringList{"Distance|a – e|e is not placed yet",
-                                             "Distance|a – f|f is missing on this specimen",
-                                             "Distance|e – f|e is not placed yet",
-                                             "Angle|at a|f is missing on this specimen",
-                                             "Angle|at e|e is not placed yet",
-                                             "Angle|at f|f is missing on this specimen",
-                                             "Length along|a – e – f|e is not placed yet"};
+        newRow("none") << P{} << QStringList{};
+        newRow("one") << P{0} << QStringList{};
+        newRow("two") << P{0, 1} << QStringList{"Distance|a – b|3.0 ± 0.2 mm"};
+        newRow("two of unknown certainty") << P{1, 2} << QStringList{"Distance|b – c|5 ± ? mm"};
+        newRow("three") << P{0, 1, 2} << QStringList{"Distance|a – b|3.0 ± 0.2 mm",    "Distance|a – c|4 ± ? mm",
+                                                     "Distance|b – c|5 ± ? mm",        "Angle|at a|90° ± ?",
+                                                     "Angle|at b|53.1301° ± ?",        "Angle|at c|36.8699° ± ?",
+                                                     "Length along|a – b – c|8 ± ? mm"};
+        newRow("four") << P{0, 1, 2, 3}
+                       << QStringList{"Height|d over the plane a – b – c|2 ± ? mm",
+                                      "Length along|a – b – c – d|12.47214 ± ? mm"};
+        newRow("one to place") << P{0, 4} << QStringList{"Distance|a – e|e is not placed yet"};
+        newRow("a missing one") << P{0, 5} << QStringList{"Distance|a – f|f is missing on this specimen"};
+        newRow("both") << P{0, 4, 5}
+                       << QStringList{"Distance|a – e|e is not placed yet",
+                                      "Distance|a – f|f is missing on this specimen",
+                                      "Distance|e – f|e is not placed yet",
+                                      "Angle|at a|f is missing on this specimen",
+                                      "Angle|at e|e is not placed yet",
+                                      "Angle|at f|f is missing on this specimen",
+                                      "Length along|a – e – f|e is not placed yet"};
     }
 
     void measuresOfWhatIsSelected()
@@ -942,11 +942,11 @@ private slots:
 
     void templatesAreSavedUnderTheirSuffix_data()
     {
-        QTest::addColumn<int>("filter");
-        QTest::addColumn<QString>("file");
-        QTest::addColumn<int>("warnings");
-        QTest::newRow("MeshLab's, which has no hints") << 0 << "mine.pptpl" << 1;
-        QTest::newRow("a table") << 1 << "mine.csv" << 0;
+        addColumn<int>("filter");
+        addColumn<QString>("file");
+        addColumn<int>("warnings");
+        newRow("MeshLab's, which has no hints") << 0 << "mine.pptpl" << 1;
+        newRow("a table") << 1 << "mine.csv" << 0;
     }
 
     void templatesAreSavedUnderTheirSuffix()

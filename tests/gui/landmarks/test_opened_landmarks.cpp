@@ -22,18 +22,18 @@ private slots:
 
     void pointFilesByName_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<bool>("is");
-        QTest::newRow("picked points") << "a.pp" << true;
-        QTest::newRow("in capitals") << "A.PP" << true;
-        QTest::newRow("markups") << "a.mrk.json" << true;
-        QTest::newRow("a scene") << "a.json" << false;
-        QTest::newRow("a template") << "a.pptpl" << false;
-        QTest::newRow("NTSYS") << "a.nts" << true;
-        QTest::newRow("a picking list") << "a.txt" << true;
-        QTest::newRow("sliders") << "a.Sliders.csv" << false;
-        QTest::newRow("a model") << "a.ply" << false;
-        QTest::newRow("no suffix") << "points" << false;
+        addColumn<QString>("name");
+        addColumn<bool>("is");
+        newRow("picked points") << "a.pp" << true;
+        newRow("in capitals") << "A.PP" << true;
+        newRow("markups") << "a.mrk.json" << true;
+        newRow("a scene") << "a.json" << false;
+        newRow("a template") << "a.pptpl" << false;
+        newRow("NTSYS") << "a.nts" << true;
+        newRow("a picking list") << "a.txt" << true;
+        newRow("sliders") << "a.Sliders.csv" << false;
+        newRow("a model") << "a.ply" << false;
+        newRow("no suffix") << "points" << false;
     }
 
     void pointFilesByName()
@@ -101,12 +101,12 @@ private slots:
 
     void straysAreAskedAbout_data()
     {
-        QTest::addColumn<int>("answer");
-        QTest::addColumn<bool>("isRead");
-        QTest::addColumn<double>("z");
-        QTest::newRow("moved onto the mesh") << int(LandmarkFileQuestions::Stray::Tie) << true << 0.0;
-        QTest::newRow("left where they are") << int(LandmarkFileQuestions::Stray::LeaveFree) << true << 5.0;
-        QTest::newRow("given up") << int(LandmarkFileQuestions::Stray::Cancel) << false << 0.0;
+        addColumn<int>("answer");
+        addColumn<bool>("isRead");
+        addColumn<double>("z");
+        newRow("moved onto the mesh") << int(LandmarkFileQuestions::Stray::Tie) << true << 0.0;
+        newRow("left where they are") << int(LandmarkFileQuestions::Stray::LeaveFree) << true << 5.0;
+        newRow("given up") << int(LandmarkFileQuestions::Stray::Cancel) << false << 0.0;
     }
 
     void straysAreAskedAbout()
@@ -128,16 +128,15 @@ private slots:
 
     void whatDoesNotHoldIsLetGo_data()
     {
-        QTest::addColumn<QByteArray>("held");
-        QTest::addColumn<QString>("said");
-        QTest::newRow("a triangle") << QByteArray(R"({"triangle": 1, "barycentric": [0.5, 0.25, 0.25]})") << "";
-        QTest::newRow("no such triangle") << QByteArray(R"({"triangle": 2, "barycentric": [0.5, 0.25, 0.25]})")
-                                          << "does not exist: 1, such as “a” (triangle 2)";
-        QTest::newRow("no such vertex") << QByteArray(R"({"vertex": 4})")
-                                        << "does not exist: 1, such as “a” (vertex 4)";
-        QTest::newRow("no such edge") << QByteArray(R"({"edge": [0, 9], "share": 0.5})") << "“a” (edge 0–9)";
-        QTest::newRow("another mesh's") << QByteArray(R"({"triangle": 0, "barycentric": [0.5, 0.25, 0.25]})")
-                                        << "away from their anchor";
+        addColumn<QByteArray>("held");
+        addColumn<QString>("said");
+        newRow("a triangle") << QByteArray(R"({"triangle": 1, "barycentric": [0.5, 0.25, 0.25]})") << "";
+        newRow("no such triangle") << QByteArray(R"({"triangle": 2, "barycentric": [0.5, 0.25, 0.25]})")
+                                   << "does not exist: 1, such as “a” (triangle 2)";
+        newRow("no such vertex") << QByteArray(R"({"vertex": 4})") << "does not exist: 1, such as “a” (vertex 4)";
+        newRow("no such edge") << QByteArray(R"({"edge": [0, 9], "share": 0.5})") << "“a” (edge 0–9)";
+        newRow("another mesh's") << QByteArray(R"({"triangle": 0, "barycentric": [0.5, 0.25, 0.25]})")
+                                 << "away from their anchor";
     }
 
     void whatDoesNotHoldIsLetGo()
@@ -193,12 +192,12 @@ private slots:
 
     void whatCannotBeReadSaysWhy_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QString>("said");
-        QTest::newRow("a word for a number") << "p.csv" << QByteArray("name,x,y,z\na,1,two,3\n") << "p.csv:2:";
-        QTest::newRow("not there") << "none.csv" << QByteArray() << "none.csv";
-        QTest::newRow("of no known kind") << "p.doc" << QByteArray("1 2 3") << "p.doc";
+        addColumn<QString>("name");
+        addColumn<QByteArray>("text");
+        addColumn<QString>("said");
+        newRow("a word for a number") << "p.csv" << QByteArray("name,x,y,z\na,1,two,3\n") << "p.csv:2:";
+        newRow("not there") << "none.csv" << QByteArray() << "none.csv";
+        newRow("of no known kind") << "p.doc" << QByteArray("1 2 3") << "p.doc";
     }
 
     void whatCannotBeReadSaysWhy()
@@ -216,9 +215,9 @@ private slots:
 
     void exportedAndReadBack_data()
     {
-        QTest::addColumn<QString>("suffix");
+        addColumn<QString>("suffix");
         for (const char *suffix : {"csv", "pp", "mrk.json", "fcsv", "pts", "tps"})
-            QTest::newRow(suffix) << suffix;
+            newRow(suffix) << suffix;
     }
 
     void exportedAndReadBack()

@@ -211,11 +211,11 @@ private slots:
 
     void fewerLandmarksAreAskedAbout_data()
     {
-        QTest::addColumn<int>("left");
-        QTest::addColumn<QString>("way");
+        addColumn<int>("left");
+        addColumn<QString>("way");
         for (const char *way : {"next", "save", "quit", "close", "placing"}) {
             for (const int left : {0, 4, 5})
-                QTest::addRow("%s-%d", way, left) << left << QString::fromLatin1(way);
+                addRow("%s-%d", way, left) << left << QString::fromLatin1(way);
         }
     }
 

@@ -220,11 +220,11 @@ private slots:
 
     void theLayoutIsExactlyAsBefore_data()
     {
-        QTest::addColumn<QString>("workspace");
-        QTest::addColumn<bool>("hasObserver");
+        addColumn<QString>("workspace");
+        addColumn<bool>("hasObserver");
         for (const char *workspace : lessons::kWorkspaceNames) {
-            QTest::addRow("%s", workspace) << QString(workspace) << false;
-            QTest::addRow("%s with the view from outside", workspace) << QString(workspace) << true;
+            addRow("%s", workspace) << QString(workspace) << false;
+            addRow("%s with the view from outside", workspace) << QString(workspace) << true;
         }
     }
 

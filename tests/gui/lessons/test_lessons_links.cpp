@@ -63,10 +63,10 @@ private slots:
 
     void everyStepOpensAndItsLinksLead_data()
     {
-        QTest::addColumn<QByteArray>("name");
+        addColumn<QByteArray>("name");
         const auto window = windowOfSize(kWide);
         for (const Lesson &lesson : part<LessonPlayer>(*window).lessons())
-            QTest::newRow(lesson.name.c_str()) << QByteArray::fromStdString(lesson.name);
+            newRow(lesson.name.c_str()) << QByteArray::fromStdString(lesson.name);
     }
 
     void everyStepOpensAndItsLinksLead()

@@ -32,10 +32,10 @@ private slots:
 
     void theViewGetsTheSizeOfTheNumbers_data()
     {
-        QTest::addColumn<QSize>("size");
-        QTest::newRow("larger") << QSize(1280, 800);
-        QTest::newRow("with no room to spare") << QSize(1200, 760);
-        QTest::newRow("with less beside the view") << QSize(1100, 700);
+        addColumn<QSize>("size");
+        newRow("larger") << QSize(1280, 800);
+        newRow("with no room to spare") << QSize(1200, 760);
+        newRow("with less beside the view") << QSize(1100, 700);
     }
 
     /// The view resizes by itself, and the window keeps its size.
@@ -88,9 +88,9 @@ private slots:
 
     void theLastLinkSaysTheSize_data()
     {
-        QTest::addColumn<QStringList>("links");
-        QTest::newRow("larger") << QStringList{"view:300x300", "view:500x500"};
-        QTest::newRow("to and fro") << QStringList{"view:300x300", "view:700x400", "view:320x340"};
+        addColumn<QStringList>("links");
+        newRow("larger") << QStringList{"view:300x300", "view:500x500"};
+        newRow("to and fro") << QStringList{"view:300x300", "view:700x400", "view:320x340"};
     }
 
     void theLastLinkSaysTheSize()
@@ -203,15 +203,15 @@ private slots:
 
     void aClickMeetsTheStepsPointInEveryView_data()
     {
-        QTest::addColumn<QByteArray>("lesson");
-        QTest::addColumn<QByteArray>("step");
-        QTest::addColumn<QByteArray>("point");
-        QTest::addColumn<WorldPoint>("wanted");
-        QTest::addColumn<double>("pixel"); // its size in the world, about
-        QTest::newRow("a fixed viewport") << QByteArray("rows") << QByteArray("round_trip") << QByteArray("beside")
-                                          << WorldPoint(0.5, -0.5, 0.0) << 1e-5;
-        QTest::newRow("one that grows") << QByteArray("first") << QByteArray("pixel") << QByteArray("clicked")
-                                        << WorldPoint(3.0, -1.0, 5.0) << 0.1;
+        addColumn<QByteArray>("lesson");
+        addColumn<QByteArray>("step");
+        addColumn<QByteArray>("point");
+        addColumn<WorldPoint>("wanted");
+        addColumn<double>("pixel"); // its size in the world, about
+        newRow("a fixed viewport") << QByteArray("rows") << QByteArray("round_trip") << QByteArray("beside")
+                                   << WorldPoint(0.5, -0.5, 0.0) << 1e-5;
+        newRow("one that grows") << QByteArray("first") << QByteArray("pixel") << QByteArray("clicked")
+                                 << WorldPoint(3.0, -1.0, 5.0) << 0.1;
     }
 
     void aClickMeetsTheStepsPointInEveryView()
@@ -262,14 +262,14 @@ private slots:
 
     void lettersOverlapNothing_data()
     {
-        QTest::addColumn<QByteArray>("lesson");
-        QTest::addColumn<QByteArray>("step");
-        QTest::addColumn<QSize>("size");
-        QTest::newRow("lengths") << QByteArray("weng") << QByteArray("windows") << QSize(500, 500);
-        QTest::newRow("lengths in a small view") << QByteArray("weng") << QByteArray("windows") << QSize(300, 260);
-        QTest::newRow("lengths of a whole view") << QByteArray("first") << QByteArray("window") << QSize(500, 500);
-        QTest::newRow("axes") << QByteArray("derivation") << QByteArray("translation") << QSize(500, 500);
-        QTest::newRow("axes upon each other") << QByteArray("pipeline") << QByteArray("model_view") << QSize(400, 400);
+        addColumn<QByteArray>("lesson");
+        addColumn<QByteArray>("step");
+        addColumn<QSize>("size");
+        newRow("lengths") << QByteArray("weng") << QByteArray("windows") << QSize(500, 500);
+        newRow("lengths in a small view") << QByteArray("weng") << QByteArray("windows") << QSize(300, 260);
+        newRow("lengths of a whole view") << QByteArray("first") << QByteArray("window") << QSize(500, 500);
+        newRow("axes") << QByteArray("derivation") << QByteArray("translation") << QSize(500, 500);
+        newRow("axes upon each other") << QByteArray("pipeline") << QByteArray("model_view") << QSize(400, 400);
     }
 
     void lettersOverlapNothing()

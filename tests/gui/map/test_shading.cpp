@@ -358,9 +358,9 @@ private slots:
 
     void aPlaneCutsThroughTwoPicks_data()
     {
-        QTest::addColumn<bool>("isOrtho");
-        QTest::newRow("perspective") << false;
-        QTest::newRow("orthographic") << true;
+        addColumn<bool>("isOrtho");
+        newRow("perspective") << false;
+        newRow("orthographic") << true;
     }
 
     void aPlaneCutsThroughTwoPicks()

@@ -69,13 +69,13 @@ private slots:
 
     void aNameOfAnyKindIsShownAsItIsWritten_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QString>("shown");
-        QTest::newRow("HTML") << "<h1>big</h1>"
-                              << "<h1>big</h1>";
-        QTest::newRow("line breaks") << "two\nlines\r\nthree"
-                                     << "two lines three";
-        QTest::newRow("very long") << QString(100000, u'a') << QString(200, u'a') + u'…';
+        addColumn<QString>("name");
+        addColumn<QString>("shown");
+        newRow("HTML") << "<h1>big</h1>"
+                       << "<h1>big</h1>";
+        newRow("line breaks") << "two\nlines\r\nthree"
+                              << "two lines three";
+        newRow("very long") << QString(100000, u'a') << QString(200, u'a') + u'…';
     }
 
     void aNameOfAnyKindIsShownAsItIsWritten()
@@ -112,21 +112,21 @@ private slots:
 
     void namesAreEditedInPlace_data()
     {
-        QTest::addColumn<QString>("typed");
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QString>("said");
-        QTest::newRow("another name") << " bunny "
-                                      << "bunny"
-                                      << "";
-        QTest::newRow("that of another") << "first"
-                                         << "second"
-                                         << "Another object is already called “first”. Choose another name.";
-        QTest::newRow("none") << " "
-                              << "second"
-                              << "An object needs a name. The old name is kept.";
-        QTest::newRow("its own") << "second"
-                                 << "second"
-                                 << "";
+        addColumn<QString>("typed");
+        addColumn<QString>("name");
+        addColumn<QString>("said");
+        newRow("another name") << " bunny "
+                               << "bunny"
+                               << "";
+        newRow("that of another") << "first"
+                                  << "second"
+                                  << "Another object is already called “first”. Choose another name.";
+        newRow("none") << " "
+                       << "second"
+                       << "An object needs a name. The old name is kept.";
+        newRow("its own") << "second"
+                          << "second"
+                          << "";
     }
 
     void namesAreEditedInPlace()
@@ -200,15 +200,15 @@ private slots:
 
     void draggingARowMovesItsObject_data()
     {
-        QTest::addColumn<int>("from");
-        QTest::addColumn<int>("row"); // where it is dropped: before that one
-        QTest::addColumn<QStringList>("order");
-        QTest::newRow("to the end") << 0 << 3 << QStringList({"second", "third", "first"});
-        QTest::newRow("onto nothing, below") << 0 << -1 << QStringList({"second", "third", "first"});
-        QTest::newRow("to the start") << 2 << 0 << QStringList({"third", "first", "second"});
-        QTest::newRow("between") << 0 << 2 << QStringList({"second", "first", "third"});
-        QTest::newRow("where it is") << 1 << 1 << QStringList({"first", "second", "third"});
-        QTest::newRow("just behind where it is") << 1 << 2 << QStringList({"first", "second", "third"});
+        addColumn<int>("from");
+        addColumn<int>("row"); // where it is dropped: before that one
+        addColumn<QStringList>("order");
+        newRow("to the end") << 0 << 3 << QStringList({"second", "third", "first"});
+        newRow("onto nothing, below") << 0 << -1 << QStringList({"second", "third", "first"});
+        newRow("to the start") << 2 << 0 << QStringList({"third", "first", "second"});
+        newRow("between") << 0 << 2 << QStringList({"second", "first", "third"});
+        newRow("where it is") << 1 << 1 << QStringList({"first", "second", "third"});
+        newRow("just behind where it is") << 1 << 2 << QStringList({"first", "second", "third"});
     }
 
     void draggingARowMovesItsObject()

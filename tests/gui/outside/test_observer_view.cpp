@@ -145,18 +145,18 @@ private slots:
 
     void aDraggedEdgeMovesThePlaneAsOneUndoStep_data()
     {
-        QTest::addColumn<Projection>("projection");
-        QTest::addColumn<bool>("movesFar");
-        QTest::addColumn<double>("wanted");
-        QTest::addColumn<double>("t");
+        addColumn<Projection>("projection");
+        addColumn<bool>("movesFar");
+        addColumn<double>("wanted");
+        addColumn<double>("t");
         const Projection perspective = Perspective{kPi / 4.0, 1.5, 6.0, 20.0};
         const Projection oblique = Oblique{{-6.0, 6.0, -4.0, 4.0, 6.0, 20.0}, kPi / 3.0, kPi / 2.5};
-        QTest::newRow("perspective, near closer") << perspective << false << 4.5 << 0.0;
-        QTest::newRow("perspective, near deeper") << perspective << false << 9.0 << 0.0;
-        QTest::newRow("perspective, far closer") << perspective << true << 15.0 << 0.0;
-        QTest::newRow("perspective, near deeper, half way") << perspective << false << 9.0 << 0.5;
-        QTest::newRow("oblique, near closer") << oblique << false << 3.0 << 0.0;
-        QTest::newRow("oblique, far closer") << oblique << true << 15.0 << 0.0;
+        newRow("perspective, near closer") << perspective << false << 4.5 << 0.0;
+        newRow("perspective, near deeper") << perspective << false << 9.0 << 0.0;
+        newRow("perspective, far closer") << perspective << true << 15.0 << 0.0;
+        newRow("perspective, near deeper, half way") << perspective << false << 9.0 << 0.5;
+        newRow("oblique, near closer") << oblique << false << 3.0 << 0.0;
+        newRow("oblique, far closer") << oblique << true << 15.0 << 0.0;
     }
 
     void aDraggedEdgeMovesThePlaneAsOneUndoStep()
@@ -335,13 +335,13 @@ private slots:
 private:
     static void addProjections()
     {
-        QTest::addColumn<Projection>("projection");
+        addColumn<Projection>("projection");
         const Ortho box{-6.0, 6.0, -4.0, 4.0, 6.0, 20.0};
-        QTest::newRow("perspective") << Projection(Perspective{kPi / 4.0, 1.5, 6.0, 20.0});
-        QTest::newRow("frustum, off-centre") << Projection(Frustum{-1.0, 4.0, -0.5, 3.0, 6.0, 20.0});
-        QTest::newRow("frustum, mirrored") << Projection(Frustum{3.0, -3.0, -2.0, 2.0, 6.0, 20.0});
-        QTest::newRow("ortho") << Projection(box);
-        QTest::newRow("oblique") << Projection(Oblique{box, kPi / 3.0, kPi / 2.5});
+        newRow("perspective") << Projection(Perspective{kPi / 4.0, 1.5, 6.0, 20.0});
+        newRow("frustum, off-centre") << Projection(Frustum{-1.0, 4.0, -0.5, 3.0, 6.0, 20.0});
+        newRow("frustum, mirrored") << Projection(Frustum{3.0, -3.0, -2.0, 2.0, 6.0, 20.0});
+        newRow("ortho") << Projection(box);
+        newRow("oblique") << Projection(Oblique{box, kPi / 3.0, kPi / 2.5});
     }
 
     void show(const Projection &projection)

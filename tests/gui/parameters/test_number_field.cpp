@@ -39,9 +39,9 @@ private slots:
 
     void degreesComeBackWithoutNoise_data()
     {
-        QTest::addColumn<double>("degrees");
+        addColumn<double>("degrees");
         for (const double degrees : {0.1, 29.0, 30.0, 45.0, 57.3, 60.0, 90.0, 123.456, 179.99})
-            QTest::newRow(qPrintable(QString::number(degrees))) << degrees;
+            newRow(qPrintable(QString::number(degrees))) << degrees;
     }
 
     void degreesComeBackWithoutNoise()
@@ -52,19 +52,19 @@ private slots:
 
     void theValueIsWrittenToBeRead_data()
     {
-        QTest::addColumn<double>("value");
-        QTest::addColumn<QString>("text");
-        QTest::newRow("whole") << 5.0 << "5";
-        QTest::newRow("short") << 0.1 << "0.1";
-        QTest::newRow("third") << 1.0 / 3.0 << "0.3333333333333333";
-        QTest::newRow("round-and-large") << 80000.0 << "80000";
-        QTest::newRow("million") << 1e6 << "1000000";
-        QTest::newRow("large") << 123456789.0 << "123456789";
-        QTest::newRow("too-large-to-read") << 1e12 << "1e+12";
-        QTest::newRow("small") << 1e-5 << "0.00001";
-        QTest::newRow("too-small-to-read") << 1.5e-12 << "1.5e-12";
-        QTest::newRow("rounding-noise") << 0.1 + 0.2 << "0.30000000000000004";
-        QTest::newRow("negative-zero") << -0.0 << "0";
+        addColumn<double>("value");
+        addColumn<QString>("text");
+        newRow("whole") << 5.0 << "5";
+        newRow("short") << 0.1 << "0.1";
+        newRow("third") << 1.0 / 3.0 << "0.3333333333333333";
+        newRow("round-and-large") << 80000.0 << "80000";
+        newRow("million") << 1e6 << "1000000";
+        newRow("large") << 123456789.0 << "123456789";
+        newRow("too-large-to-read") << 1e12 << "1e+12";
+        newRow("small") << 1e-5 << "0.00001";
+        newRow("too-small-to-read") << 1.5e-12 << "1.5e-12";
+        newRow("rounding-noise") << 0.1 + 0.2 << "0.30000000000000004";
+        newRow("negative-zero") << -0.0 << "0";
     }
 
     void theValueIsWrittenToBeRead()
@@ -99,25 +99,25 @@ private slots:
 
     void arrowKeysStep_data()
     {
-        QTest::addColumn<double>("value");
-        QTest::addColumn<double>("fixedStep");
-        QTest::addColumn<Qt::Key>("key");
-        QTest::addColumn<bool>("withShift");
-        QTest::addColumn<QString>("text");
+        addColumn<double>("value");
+        addColumn<double>("fixedStep");
+        addColumn<Qt::Key>("key");
+        addColumn<bool>("withShift");
+        addColumn<QString>("text");
         const double relative = 0.0;
-        QTest::newRow("up-from-1") << 1.0 << relative << Qt::Key_Up << false << "1.1";
-        QTest::newRow("down-from-1") << 1.0 << relative << Qt::Key_Down << false << "0.99";
-        QTest::newRow("up-from-10") << 10.0 << relative << Qt::Key_Up << false << "11";
-        QTest::newRow("shift-up-from-1") << 1.0 << relative << Qt::Key_Up << true << "2";
-        QTest::newRow("shift-down-from-1-stays-positive") << 1.0 << relative << Qt::Key_Down << true << "0.9";
-        QTest::newRow("up-from-minus-1") << -1.0 << relative << Qt::Key_Up << false << "-0.99";
-        QTest::newRow("down-from-minus-1") << -1.0 << relative << Qt::Key_Down << false << "-1.1";
-        QTest::newRow("up-from-0") << 0.0 << relative << Qt::Key_Up << false << "0.1";
-        QTest::newRow("no-rounding-noise") << 0.2 << 0.1 << Qt::Key_Up << false << "0.3";
-        QTest::newRow("fixed-reaches-0") << 0.1 << 0.1 << Qt::Key_Down << false << "0";
-        QTest::newRow("fixed-passes-0") << 0.0 << 0.1 << Qt::Key_Down << false << "-0.1";
-        QTest::newRow("a-pixel") << 640.0 << 1.0 << Qt::Key_Up << false << "641";
-        QTest::newRow("ten-pixels") << 640.0 << 1.0 << Qt::Key_Down << true << "630";
+        newRow("up-from-1") << 1.0 << relative << Qt::Key_Up << false << "1.1";
+        newRow("down-from-1") << 1.0 << relative << Qt::Key_Down << false << "0.99";
+        newRow("up-from-10") << 10.0 << relative << Qt::Key_Up << false << "11";
+        newRow("shift-up-from-1") << 1.0 << relative << Qt::Key_Up << true << "2";
+        newRow("shift-down-from-1-stays-positive") << 1.0 << relative << Qt::Key_Down << true << "0.9";
+        newRow("up-from-minus-1") << -1.0 << relative << Qt::Key_Up << false << "-0.99";
+        newRow("down-from-minus-1") << -1.0 << relative << Qt::Key_Down << false << "-1.1";
+        newRow("up-from-0") << 0.0 << relative << Qt::Key_Up << false << "0.1";
+        newRow("no-rounding-noise") << 0.2 << 0.1 << Qt::Key_Up << false << "0.3";
+        newRow("fixed-reaches-0") << 0.1 << 0.1 << Qt::Key_Down << false << "0";
+        newRow("fixed-passes-0") << 0.0 << 0.1 << Qt::Key_Down << false << "-0.1";
+        newRow("a-pixel") << 640.0 << 1.0 << Qt::Key_Up << false << "641";
+        newRow("ten-pixels") << 640.0 << 1.0 << Qt::Key_Down << true << "630";
     }
 
     void arrowKeysStep()
@@ -184,17 +184,17 @@ private slots:
 
     void typingIsFinishedBy_data()
     {
-        QTest::addColumn<int>("way");
-        QTest::addColumn<int>("commits");
-        QTest::newRow("enter") << 0 << 1;
-        QTest::newRow("tab") << 1 << 1;
-        QTest::newRow("focus-elsewhere") << 2 << 1;
-        QTest::newRow("the-window-s-shortcut") << 3 << 1;
-        QTest::newRow("another-character") << 4 << 0;
-        QTest::newRow("escape") << 5 << 0;
-        QTest::newRow("copying") << 6 << 0;
-        QTest::newRow("enter-and-tab") << 7 << 1;
-        QTest::newRow("another-window-of-the-program") << 8 << 1;
+        addColumn<int>("way");
+        addColumn<int>("commits");
+        newRow("enter") << 0 << 1;
+        newRow("tab") << 1 << 1;
+        newRow("focus-elsewhere") << 2 << 1;
+        newRow("the-window-s-shortcut") << 3 << 1;
+        newRow("another-character") << 4 << 0;
+        newRow("escape") << 5 << 0;
+        newRow("copying") << 6 << 0;
+        newRow("enter-and-tab") << 7 << 1;
+        newRow("another-window-of-the-program") << 8 << 1;
     }
 
     void typingIsFinishedBy()
@@ -248,27 +248,27 @@ private slots:
 
     void theDigitAtTheCaretIsStepped_data()
     {
-        QTest::addColumn<QString>("before"); // the caret is the bar
-        QTest::addColumn<int>("steps");
-        QTest::addColumn<QString>("after");
-        QTest::newRow("hundredths") << "12.3|4" << 1 << "12.3|5";
-        QTest::newRow("hundredths-at-the-end") << "12.34|" << 1 << "12.35|";
-        QTest::newRow("tenths-behind-the-point") << "12.|34" << -1 << "12.|24";
-        QTest::newRow("ones-before-the-point") << "12|.34" << 1 << "13|.34";
-        QTest::newRow("tens") << "|12.34" << -1 << "|2.34";
-        QTest::newRow("carries") << "9.|9" << 1 << "10.|0";
-        QTest::newRow("a-digit-more") << "|9" << 1 << "1|0";
-        QTest::newRow("zeros-stay") << "0.1|9" << 1 << "0.2|0";
-        QTest::newRow("through-0") << "0.0|5" << -10 << "-0.0|5";
-        QTest::newRow("to-0") << "-0|.5" << 1 << "0|.5";
-        QTest::newRow("before-the-sign") << "|-5" << 1 << "-|4";
-        QTest::newRow("never-minus-0") << "-|1" << 1 << "|0";
-        QTest::newRow("power-of-ten") << "1.|5e-12" << 1 << "1.|6e-12";
-        QTest::newRow("in-the-power") << "1.5e-|12" << 1 << "1.6|e-12";
-        QTest::newRow("no-noise") << "0.|1" << 2 << "0.|3";
-        QTest::newRow("all-digits-stay") << "0.3|333333333333333" << 1 << "0.3|433333333333333";
-        QTest::newRow("decimal-comma") << "1,|5" << 1 << "1.|6";
-        QTest::newRow("no-leading-zero") << ".|5" << 1 << "0.|6";
+        addColumn<QString>("before"); // the caret is the bar
+        addColumn<int>("steps");
+        addColumn<QString>("after");
+        newRow("hundredths") << "12.3|4" << 1 << "12.3|5";
+        newRow("hundredths-at-the-end") << "12.34|" << 1 << "12.35|";
+        newRow("tenths-behind-the-point") << "12.|34" << -1 << "12.|24";
+        newRow("ones-before-the-point") << "12|.34" << 1 << "13|.34";
+        newRow("tens") << "|12.34" << -1 << "|2.34";
+        newRow("carries") << "9.|9" << 1 << "10.|0";
+        newRow("a-digit-more") << "|9" << 1 << "1|0";
+        newRow("zeros-stay") << "0.1|9" << 1 << "0.2|0";
+        newRow("through-0") << "0.0|5" << -10 << "-0.0|5";
+        newRow("to-0") << "-0|.5" << 1 << "0|.5";
+        newRow("before-the-sign") << "|-5" << 1 << "-|4";
+        newRow("never-minus-0") << "-|1" << 1 << "|0";
+        newRow("power-of-ten") << "1.|5e-12" << 1 << "1.|6e-12";
+        newRow("in-the-power") << "1.5e-|12" << 1 << "1.6|e-12";
+        newRow("no-noise") << "0.|1" << 2 << "0.|3";
+        newRow("all-digits-stay") << "0.3|333333333333333" << 1 << "0.3|433333333333333";
+        newRow("decimal-comma") << "1,|5" << 1 << "1.|6";
+        newRow("no-leading-zero") << ".|5" << 1 << "0.|6";
     }
 
     void theDigitAtTheCaretIsStepped()
@@ -351,10 +351,10 @@ private slots:
 
     void escapeRestoresARefusedText_data()
     {
-        QTest::addColumn<Qt::Key>("key");
-        QTest::addColumn<Qt::KeyboardModifiers>("modifiers");
-        QTest::newRow("escape") << Qt::Key_Escape << Qt::KeyboardModifiers(Qt::NoModifier);
-        QTest::newRow("undo") << Qt::Key_Z << Qt::KeyboardModifiers(Qt::ControlModifier);
+        addColumn<Qt::Key>("key");
+        addColumn<Qt::KeyboardModifiers>("modifiers");
+        newRow("escape") << Qt::Key_Escape << Qt::KeyboardModifiers(Qt::NoModifier);
+        newRow("undo") << Qt::Key_Z << Qt::KeyboardModifiers(Qt::ControlModifier);
     }
 
     void escapeRestoresARefusedText()

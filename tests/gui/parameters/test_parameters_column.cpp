@@ -54,17 +54,17 @@ private slots:
 
     void aHeadingFolds_data()
     {
-        QTest::addColumn<int>("key"); // 0: a click
-        QTest::addColumn<bool>("fromOpen");
-        QTest::addColumn<bool>("isOpen");
-        QTest::newRow("click") << 0 << true << false;
-        QTest::newRow("click-again") << 0 << false << true;
-        QTest::newRow("space") << int(Qt::Key_Space) << true << false;
-        QTest::newRow("enter") << int(Qt::Key_Enter) << true << false;
-        QTest::newRow("return") << int(Qt::Key_Return) << false << true;
-        QTest::newRow("left") << int(Qt::Key_Left) << true << false;
-        QTest::newRow("left-of-a-folded-one") << int(Qt::Key_Left) << false << false;
-        QTest::newRow("right") << int(Qt::Key_Right) << false << true;
+        addColumn<int>("key"); // 0: a click
+        addColumn<bool>("fromOpen");
+        addColumn<bool>("isOpen");
+        newRow("click") << 0 << true << false;
+        newRow("click-again") << 0 << false << true;
+        newRow("space") << int(Qt::Key_Space) << true << false;
+        newRow("enter") << int(Qt::Key_Enter) << true << false;
+        newRow("return") << int(Qt::Key_Return) << false << true;
+        newRow("left") << int(Qt::Key_Left) << true << false;
+        newRow("left-of-a-folded-one") << int(Qt::Key_Left) << false << false;
+        newRow("right") << int(Qt::Key_Right) << false << true;
     }
 
     void aHeadingFolds()
@@ -132,9 +132,9 @@ private slots:
 
     void resetIsOneStep_data()
     {
-        QTest::addColumn<QString>("group");
+        addColumn<QString>("group");
         for (const char *group : {"viewGroup", "projectionGroup", "viewportGroup", "modelGroup", "clipGroup"})
-            QTest::newRow(group) << QString::fromLatin1(group);
+            newRow(group) << QString::fromLatin1(group);
     }
 
     void resetIsOneStep()
@@ -334,14 +334,14 @@ private slots:
 
     void theKeyboardStaysWhereItIsAfterAClick_data()
     {
-        QTest::addColumn<QString>("group");
-        QTest::addColumn<QString>("button");
-        QTest::newRow("plane") << "clipGroup"
-                               << "addPlane";
-        QTest::newRow("step") << "modelGroup"
-                              << "addRotate";
-        QTest::newRow("reset") << "viewGroup"
-                               << "reset";
+        addColumn<QString>("group");
+        addColumn<QString>("button");
+        newRow("plane") << "clipGroup"
+                        << "addPlane";
+        newRow("step") << "modelGroup"
+                       << "addRotate";
+        newRow("reset") << "viewGroup"
+                        << "reset";
     }
 
     void theKeyboardStaysWhereItIsAfterAClick()
@@ -358,15 +358,15 @@ private slots:
 
     void byTheKeyboardTheNewFieldIsNext_data()
     {
-        QTest::addColumn<QString>("group");
-        QTest::addColumn<QString>("button");
-        QTest::addColumn<QString>("part");
-        QTest::newRow("plane") << "clipGroup"
-                               << "addPlane"
-                               << "plane1";
-        QTest::newRow("step") << "modelGroup"
-                              << "addRotate"
-                              << "step1";
+        addColumn<QString>("group");
+        addColumn<QString>("button");
+        addColumn<QString>("part");
+        newRow("plane") << "clipGroup"
+                        << "addPlane"
+                        << "plane1";
+        newRow("step") << "modelGroup"
+                       << "addRotate"
+                       << "step1";
     }
 
     void byTheKeyboardTheNewFieldIsNext()

@@ -64,13 +64,13 @@ private slots:
 
     void boxesAndPerspectivesAgreeAtThePivot_data()
     {
-        QTest::addColumn<QString>("from");
-        QTest::addColumn<QString>("to");
+        addColumn<QString>("from");
+        addColumn<QString>("to");
         const QStringList kinds{"Frustum", "Perspective", "Orthographic", "Oblique"};
         for (const QString &from : kinds) {
             for (const QString &to : kinds) {
                 if (from != to)
-                    QTest::newRow(qPrintable(from + QStringLiteral("-to-") + to)) << from << to;
+                    newRow(qPrintable(from + QStringLiteral("-to-") + to)) << from << to;
             }
         }
     }
@@ -119,25 +119,25 @@ private slots:
 
     void anEditSwitchesOffWhatWouldTakeItBack_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<bool>("isPerspective");
-        QTest::addColumn<bool>("follows");
-        QTest::addColumn<bool>("fits");
-        QTest::newRow("near") << "nearDistance"
-                              << "2" << false << true << false;
-        QTest::newRow("far") << "farDistance"
-                             << "77" << false << true << false;
-        QTest::newRow("left") << "left"
-                              << "-3" << false << false << true;
-        QTest::newRow("right") << "right"
-                               << "3" << false << false << true;
-        QTest::newRow("aspect") << "aspect"
-                                << "3" << true << false << true;
-        QTest::newRow("field-of-view") << "fovy"
-                                       << "30" << true << true << true;
-        QTest::newRow("top") << "top"
-                             << "3" << false << true << true;
+        addColumn<QString>("name");
+        addColumn<QString>("text");
+        addColumn<bool>("isPerspective");
+        addColumn<bool>("follows");
+        addColumn<bool>("fits");
+        newRow("near") << "nearDistance"
+                       << "2" << false << true << false;
+        newRow("far") << "farDistance"
+                      << "77" << false << true << false;
+        newRow("left") << "left"
+                       << "-3" << false << false << true;
+        newRow("right") << "right"
+                        << "3" << false << false << true;
+        newRow("aspect") << "aspect"
+                         << "3" << true << false << true;
+        newRow("field-of-view") << "fovy"
+                                << "30" << true << true << true;
+        newRow("top") << "top"
+                      << "3" << false << true << true;
     }
 
     void anEditSwitchesOffWhatWouldTakeItBack()
@@ -181,12 +181,12 @@ private slots:
 
     void theViewportFollowsItsRule_data()
     {
-        QTest::addColumn<QString>("kind");
-        QTest::addColumn<QRect>("viewport");
-        QTest::newRow("whole") << "Whole window" << QRect(0, 0, 801, 601);
-        QTest::newRow("letterbox") << "Keep aspect" << QRect(0, 0, 801, 601);
-        QTest::newRow("quarter") << "Lower right quarter" << QRect(400, 0, 400, 300);
-        QTest::newRow("fixed") << "Fixed rectangle" << QRect(0, 0, 801, 601);
+        addColumn<QString>("kind");
+        addColumn<QRect>("viewport");
+        newRow("whole") << "Whole window" << QRect(0, 0, 801, 601);
+        newRow("letterbox") << "Keep aspect" << QRect(0, 0, 801, 601);
+        newRow("quarter") << "Lower right quarter" << QRect(400, 0, 400, 300);
+        newRow("fixed") << "Fixed rectangle" << QRect(0, 0, 801, 601);
     }
 
     void theViewportFollowsItsRule()

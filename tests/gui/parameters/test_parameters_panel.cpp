@@ -92,10 +92,10 @@ private slots:
 
     void aTypedNumberIsTheScenes_data()
     {
-        QTest::addColumn<int>("row");
+        addColumn<int>("row");
         int index = 0;
         for (const FieldRow &row : kFieldRows)
-            QTest::newRow(row.field) << index++;
+            newRow(row.field) << index++;
     }
 
     void aTypedNumberIsTheScenes()
@@ -111,10 +111,10 @@ private slots:
 
     void aBadNumberIsRedAndTheLastGoodViewStays_data()
     {
-        QTest::addColumn<int>("row");
+        addColumn<int>("row");
         int index = 0;
         for (const BadRow &row : kBadRows)
-            QTest::newRow(row.situation) << index++;
+            newRow(row.situation) << index++;
     }
 
     void aBadNumberIsRedAndTheLastGoodViewStays()

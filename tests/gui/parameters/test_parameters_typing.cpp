@@ -22,11 +22,11 @@ private slots:
 
     void aRefusedNumberGoesWithItsObject_data()
     {
-        QTest::addColumn<bool>("isHidden");
-        QTest::addColumn<int>("removed");
-        QTest::newRow("on the screen") << false << 1;
-        QTest::newRow("in a hidden panel") << true << 1;
-        QTest::newRow("the one before it, in a hidden panel") << true << 0;
+        addColumn<bool>("isHidden");
+        addColumn<int>("removed");
+        newRow("on the screen") << false << 1;
+        newRow("in a hidden panel") << true << 1;
+        newRow("the one before it, in a hidden panel") << true << 0;
     }
 
     void aRefusedNumberGoesWithItsObject()
@@ -104,9 +104,9 @@ private slots:
 
     void theShownObjectStaysShown_data()
     {
-        QTest::addColumn<bool>("isHidden");
-        QTest::newRow("on the screen") << false;
-        QTest::newRow("in a hidden panel") << true;
+        addColumn<bool>("isHidden");
+        newRow("on the screen") << false;
+        newRow("in a hidden panel") << true;
     }
 
     /// The shown object stays shown through any change of the list.
@@ -146,11 +146,11 @@ private slots:
 private:
     static void addPlaces()
     {
-        QTest::addColumn<bool>("isHidden");
-        QTest::addColumn<bool>("isFolded");
-        QTest::newRow("on the screen") << false << false;
-        QTest::newRow("in a hidden panel") << true << false;
-        QTest::newRow("in a folded group") << false << true;
+        addColumn<bool>("isHidden");
+        addColumn<bool>("isFolded");
+        newRow("on the screen") << false << false;
+        newRow("in a hidden panel") << true << false;
+        newRow("in a folded group") << false << true;
     }
     /// Both objects with a scale, the second shown, 0 typed for it and refused.
     NumberField *refusedScale()

@@ -103,10 +103,10 @@ private slots:
 
     void whatIsTypedCountsBeforeAnotherSceneIsOpened_data()
     {
-        QTest::addColumn<QString>("typed");
-        QTest::addColumn<bool>("counts");
-        QTest::newRow("a good number") << QStringLiteral("0.12345") << true;
-        QTest::newRow("one that is refused") << QStringLiteral("-3") << false;
+        addColumn<QString>("typed");
+        addColumn<bool>("counts");
+        newRow("a good number") << QStringLiteral("0.12345") << true;
+        newRow("one that is refused") << QStringLiteral("-3") << false;
     }
 
     /// The number counts in the scene that it was typed for, so the window asks whether to save that;
@@ -135,12 +135,12 @@ private slots:
 
     void theProjectionIsCalledByItsName_data()
     {
-        QTest::addColumn<int>("kind");
-        QTest::addColumn<QString>("text");
-        QTest::newRow("perspective") << int(ProjectionKind::Perspective) << "Perspective, near 0.5, far 80000";
-        QTest::newRow("frustum") << int(ProjectionKind::Frustum) << "Perspective, near 0.5, far 80000";
-        QTest::newRow("box") << int(ProjectionKind::Ortho) << "Orthographic, near 0.5, far 80000";
-        QTest::newRow("oblique") << int(ProjectionKind::Oblique) << "Oblique, near 0.5, far 80000";
+        addColumn<int>("kind");
+        addColumn<QString>("text");
+        newRow("perspective") << int(ProjectionKind::Perspective) << "Perspective, near 0.5, far 80000";
+        newRow("frustum") << int(ProjectionKind::Frustum) << "Perspective, near 0.5, far 80000";
+        newRow("box") << int(ProjectionKind::Ortho) << "Orthographic, near 0.5, far 80000";
+        newRow("oblique") << int(ProjectionKind::Oblique) << "Oblique, near 0.5, far 80000";
     }
 
     void theProjectionIsCalledByItsName()

@@ -112,13 +112,13 @@ private slots:
 
     void everyNumberIsWhatItsTermsMake_data()
     {
-        QTest::addColumn<Api>("api");
-        QTest::addColumn<MatrixLayout>("layout");
-        QTest::newRow("OpenGL, columns") << Api::OpenGl << MatrixLayout::Column;
-        QTest::newRow("OpenGL, rows") << Api::OpenGl << MatrixLayout::Row;
-        QTest::newRow("Direct3D") << Api::Direct3d << MatrixLayout::Row;
-        QTest::newRow("three.js") << Api::ThreeJs << MatrixLayout::Column;
-        QTest::newRow("OpenCV") << Api::OpenCv << MatrixLayout::Column;
+        addColumn<Api>("api");
+        addColumn<MatrixLayout>("layout");
+        newRow("OpenGL, columns") << Api::OpenGl << MatrixLayout::Column;
+        newRow("OpenGL, rows") << Api::OpenGl << MatrixLayout::Row;
+        newRow("Direct3D") << Api::Direct3d << MatrixLayout::Row;
+        newRow("three.js") << Api::ThreeJs << MatrixLayout::Column;
+        newRow("OpenCV") << Api::OpenCv << MatrixLayout::Column;
     }
 
     void everyNumberIsWhatItsTermsMake()
@@ -300,11 +300,11 @@ private slots:
 
     void nothingOfItIsCutOff_data()
     {
-        QTest::addColumn<int>("points");
-        QTest::addColumn<bool>("isWhole");
+        addColumn<int>("points");
+        addColumn<bool>("isWhole");
         for (const int points : {9, 13}) {
             for (const bool isWhole : {false, true})
-                QTest::addRow("%d pt, %s", points, isWhole ? "all digits" : "nine digits") << points << isWhole;
+                addRow("%d pt, %s", points, isWhole ? "all digits" : "nine digits") << points << isWhole;
         }
     }
 

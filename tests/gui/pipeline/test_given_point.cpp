@@ -129,12 +129,12 @@ private slots:
 
     void allCoordinatesArePastedAsProgramsPrintThem_data()
     {
-        QTest::addColumn<QString>("text");
+        addColumn<QString>("text");
         for (const char *text :
              {"1.5 2 -3", "1.5, 2, -3", "1.5,2,-3", "(1.5, 2, -3)", "vec3(1.500000, 2.000000, -3.000000)",
               "[1.5 2. -3.]", "array([ 1.5,  2. , -3. ])", "{1.5f, 2.0f, -3.f};", "QVector3D(1.5, 2, -3)", "1.5\t2\t-3",
               "1.5\n2\n-3\n", "1,5 2,0 -3", "1.5; 2; -3", "dvec4(1.5, 2, -3, 1)", "3/2 2 -3"})
-            QTest::newRow(text) << QString::fromLatin1(text);
+            newRow(text) << QString::fromLatin1(text);
     }
 
     void allCoordinatesArePastedAsProgramsPrintThem()

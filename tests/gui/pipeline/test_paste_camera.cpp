@@ -347,9 +347,9 @@ private slots:
 
     void everyProgramsFilesAreRead_data()
     {
-        QTest::addColumn<int>("index");
+        addColumn<int>("index");
         for (std::size_t i = 0; i < data_files::cameraExamples().size(); ++i)
-            QTest::addRow("%zu %s", i, data_files::cameraExamples()[i].name.c_str()) << static_cast<int>(i);
+            addRow("%zu %s", i, data_files::cameraExamples()[i].name.c_str()) << static_cast<int>(i);
     }
 
     /// Each program's own projection of its points, with a scene made by the dialog.
@@ -454,13 +454,13 @@ private slots:
 
     void unitysMatricesAreUnitys_data()
     {
-        QTest::addColumn<QString>("first");
-        QTest::addColumn<QString>("second");
-        QTest::addColumn<bool>("isFile");
-        QTest::newRow("one text") << kUnityView + kUnityLens << QString() << false;
-        QTest::newRow("a field each") << kUnityLens << kUnityView << false;
-        QTest::newRow("exchanged fields") << kUnityView << kUnityLens << false;
-        QTest::newRow("a file") << kUnityView + kUnityLens << QString() << true;
+        addColumn<QString>("first");
+        addColumn<QString>("second");
+        addColumn<bool>("isFile");
+        newRow("one text") << kUnityView + kUnityLens << QString() << false;
+        newRow("a field each") << kUnityLens << kUnityView << false;
+        newRow("exchanged fields") << kUnityView << kUnityLens << false;
+        newRow("a file") << kUnityView + kUnityLens << QString() << true;
     }
 
     /// Without a size they are not taken as plain matrices: the dialog asks for the size.

@@ -181,10 +181,10 @@ private slots:
 
     void everyPrintedFormIsTaken_data()
     {
-        QTest::addColumn<QString>("form");
+        addColumn<QString>("form");
         for (const char *form :
              {"glm::to_string", "NumPy", "Eigen", "QMatrix4x4", "JSON", "C", "three.js", "m[0] to m[15]"})
-            QTest::newRow(form) << form;
+            newRow(form) << form;
     }
 
     void everyPrintedFormIsTaken()
@@ -206,18 +206,17 @@ private slots:
 
     void oneTextMayHaveBoth_data()
     {
-        QTest::addColumn<MatrixRole>("role");
-        QTest::addColumn<QString>("text");
+        addColumn<MatrixRole>("role");
+        addColumn<QString>("text");
         const QString view_ = printed(view(), "NumPy"), lens_ = printed(lens(), "NumPy");
-        QTest::newRow("named, in the projection's place")
+        newRow("named, in the projection's place")
             << MatrixRole::Projection << "view = " + view_ + "\nprojection = " + lens_;
-        QTest::newRow("named, in the view's place")
-            << MatrixRole::View << "projection: " + lens_ + "\nmodelview: " + view_;
-        QTest::newRow("unnamed, as glGet gives them") << MatrixRole::View << view_ + "\n" + lens_;
-        QTest::newRow("with an inverse too many") << MatrixRole::Projection
-                                                  << "view = " + view_ + "\nprojection = " + lens_
-                                                         + "\nviewInverse = " + printed(glm::inverse(view()), "NumPy");
-        QTest::newRow("with a viewport") << MatrixRole::View << view_ + "\n" + lens_ + "\nviewport: QRect(0,0 300x200)";
+        newRow("named, in the view's place") << MatrixRole::View << "projection: " + lens_ + "\nmodelview: " + view_;
+        newRow("unnamed, as glGet gives them") << MatrixRole::View << view_ + "\n" + lens_;
+        newRow("with an inverse too many") << MatrixRole::Projection
+                                           << "view = " + view_ + "\nprojection = " + lens_
+                                                  + "\nviewInverse = " + printed(glm::inverse(view()), "NumPy");
+        newRow("with a viewport") << MatrixRole::View << view_ + "\n" + lens_ + "\nviewport: QRect(0,0 300x200)";
     }
 
     void oneTextMayHaveBoth()
@@ -252,38 +251,38 @@ private slots:
 
     void everyFindingHasItsButton_data()
     {
-        QTest::addColumn<MatrixRole>("role");
-        QTest::addColumn<glm::dmat4>("given");
-        QTest::addColumn<QString>("sentence");
-        QTest::addColumn<QString>("button");
-        QTest::addColumn<glm::dmat4>("expected"); ///< the projection or view that the scene keeps
+        addColumn<MatrixRole>("role");
+        addColumn<glm::dmat4>("given");
+        addColumn<QString>("sentence");
+        addColumn<QString>("button");
+        addColumn<glm::dmat4>("expected"); ///< the projection or view that the scene keeps
         const auto scaling = [](double x, double y, double z) {
             return glm::scale(glm::dmat4(1.0), glm::dvec3(x, y, z));
         };
         using enum MatrixRole;
-        QTest::newRow("an inverse") << Projection << glm::inverse(lens()) << "is an inverse"
-                                    << "Invert" << lens();
-        QTest::newRow("the camera's matrix") << View << glm::inverse(view()) << "may be the inverse of a view"
-                                             << "Invert" << view();
-        QTest::newRow("Vulkan's y") << Projection << scaling(1, -1, 1) * lens() << "flips y"
-                                    << "Flip y" << lens();
-        QTest::newRow("mirrored") << Projection << scaling(-1, 1, 1) * lens() << "mirrors x"
-                                  << "Flip x" << lens();
-        QTest::newRow("a mirrored view") << View << scaling(-1, 1, 1) * view() << "is mirrored"
-                                         << "Flip x" << view();
-        QTest::newRow("a scaled view") << View << view() * scaling(2, 2, 2) << "scales by 2"
-                                       << "Remove the Scale" << view();
-        QTest::newRow("negated") << Projection << -lens() << "negated"
-                                 << "Negate" << lens();
-        QTest::newRow("along +z") << Projection << lens() * scaling(1, 1, -1) << "looks along +z"
-                                  << "Turn to −z" << lens();
+        newRow("an inverse") << Projection << glm::inverse(lens()) << "is an inverse"
+                             << "Invert" << lens();
+        newRow("the camera's matrix") << View << glm::inverse(view()) << "may be the inverse of a view"
+                                      << "Invert" << view();
+        newRow("Vulkan's y") << Projection << scaling(1, -1, 1) * lens() << "flips y"
+                             << "Flip y" << lens();
+        newRow("mirrored") << Projection << scaling(-1, 1, 1) * lens() << "mirrors x"
+                           << "Flip x" << lens();
+        newRow("a mirrored view") << View << scaling(-1, 1, 1) * view() << "is mirrored"
+                                  << "Flip x" << view();
+        newRow("a scaled view") << View << view() * scaling(2, 2, 2) << "scales by 2"
+                                << "Remove the Scale" << view();
+        newRow("negated") << Projection << -lens() << "negated"
+                          << "Negate" << lens();
+        newRow("along +z") << Projection << lens() * scaling(1, 1, -1) << "looks along +z"
+                           << "Turn to −z" << lens();
         glm::dmat4 zeroToOne = lens();
         zeroToOne[2][2] = -50.0 / 48.0;
         zeroToOne[3][2] = -100.0 / 48.0;
-        QTest::newRow("depths in [0, 1]") << Projection << zeroToOne << "seems to use NDC depths from 0 to 1"
-                                          << "Read as 0 to 1" << zeroToOne;
-        QTest::newRow("exchanged") << Projection << view() << "seem to be swapped"
-                                   << "Swap Them" << view();
+        newRow("depths in [0, 1]") << Projection << zeroToOne << "seems to use NDC depths from 0 to 1"
+                                   << "Read as 0 to 1" << zeroToOne;
+        newRow("exchanged") << Projection << view() << "seem to be swapped"
+                            << "Swap Them" << view();
     }
 
     void everyFindingHasItsButton()
@@ -394,29 +393,28 @@ private slots:
 
     void whatIsNoMatrixIsSaid_data()
     {
-        QTest::addColumn<MatrixRole>("role");
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<QString>("message");
+        addColumn<MatrixRole>("role");
+        addColumn<QString>("text");
+        addColumn<QString>("message");
         using enum MatrixRole;
         glm::dmat4 shear(1.0);
         shear[2][0] = 0.5;
         const QString zeros = QStringLiteral("0 ").repeated(16);
-        QTest::newRow("words") << View << "no matrix at all"
-                               << "0 numbers found, 16 are needed.";
-        QTest::newRow("one short") << View << "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0"
-                                   << "15 numbers found, 16 are needed.";
-        QTest::newRow("one number") << View << "7"
-                                    << "\n1 number found, 16 are needed.";
-        QTest::newRow("half a viewport")
-            << Projection << "projection " + zeros + " viewport 100 100"
-            << "Viewport: 2 numbers found, 4 are needed: x y width height, or 16 of a matrix.";
-        QTest::newRow("NaN") << Projection << "1 0 0 0\n0 nan 0 0\n"
-                             << "In line 2, column 3: \"nan\" is not a finite number.";
-        QTest::newRow("no projection among them")
+        newRow("words") << View << "no matrix at all"
+                        << "0 numbers found, 16 are needed.";
+        newRow("one short") << View << "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0"
+                            << "15 numbers found, 16 are needed.";
+        newRow("one number") << View << "7"
+                             << "\n1 number found, 16 are needed.";
+        newRow("half a viewport") << Projection << "projection " + zeros + " viewport 100 100"
+                                  << "Viewport: 2 numbers found, 4 are needed: x y width height, or 16 of a matrix.";
+        newRow("NaN") << Projection << "1 0 0 0\n0 nan 0 0\n"
+                      << "In line 2, column 3: \"nan\" is not a finite number.";
+        newRow("no projection among them")
             << Projection << "view " + zeros + " model " + zeros << "no matrix of this kind";
-        QTest::newRow("no inverse") << View << zeros << "Not a camera: the view matrix is not rotation + translation";
-        QTest::newRow("an inverse without one") << View << "viewInverse " + zeros << "but it is singular";
-        QTest::newRow("a sheared box's product")
+        newRow("no inverse") << View << zeros << "Not a camera: the view matrix is not rotation + translation";
+        newRow("an inverse without one") << View << "viewInverse " + zeros << "but it is singular";
+        newRow("a sheared box's product")
             << Product << printed(glm::ortho(-3.0, 3.0, -2.0, 2.0, 1.0, 9.0) * shear * view(), "JSON")
             << "cannot be decomposed";
     }
@@ -489,11 +487,11 @@ private slots:
 
     void noFindingIsCut_data()
     {
-        QTest::addColumn<double>("points");
-        QTest::addColumn<bool>("isChinese");
+        addColumn<double>("points");
+        addColumn<bool>("isChinese");
         for (const double points : {9.0, 13.0}) {
             for (const bool isChinese : {false, true})
-                QTest::addRow("%g pt, %s", points, isChinese ? "Chinese" : "English") << points << isChinese;
+                addRow("%g pt, %s", points, isChinese ? "Chinese" : "English") << points << isChinese;
         }
     }
 

@@ -241,12 +241,12 @@ private slots:
 
     void theWayBackDividesByItsOwnW_data()
     {
-        QTest::addColumn<Projection>("projection");
-        QTest::addColumn<double>("depth");
-        QTest::addColumn<double>("w"); // w' is 1 / z of a perspective, 1 of a box
+        addColumn<Projection>("projection");
+        addColumn<double>("depth");
+        addColumn<double>("w"); // w' is 1 / z of a perspective, 1 of a box
         // n = 1, f = 10, d = 0.9: z = 10 / (10 x 0.1 + 0.9) = 100 / 19
-        QTest::newRow("frustum") << Projection(Frustum{-1, 1, -1, 1, 1, 10}) << 0.9 << 0.19;
-        QTest::newRow("box") << Projection(Ortho{-10, 10, -10, 10, 1, 10}) << 0.5 << 1.0;
+        newRow("frustum") << Projection(Frustum{-1, 1, -1, 1, 1, 10}) << 0.9 << 0.19;
+        newRow("box") << Projection(Ortho{-10, 10, -10, 10, 1, 10}) << 0.5 << 1.0;
     }
 
     void theWayBackDividesByItsOwnW()

@@ -149,9 +149,9 @@ private slots:
 
     void nothingMovesOnceItHasGrown_data()
     {
-        QTest::addColumn<QString>("which");
+        addColumn<QString>("which");
         for (const char *which : {"comparison", "pipeline", "viewport", "life"})
-            QTest::newRow(which) << QString::fromLatin1(which);
+            newRow(which) << QString::fromLatin1(which);
     }
 
     void nothingMovesOnceItHasGrown()

@@ -76,16 +76,15 @@ class TestViewportInspector : public QObject {
 private slots:
     void cornersInAllSpaces_data()
     {
-        QTest::addColumn<Surface>("surface");
-        QTest::addColumn<int>("row");
-        QTest::addColumn<QPointF>("widget");
-        QTest::addColumn<QPointF>("device");
-        QTest::addColumn<QPointF>("window");
-        QTest::addColumn<QPointF>("ndc");
+        addColumn<Surface>("surface");
+        addColumn<int>("row");
+        addColumn<QPointF>("widget");
+        addColumn<QPointF>("device");
+        addColumn<QPointF>("window");
+        addColumn<QPointF>("ndc");
         const auto row = [](const char *name, const Surface &surface, int which, QPointF widget, QPointF device,
-                            QPointF window, QPointF ndc) {
-            QTest::newRow(name) << surface << which << widget << device << window << ndc;
-        };
+                            QPointF window,
+                            QPointF ndc) { newRow(name) << surface << which << widget << device << window << ndc; };
         // opencascade-transforms, fig. 4.1: the centre of 300 x 300 is (150, 150).
         row("opencascade centre", {300, 300, 1.0}, CornersModel::Centre, {150, 150}, {150, 150}, {150.5, 149.5},
             {1 / 300.0, -1 / 300.0});
@@ -186,21 +185,20 @@ private slots:
 
     void theProportionsHaveTheirNumbers_data()
     {
-        QTest::addColumn<Projection>("projection");
-        QTest::addColumn<Viewport>("viewport");
-        QTest::addColumn<QString>("x");
-        QTest::addColumn<QString>("y");
+        addColumn<Projection>("projection");
+        addColumn<Viewport>("viewport");
+        addColumn<QString>("x");
+        addColumn<QString>("y");
         // The pointer's pixel has its centre at (412.5, 299.5) in a window of 800 x 600.
-        QTest::newRow("symmetric box") << Projection(Ortho{-0.83, 0.83, -0.83, 0.83, 1, 100})
-                                       << Viewport{0, 0, 800, 600}
-                                       << "(3) (0.0259 − (−0.83)) / (0.83 − (−0.83)) = (412.5 − 0) / 800 = 0.5156"
-                                       << "(4) (−0.0014 − (−0.83)) / (0.83 − (−0.83)) = (299.5 − 0) / 600 = 0.4992";
-        QTest::newRow("quarter viewport") << Projection(Ortho{-10, 10, -10, 10, 1, 100}) << Viewport{400, 0, 400, 300}
-                                          << "(3) (−9.375 − (−10)) / (10 − (−10)) = (412.5 − 400) / 400 = 0.0313"
-                                          << "(4) (9.967 − (−10)) / (10 − (−10)) = (299.5 − 0) / 300 = 0.9983";
-        QTest::newRow("outside, mirrored") << Projection(Ortho{4, 2, 2, 4, 1, 100}) << Viewport{-100, 300, 500, 300}
-                                           << "(3) (1.9500 − 4) / (2 − 4) = (412.5 − (−100)) / 500 = 1.0250"
-                                           << "(4) (1.9967 − 2) / (4 − 2) = (299.5 − 300) / 300 = −0.0017";
+        newRow("symmetric box") << Projection(Ortho{-0.83, 0.83, -0.83, 0.83, 1, 100}) << Viewport{0, 0, 800, 600}
+                                << "(3) (0.0259 − (−0.83)) / (0.83 − (−0.83)) = (412.5 − 0) / 800 = 0.5156"
+                                << "(4) (−0.0014 − (−0.83)) / (0.83 − (−0.83)) = (299.5 − 0) / 600 = 0.4992";
+        newRow("quarter viewport") << Projection(Ortho{-10, 10, -10, 10, 1, 100}) << Viewport{400, 0, 400, 300}
+                                   << "(3) (−9.375 − (−10)) / (10 − (−10)) = (412.5 − 400) / 400 = 0.0313"
+                                   << "(4) (9.967 − (−10)) / (10 − (−10)) = (299.5 − 0) / 300 = 0.9983";
+        newRow("outside, mirrored") << Projection(Ortho{4, 2, 2, 4, 1, 100}) << Viewport{-100, 300, 500, 300}
+                                    << "(3) (1.9500 − 4) / (2 − 4) = (412.5 − (−100)) / 500 = 1.0250"
+                                    << "(4) (1.9967 − 2) / (4 − 2) = (299.5 − 300) / 300 = −0.0017";
     }
 
     void theProportionsHaveTheirNumbers()
@@ -255,17 +253,17 @@ private slots:
 
     void aDistortedCircleIsNamed_data()
     {
-        QTest::addColumn<Projection>("projection");
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<bool>("isMarked");
-        QTest::newRow("glFrustum +-1 at 800x600") << Projection(Frustum{-1, 1, -1, 1, 1, 100})
-                                                  << "A circle would be drawn 1.33 : 1, wider than high." << true;
-        QTest::newRow("gluPerspective of the aspect")
+        addColumn<Projection>("projection");
+        addColumn<QString>("text");
+        addColumn<bool>("isMarked");
+        newRow("glFrustum +-1 at 800x600") << Projection(Frustum{-1, 1, -1, 1, 1, 100})
+                                           << "A circle would be drawn 1.33 : 1, wider than high." << true;
+        newRow("gluPerspective of the aspect")
             << Projection(Perspective{0.8, 4.0 / 3.0, 1, 100}) << "A circle is drawn as a circle." << false;
-        QTest::newRow("too wide a box") << Projection(Ortho{-4, 4, -1, 1, 1, 100})
-                                        << "A circle would be drawn 0.333 : 1, higher than wide." << true;
-        QTest::newRow("a third of a percent")
-            << Projection(Perspective{0.8, 4.0 / 3.01, 1, 100}) << "A circle is drawn as a circle." << false;
+        newRow("too wide a box") << Projection(Ortho{-4, 4, -1, 1, 1, 100})
+                                 << "A circle would be drawn 0.333 : 1, higher than wide." << true;
+        newRow("a third of a percent") << Projection(Perspective{0.8, 4.0 / 3.01, 1, 100})
+                                       << "A circle is drawn as a circle." << false;
     }
 
     void aDistortedCircleIsNamed()
@@ -342,9 +340,9 @@ private slots:
 
     void atAnyWidthNothingIsCutOff_data()
     {
-        QTest::addColumn<int>("width");
+        addColumn<int>("width");
         for (const int width : {620, 700, 900, 1280, 2000})
-            QTest::addRow("%d", width) << width;
+            addRow("%d", width) << width;
     }
 
     void atAnyWidthNothingIsCutOff()

@@ -132,15 +132,15 @@ private slots:
 
     void thePictureHasTheSizeAskedFor_data()
     {
-        QTest::addColumn<QString>("factor");
-        QTest::addColumn<QString>("size");
-        QTest::addColumn<QSize>("pixels");
-        QTest::newRow("1x") << "1"
-                            << "1001x703" << QSize(1001, 703);
-        QTest::newRow("1.5x") << "1.5"
-                              << "801x603" << QSize(1202, 905); // 1201.5 x 904.5
-        QTest::newRow("2x") << "2"
-                            << "700x560" << QSize(1400, 1120);
+        addColumn<QString>("factor");
+        addColumn<QString>("size");
+        addColumn<QSize>("pixels");
+        newRow("1x") << "1"
+                     << "1001x703" << QSize(1001, 703);
+        newRow("1.5x") << "1.5"
+                       << "801x603" << QSize(1202, 905); // 1201.5 x 904.5
+        newRow("2x") << "2"
+                     << "700x560" << QSize(1400, 1120);
     }
 
     void thePictureHasTheSizeAskedFor()
@@ -195,8 +195,8 @@ private slots:
 
     void aMistakeIsToldOnStderr_data()
     {
-        QTest::addColumn<QStringList>("arguments");
-        QTest::addColumn<QString>("words");
+        addColumn<QStringList>("arguments");
+        addColumn<QString>("words");
         QFile broken(path("broken.obj"));
         QVERIFY(broken.open(QIODevice::WriteOnly));
         broken.write("v 0 0 0\nf 1 2 9\n");
@@ -214,7 +214,7 @@ private slots:
         write("skin.obj", "mtllib skin.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
         const QString picture = path("never.png");
         const auto row = [](const char *name, const QStringList &arguments, const QString &words) {
-            QTest::newRow(name) << arguments << words;
+            newRow(name) << arguments << words;
         };
         row("missing file", {"--screenshot", picture, path("missing.obj")}, "missing.obj");
         row("broken file", {"--screenshot", picture, broken.fileName()}, "broken.obj");
@@ -284,10 +284,10 @@ private slots:
 
     void whatCannotBePrintedIsTold_data()
     {
-        QTest::addColumn<QStringList>("arguments");
-        QTest::newRow("help") << QStringList{"--help"};
-        QTest::newRow("version") << QStringList{"--version"};
-        QTest::newRow("clicks") << QStringList{"--screenshot", path("full.png"), "--click", "10,10"};
+        addColumn<QStringList>("arguments");
+        newRow("help") << QStringList{"--help"};
+        newRow("version") << QStringList{"--version"};
+        newRow("clicks") << QStringList{"--screenshot", path("full.png"), "--click", "10,10"};
     }
 
     void whatCannotBePrintedIsTold()
@@ -303,11 +303,11 @@ private slots:
 
     void helpAndVersionNeedNoDisplay_data()
     {
-        QTest::addColumn<QString>("option");
-        QTest::addColumn<QByteArray>("words");
-        QTest::newRow("help") << "--help" << QByteArray("--screenshot");
-        QTest::newRow("short help") << "-h" << QByteArray("--click");
-        QTest::newRow("version") << "--version" << QByteArray("Unprojector ");
+        addColumn<QString>("option");
+        addColumn<QByteArray>("words");
+        newRow("help") << "--help" << QByteArray("--screenshot");
+        newRow("short help") << "-h" << QByteArray("--click");
+        newRow("version") << "--version" << QByteArray("Unprojector ");
     }
 
     void helpAndVersionNeedNoDisplay()

@@ -50,25 +50,25 @@ class TestScreenshotClicks : public QObject {
 private slots:
     void theNumbersReadBackAndComputedAgainAreTheSame_data()
     {
-        QTest::addColumn<QString>("factor");
-        QTest::addColumn<QString>("smooth");
-        QTest::addColumn<QString>("size");
+        addColumn<QString>("factor");
+        addColumn<QString>("smooth");
+        addColumn<QString>("size");
         // Windows keeps a window on its screen, which may be 1280 x 1024.
-        QTest::newRow("1x") << "1"
-                            << "off"
-                            << "900x640";
-        QTest::newRow("1x, smooth edges") << "1"
-                                          << "on"
-                                          << "900x640";
-        QTest::newRow("1.25x") << "1.25"
-                               << "off"
-                               << "900x640";
-        QTest::newRow("1.5x") << "1.5"
-                              << "off"
-                              << "840x600";
-        QTest::newRow("2x") << "2"
-                            << "off"
-                            << "700x560";
+        newRow("1x") << "1"
+                     << "off"
+                     << "900x640";
+        newRow("1x, smooth edges") << "1"
+                                   << "on"
+                                   << "900x640";
+        newRow("1.25x") << "1.25"
+                        << "off"
+                        << "900x640";
+        newRow("1.5x") << "1.5"
+                       << "off"
+                       << "840x600";
+        newRow("2x") << "2"
+                     << "off"
+                     << "700x560";
     }
 
     void theNumbersReadBackAndComputedAgainAreTheSame()
@@ -119,10 +119,10 @@ private slots:
 
     void theCommandComputesTheSamePoints_data()
     {
-        QTest::addColumn<QString>("space");
-        QTest::newRow("world") << "world";
-        QTest::newRow("eye") << "eye";
-        QTest::newRow("object") << "object";
+        addColumn<QString>("space");
+        newRow("world") << "world";
+        newRow("eye") << "eye";
+        newRow("object") << "object";
     }
 
     void theCommandComputesTheSamePoints()

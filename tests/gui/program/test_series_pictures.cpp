@@ -123,20 +123,16 @@ private slots:
 
     void aMistakeIsToldOnStderr_data()
     {
-        QTest::addColumn<QStringList>("words");
-        QTest::addColumn<QString>("said");
+        addColumn<QStringList>("words");
+        addColumn<QString>("said");
         const QString out = QStringLiteral("--screenshots"), series = QStringLiteral("--series");
-        QTest::newRow("without a series")
-            << QStringList{out, "o"} << "--screenshots works together with --series FOLDER.";
-        QTest::newRow("no side") << QStringList{series, "s", out, "o", "--view", "nose"}
-                                 << "--view is nose; give front";
-        QTest::newRow("a side of nothing")
-            << QStringList{"--view", "top"} << "--view works together with --screenshots";
-        QTest::newRow("one image") << QStringList{series, "s", "--screenshot", "x.png"} << "give --screenshots OUT";
-        QTest::newRow("with a model") << QStringList{series, "s", "a.obj"} << "Give --series alone";
-        QTest::newRow("no folder") << QStringList{series, "/nowhere/at/all", out, "/tmp"}
-                                   << "the folder cannot be read";
-        QTest::newRow("no folder to write") << QStringList{series, "s", out, "/dev/null/x"} << "is not a folder";
+        newRow("without a series") << QStringList{out, "o"} << "--screenshots works together with --series FOLDER.";
+        newRow("no side") << QStringList{series, "s", out, "o", "--view", "nose"} << "--view is nose; give front";
+        newRow("a side of nothing") << QStringList{"--view", "top"} << "--view works together with --screenshots";
+        newRow("one image") << QStringList{series, "s", "--screenshot", "x.png"} << "give --screenshots OUT";
+        newRow("with a model") << QStringList{series, "s", "a.obj"} << "Give --series alone";
+        newRow("no folder") << QStringList{series, "/nowhere/at/all", out, "/tmp"} << "the folder cannot be read";
+        newRow("no folder to write") << QStringList{series, "s", out, "/dev/null/x"} << "is not a folder";
     }
 
     void aMistakeIsToldOnStderr()

@@ -89,22 +89,20 @@ private slots:
     void thePipelineShowsTheFigures_data()
     {
         using Stage = PipelineStage;
-        QTest::addColumn<QByteArray>("id");
-        QTest::addColumn<int>("stage");
-        QTest::addColumn<int>("row");
-        QTest::addColumn<int>("column");
-        QTest::addColumn<double>("expected");
-        QTest::newRow("fig. 2.7: m[14]") << QByteArray("zhangci-model-view") << int(Stage::ModelviewMatrix) << 2 << 3
-                                         << -8.0;
-        QTest::newRow("fig. 2.10: m[10]")
-            << QByteArray("zhangci-ortho") << int(Stage::ProjectionMatrix) << 2 << 2 << -0.1;
-        QTest::newRow("fig. 2.12: m[14]")
-            << QByteArray("zhangci-perspective") << int(Stage::ProjectionMatrix) << 2 << 3 << -2.0202019;
-        QTest::newRow("hand-made matrix: m[0]")
-            << QByteArray("derivation-matrix") << int(Stage::ProjectionMatrix) << 0 << 0 << 1.33333333;
-        QTest::newRow("gluPerspective: m[0]")
-            << QByteArray("derivation-perspective") << int(Stage::ProjectionMatrix) << 0 << 0 << 0.75;
-        QTest::newRow("2-D: MC") << QByteArray("zhangci-2d") << int(Stage::ModelMatrix) << 0 << 3 << 4.0;
+        addColumn<QByteArray>("id");
+        addColumn<int>("stage");
+        addColumn<int>("row");
+        addColumn<int>("column");
+        addColumn<double>("expected");
+        newRow("fig. 2.7: m[14]") << QByteArray("zhangci-model-view") << int(Stage::ModelviewMatrix) << 2 << 3 << -8.0;
+        newRow("fig. 2.10: m[10]") << QByteArray("zhangci-ortho") << int(Stage::ProjectionMatrix) << 2 << 2 << -0.1;
+        newRow("fig. 2.12: m[14]") << QByteArray("zhangci-perspective") << int(Stage::ProjectionMatrix) << 2 << 3
+                                   << -2.0202019;
+        newRow("hand-made matrix: m[0]") << QByteArray("derivation-matrix") << int(Stage::ProjectionMatrix) << 0 << 0
+                                         << 1.33333333;
+        newRow("gluPerspective: m[0]") << QByteArray("derivation-perspective") << int(Stage::ProjectionMatrix) << 0 << 0
+                                       << 0.75;
+        newRow("2-D: MC") << QByteArray("zhangci-2d") << int(Stage::ModelMatrix) << 0 << 3 << 4.0;
     }
 
     void thePipelineShowsTheFigures()
@@ -132,20 +130,20 @@ private slots:
 
     void theShortFormIsSet_data()
     {
-        QTest::addColumn<QString>("page");
-        QTest::addColumn<int>("tables");
-        QTest::addColumn<QString>("text");
+        addColumn<QString>("page");
+        addColumn<int>("tables");
+        addColumn<QString>("text");
         const QString around = QStringLiteral("a<formula>%1</formula>b");
         // A formula is a table; a row with a built-up part is another, and each fraction and matrix one
         // more.
-        QTest::newRow("nothing") << QStringLiteral("a|b {c}") << 0 << QStringLiteral("a|b {c}");
-        QTest::newRow("words") << around.arg(QStringLiteral("x = 2 y")) << 1 << QStringLiteral("a x = 2 y b");
-        QTest::newRow("fraction") << around.arg(QStringLiteral("{x | n} + 1")) << 3 << QStringLiteral("a x n + 1 b");
-        QTest::newRow("matrix") << around.arg(QStringLiteral("{a, 0; 0, b}")) << 3 << QStringLiteral("a a 0 0 b b");
-        QTest::newRow("column") << around.arg(QStringLiteral("M {x; y; 1}")) << 3 << QStringLiteral("a M x y 1 b");
-        QTest::newRow("fraction in a matrix") << around.arg(QStringLiteral("{−{r + l | r − l}, 0; 0, 1}")) << 5
-                                              << QStringLiteral("a − r + l r − l 0 0 1 b");
-        QTest::newRow("unclosed") << around.arg(QStringLiteral("{a, b")) << 3 << QStringLiteral("a a b b");
+        newRow("nothing") << QStringLiteral("a|b {c}") << 0 << QStringLiteral("a|b {c}");
+        newRow("words") << around.arg(QStringLiteral("x = 2 y")) << 1 << QStringLiteral("a x = 2 y b");
+        newRow("fraction") << around.arg(QStringLiteral("{x | n} + 1")) << 3 << QStringLiteral("a x n + 1 b");
+        newRow("matrix") << around.arg(QStringLiteral("{a, 0; 0, b}")) << 3 << QStringLiteral("a a 0 0 b b");
+        newRow("column") << around.arg(QStringLiteral("M {x; y; 1}")) << 3 << QStringLiteral("a M x y 1 b");
+        newRow("fraction in a matrix") << around.arg(QStringLiteral("{−{r + l | r − l}, 0; 0, 1}")) << 5
+                                       << QStringLiteral("a − r + l r − l 0 0 1 b");
+        newRow("unclosed") << around.arg(QStringLiteral("{a, b")) << 3 << QStringLiteral("a a b b");
     }
 
     void theShortFormIsSet()
@@ -173,9 +171,9 @@ private slots:
 
     void everyFormulaIsThereWithItsSource_data()
     {
-        QTest::addColumn<int>("number");
+        addColumn<int>("number");
         for (int number = 1; number <= 16; ++number)
-            QTest::addRow("(%d)", number) << number;
+            addRow("(%d)", number) << number;
     }
 
     void everyFormulaIsThereWithItsSource()
@@ -196,10 +194,10 @@ private slots:
 
     void everyErrorIsThere_data()
     {
-        QTest::addColumn<QString>("printed");
-        QTest::addColumn<QString>("right");
+        addColumn<QString>("printed");
+        addColumn<QString>("right");
         const auto row = [](const char *anchor, const char *printed, const char *right) {
-            QTest::newRow(anchor) << QString::fromUtf8(printed) << QString::fromUtf8(right);
+            newRow(anchor) << QString::fromUtf8(printed) << QString::fromUtf8(right);
         };
         row("error-weng-sign", "z, without a sign", "distance in front of the eye");
         row("error-weng-row", "yv = rect.bottom − py", "½ lower");
@@ -267,9 +265,9 @@ private slots:
 
     void theConventionsAreThoseComputedWith_data()
     {
-        QTest::addColumn<int>("api");
+        addColumn<int>("api");
         for (const Api api : kApis)
-            QTest::newRow(conventionsOf(api).name) << int(api);
+            newRow(conventionsOf(api).name) << int(api);
     }
 
     void theConventionsAreThoseComputedWith()
@@ -328,11 +326,11 @@ private slots:
 
     void thePageIsAsWideAsTheWindow_data()
     {
-        QTest::addColumn<QSize>("size");
-        QTest::addColumn<int>("percent");
-        QTest::newRow("as it opens") << QSize(900, 700) << 100;
-        QTest::newRow("wide") << QSize(1800, 900) << 100;
-        QTest::newRow("smaller text") << QSize(900, 700) << 70;
+        addColumn<QSize>("size");
+        addColumn<int>("percent");
+        newRow("as it opens") << QSize(900, 700) << 100;
+        newRow("wide") << QSize(1800, 900) << 100;
+        newRow("smaller text") << QSize(900, 700) << 70;
     }
 
     void thePageIsAsWideAsTheWindow()

@@ -26,14 +26,14 @@ private slots:
 
     void theNamedFontsAreInUse_data()
     {
-        QTest::addColumn<QString>("used");
-        QTest::addColumn<QString>("named");
+        addColumn<QString>("used");
+        addColumn<QString>("named");
         const auto usedBy = [](const QFont &font) { return QFontInfo(font).family(); };
         constexpr double kPointSize = 11.0;
-        QTest::newRow("window") << usedBy(QApplication::font()) << QStringLiteral("DejaVu Sans");
-        QTest::newRow("formulas") << usedBy(formulaFont(kPointSize)) << QStringLiteral("DejaVu Serif");
-        QTest::newRow("code") << usedBy(QFontDatabase::systemFont(QFontDatabase::FixedFont))
-                              << QStringLiteral("DejaVu Sans Mono");
+        newRow("window") << usedBy(QApplication::font()) << QStringLiteral("DejaVu Sans");
+        newRow("formulas") << usedBy(formulaFont(kPointSize)) << QStringLiteral("DejaVu Serif");
+        newRow("code") << usedBy(QFontDatabase::systemFont(QFontDatabase::FixedFont))
+                       << QStringLiteral("DejaVu Sans Mono");
     }
 
     void theNamedFontsAreInUse()

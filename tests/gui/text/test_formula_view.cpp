@@ -106,12 +106,12 @@ private slots:
 
     void everyNumberStandsBelowItsSymbol_data()
     {
-        QTest::addColumn<Pick>("pick");
+        addColumn<Pick>("pick");
         const Ortho box{-3.0, 3.0, -2.0, 2.0, 1.0, 9.0};
-        QTest::newRow("frustum") << picked(frustumGeometry(), 412.0, 299.0, 0.75);
-        QTest::newRow("ortho") << picked(boxGeometry(box), 350.0, 120.0, 0.25);
-        QTest::newRow("oblique") << picked(boxGeometry(Oblique{box, 0.7, 0.9}), 350.0, 120.0, 0.25);
-        QTest::newRow("background") << picked(frustumGeometry(), 412.0, 299.0, 1.0, false);
+        newRow("frustum") << picked(frustumGeometry(), 412.0, 299.0, 0.75);
+        newRow("ortho") << picked(boxGeometry(box), 350.0, 120.0, 0.25);
+        newRow("oblique") << picked(boxGeometry(Oblique{box, 0.7, 0.9}), 350.0, 120.0, 0.25);
+        newRow("background") << picked(frustumGeometry(), 412.0, 299.0, 1.0, false);
     }
 
     void everyNumberStandsBelowItsSymbol()
@@ -172,13 +172,13 @@ private slots:
 
     void formulasFitTheWidth_data()
     {
-        QTest::addColumn<int>("width");
-        QTest::addColumn<double>("points");
+        addColumn<int>("width");
+        addColumn<double>("points");
         for (const double points : {9.0, 10.0, 11.0, 13.0}) {
             for (const int ems : {45, 55, 70}) {
                 QFont font;
                 font.setPointSizeF(points);
-                QTest::addRow("%g pt, %d digits", points, ems)
+                addRow("%g pt, %d digits", points, ems)
                     << ems * QFontMetrics(font).horizontalAdvance(u'0') - 12 << points;
             }
         }

@@ -169,7 +169,7 @@ class TestHelpFigures : public QObject {
 private slots:
     void everyDerivationHasItsFigure_data()
     {
-        QTest::addColumn<QString>("figure");
+        addColumn<QString>("figure");
         const std::pair<const char *, const char *> chapters[] = {
             {"spaces", "pipeline"},
             {"homogeneous", "homogeneous"},
@@ -194,7 +194,7 @@ private slots:
             {"half-pixel", "half-pixel"},
         };
         for (const auto &[anchor, figure] : chapters)
-            QTest::newRow(anchor) << figure;
+            newRow(anchor) << figure;
     }
 
     void everyDerivationHasItsFigure()
@@ -230,9 +230,9 @@ private slots:
 
     void aFigureIsDrawn_data()
     {
-        QTest::addColumn<QString>("name");
+        addColumn<QString>("name");
         for (const QString &name : helpFigureNames())
-            QTest::newRow(qPrintable(name)) << name;
+            newRow(qPrintable(name)) << name;
     }
 
     void aFigureIsDrawn()
@@ -269,11 +269,11 @@ private slots:
 
     void itsLabelsAreClear_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QString>("language");
+        addColumn<QString>("name");
+        addColumn<QString>("language");
         for (const char *language : {"en-US", "zh-CN"}) {
             for (const QString &name : helpFigureNames())
-                QTest::addRow("%s %s", qPrintable(name), language) << name << QString::fromLatin1(language);
+                addRow("%s %s", qPrintable(name), language) << name << QString::fromLatin1(language);
         }
     }
 

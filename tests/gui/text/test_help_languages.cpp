@@ -55,8 +55,8 @@ class TestHelpLanguages : public QObject {
 private slots:
     void aPageIsTheEnglishOne_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QString>("pattern");
+        addColumn<QString>("name");
+        addColumn<QString>("pattern");
         const std::pair<const char *, const char *> parts[] = {
             {"headings, paragraphs and tables", "</?(h[1-3]|p|table|tr|t[dh]|br)\\b"},
             {"anchors", "<a name=\"[^\"]*\"|<formula[^>]*>"},
@@ -70,7 +70,7 @@ private slots:
         QVERIFY(names.contains(kChinese));
         for (const QString &name : std::as_const(names)) {
             for (const auto &[part, pattern] : parts)
-                QTest::addRow("%s: %s", qPrintable(name), part) << name << QString::fromLatin1(pattern);
+                addRow("%s: %s", qPrintable(name), part) << name << QString::fromLatin1(pattern);
         }
     }
 
@@ -85,9 +85,9 @@ private slots:
 
     void aLinkLeadsToOnePlace_data()
     {
-        QTest::addColumn<QString>("name");
+        addColumn<QString>("name");
         for (const QString &name : QDir(QStringLiteral(":/help")).entryList())
-            QTest::newRow(qPrintable(name)) << name;
+            newRow(qPrintable(name)) << name;
     }
 
     void aLinkLeadsToOnePlace()
@@ -139,14 +139,14 @@ private slots:
 
     void theWindowShowsThePageOfItsLanguage_data()
     {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<QString>("title");
-        QTest::newRow("English") << "en-US"
-                                 << "From a pixel to a world coordinate";
-        QTest::newRow("one that the program does not speak") << "fr-FR"
-                                                             << "From a pixel to a world coordinate";
+        addColumn<QString>("language");
+        addColumn<QString>("title");
+        newRow("English") << "en-US"
+                          << "From a pixel to a world coordinate";
+        newRow("one that the program does not speak") << "fr-FR"
+                                                      << "From a pixel to a world coordinate";
 #ifdef UNPROJECTOR_IS_TRANSLATED
-        QTest::newRow("Chinese") << "zh-CN" << QStringLiteral("从像素到世界坐标");
+        newRow("Chinese") << "zh-CN" << QStringLiteral("从像素到世界坐标");
 #endif
     }
 

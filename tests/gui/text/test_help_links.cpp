@@ -88,12 +88,12 @@ private slots:
 
     void everyFormulaHasItsPlace_data()
     {
-        QTest::addColumn<Pick>("pick");
-        QTest::newRow("perspective") << picked(frustumGeometry(), 412.0, 299.0, 0.75);
+        addColumn<Pick>("pick");
+        newRow("perspective") << picked(frustumGeometry(), 412.0, 299.0, 0.75);
         constexpr Ortho kBox{-3.0, 3.0, -2.0, 2.0, 2.0, 10.0};
-        QTest::newRow("ortho") << picked(boxGeometry(kBox), 200.0, 150.0, 0.5);
-        QTest::newRow("oblique") << picked(boxGeometry(Oblique{kBox, 1.0, 1.2}), 200.0, 150.0, 0.5);
-        QTest::newRow("background") << picked(frustumGeometry(), 412.0, 299.0, 1.0, false);
+        newRow("ortho") << picked(boxGeometry(kBox), 200.0, 150.0, 0.5);
+        newRow("oblique") << picked(boxGeometry(Oblique{kBox, 1.0, 1.2}), 200.0, 150.0, 0.5);
+        newRow("background") << picked(frustumGeometry(), 412.0, 299.0, 1.0, false);
     }
 
     void everyFormulaHasItsPlace()
@@ -130,17 +130,17 @@ private slots:
 
     void everyPanelLeadsToHelp_data()
     {
-        QTest::addColumn<QStringList>("anchors");
-        QTest::newRow("comparison") << QStringList{"weng", "matrix", "certainty", "half-pixel", "conventions"};
-        QTest::newRow("pipeline") << QStringList{"spaces",   "model",      "view", "frustum",
-                                                 "viewport", "half-pixel", "mvpw", "conventions"};
-        QTest::newRow("parameters") << QStringList{"view", "frustum", "viewport", "model", "clip-planes"};
-        QTest::newRow("depth precision") << QStringList{"certainty"};
-        QTest::newRow("viewport") << QStringList{"near-window"};
-        QTest::newRow("life of the view") << QStringList{"mfc"};
-        QTest::newRow("view from outside") << QStringList{"frustum-steps"};
-        QTest::newRow("doctor") << QStringList{"wrong"};
-        QTest::newRow("map") << QStringList{"certainty"};
+        addColumn<QStringList>("anchors");
+        newRow("comparison") << QStringList{"weng", "matrix", "certainty", "half-pixel", "conventions"};
+        newRow("pipeline") << QStringList{"spaces",   "model",      "view", "frustum",
+                                          "viewport", "half-pixel", "mvpw", "conventions"};
+        newRow("parameters") << QStringList{"view", "frustum", "viewport", "model", "clip-planes"};
+        newRow("depth precision") << QStringList{"certainty"};
+        newRow("viewport") << QStringList{"near-window"};
+        newRow("life of the view") << QStringList{"mfc"};
+        newRow("view from outside") << QStringList{"frustum-steps"};
+        newRow("doctor") << QStringList{"wrong"};
+        newRow("map") << QStringList{"certainty"};
     }
 
     void everyPanelLeadsToHelp()

@@ -61,17 +61,17 @@ class TestHelpSearch : public QObject {
 private slots:
     void allHitsAreMarkedAndCounted_data()
     {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<QString>("words");
-        QTest::addColumn<QString>("counted");
-        QTest::newRow("a word, small letters") << "en-US"
-                                               << "glfrustum"
-                                               << "1 of %1";
-        QTest::newRow("across italics") << "en-US"
-                                        << "z is"
+        addColumn<QString>("language");
+        addColumn<QString>("words");
+        addColumn<QString>("counted");
+        newRow("a word, small letters") << "en-US"
+                                        << "glfrustum"
                                         << "1 of %1";
+        newRow("across italics") << "en-US"
+                                 << "z is"
+                                 << "1 of %1";
 #ifdef UNPROJECTOR_IS_TRANSLATED
-        QTest::newRow("Chinese") << "zh-CN" << QStringLiteral("投影") << QStringLiteral("第 1 处，共 %1 处");
+        newRow("Chinese") << "zh-CN" << QStringLiteral("投影") << QStringLiteral("第 1 处，共 %1 处");
 #endif
     }
 

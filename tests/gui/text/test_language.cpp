@@ -205,15 +205,14 @@ private slots:
 
     void whatCoreSaysIsInTheLanguage_data()
     {
-        QTest::addColumn<QStringList>("languages");
-        QTest::addColumn<QStringList>("said"); // of a model, a scene and points
-        QTest::newRow("English") << kEnglish
-                                 << QStringList{"broken.ply: the file is damaged: the file ends within ",
-                                                ":1:16: 1 found where \":\" is expected",
-                                                ":2: z is \"far\"; write a number"};
-        QTest::newRow("Chinese") << kChinese
-                                 << QStringList{"broken.ply：文件已损坏：文件在 face 1（共 9 个）之内结束",
-                                                ":1:16: 此处应为“:”，却是 1", ":2: z 为 “far”；请写一个数"};
+        addColumn<QStringList>("languages");
+        addColumn<QStringList>("said"); // of a model, a scene and points
+        newRow("English") << kEnglish
+                          << QStringList{"broken.ply: the file is damaged: the file ends within ",
+                                         ":1:16: 1 found where \":\" is expected", ":2: z is \"far\"; write a number"};
+        newRow("Chinese") << kChinese
+                          << QStringList{"broken.ply：文件已损坏：文件在 face 1（共 9 个）之内结束",
+                                         ":1:16: 此处应为“:”，却是 1", ":2: z 为 “far”；请写一个数"};
     }
 
     /// Core's loaders report a file's errors in their own threads.

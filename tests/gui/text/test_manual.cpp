@@ -86,17 +86,17 @@ class TestManual : public QObject {
 private slots:
     void aSlugIsGitHubs_data()
     {
-        QTest::addColumn<QString>("title");
-        QTest::addColumn<QString>("slug");
-        QTest::newRow("spaces") << "Left and right"
-                                << "left-and-right";
-        QTest::newRow("punctuation") << "The Comparison panel, top to bottom"
-                                     << "the-comparison-panel-top-to-bottom";
-        QTest::newRow("dash between spaces") << "A – b"
-                                             << "a--b";
-        QTest::newRow("hyphen and line") << "Half-pixel m_v"
-                                         << "half-pixel-m_v";
-        QTest::newRow("Chinese") << QStringLiteral("读取 坐标（世界）") << QStringLiteral("读取-坐标世界");
+        addColumn<QString>("title");
+        addColumn<QString>("slug");
+        newRow("spaces") << "Left and right"
+                         << "left-and-right";
+        newRow("punctuation") << "The Comparison panel, top to bottom"
+                              << "the-comparison-panel-top-to-bottom";
+        newRow("dash between spaces") << "A – b"
+                                      << "a--b";
+        newRow("hyphen and line") << "Half-pixel m_v"
+                                  << "half-pixel-m_v";
+        newRow("Chinese") << QStringLiteral("读取 坐标（世界）") << QStringLiteral("读取-坐标世界");
     }
 
     void aSlugIsGitHubs()
@@ -107,11 +107,11 @@ private slots:
 
     void everyPageIsLinkedAndHasText_data()
     {
-        QTest::addColumn<QString>("name");
+        addColumn<QString>("name");
         const QStringList files = QDir(QStringLiteral(":/manual")).entryList({QStringLiteral("*.md")});
         QVERIFY(files.size() >= 16);
         for (const QString &file : files)
-            QTest::newRow(qPrintable(file)) << file.chopped(3);
+            newRow(qPrintable(file)) << file.chopped(3);
     }
 
     void everyPageIsLinkedAndHasText()
@@ -133,9 +133,9 @@ private slots:
 
     void everyLinkLeadsSomewhere_data()
     {
-        QTest::addColumn<QString>("folder");
-        QTest::newRow("English") << "manual";
-        QTest::newRow("Chinese") << "manual/zh_CN"; // English pages if a translation is missing
+        addColumn<QString>("folder");
+        newRow("English") << "manual";
+        newRow("Chinese") << "manual/zh_CN"; // English pages if a translation is missing
     }
 
     void everyLinkLeadsSomewhere()

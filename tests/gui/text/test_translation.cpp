@@ -184,12 +184,12 @@ private slots:
 
     void oneThingHasOneName_data()
     {
-        QTest::addColumn<QString>("file");
+        addColumn<QString>("file");
         const QDir resources(QFileInfo(QStringLiteral(UNPROJECTOR_TRANSLATION_FILE)).path() + QStringLiteral("/.."));
         for (const char *folder : {"translations", "lessons", "help"}) {
             const QDir files(resources.filePath(QLatin1String(folder)));
             for (const QString &name : files.entryList({QStringLiteral("*_zh_CN.*")}, QDir::Files))
-                QTest::newRow(qPrintable(name)) << files.filePath(name);
+                newRow(qPrintable(name)) << files.filePath(name);
         }
     }
 

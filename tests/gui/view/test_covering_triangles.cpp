@@ -126,16 +126,16 @@ class TestCoveringTriangles : public QObject {
 private slots:
     void thePictureIsTheSame_data()
     {
-        QTest::addColumn<std::shared_ptr<Model>>("model");
-        QTest::addColumn<Setup>("picture");
-        QTest::addColumn<bool>("isClipped");
+        addColumn<std::shared_ptr<Model>>("model");
+        addColumn<Setup>("picture");
+        addColumn<bool>("isClipped");
         const Projection perspective = Perspective{0.8, double(kWidth) / kHeight, 0.1, 100.0};
         const Projection box = Ortho{-1.6, 1.6, -1.2, 1.2, 0.1, 10.0};
         const WorldPoint middle(0.0, 0.0, 0.0);
         const auto sphere = cubeSphere(90);
         const auto soup = modelOf(soupOf(sphere->meshes[0]));
         const auto row = [](const char *name, const std::shared_ptr<Model> &model, const Setup &setup,
-                            bool isClipped = false) { QTest::newRow(name) << model << setup << isClipped; };
+                            bool isClipped = false) { newRow(name) << model << setup << isClipped; };
         row("sphere", sphere, setupOf({1.0, 2.0, 3.0}, middle, perspective));
         row("soup", soup, setupOf({1.0, 2.0, 3.0}, middle, perspective));
         row("clipped", sphere, setupOf({1.0, 2.0, 3.0}, middle, perspective), true);

@@ -22,14 +22,14 @@ private slots:
 
     void theMeshLiesInTheBox_data()
     {
-        QTest::addColumn<ModelPointer>("model");
-        QTest::addColumn<bool>("isSmooth"); // so that the depths around a pixel tell the triangle's slope
-        QTest::newRow("cube sphere") << ModelPointer(cubeSphere(60)) << true;
-        QTest::newRow("cube") << ModelPointer(cubeSphere(1, 0.0)) << true;
-        QTest::newRow("far from the origin") << ModelPointer(drawnclicks::movedFarAway(*cubeSphere(60))) << true;
-        QTest::newRow("rough terrain") << ModelPointer(drawnclicks::roughTerrain(200)) << false;
-        QTest::newRow("triangles smaller than pixels") << ModelPointer(cubeSphere(250)) << true;
-        QTest::newRow("slivers") << ModelPointer(drawnclicks::slivers(1500)) << false;
+        addColumn<ModelPointer>("model");
+        addColumn<bool>("isSmooth"); // so that the depths around a pixel tell the triangle's slope
+        newRow("cube sphere") << ModelPointer(cubeSphere(60)) << true;
+        newRow("cube") << ModelPointer(cubeSphere(1, 0.0)) << true;
+        newRow("far from the origin") << ModelPointer(drawnclicks::movedFarAway(*cubeSphere(60))) << true;
+        newRow("rough terrain") << ModelPointer(drawnclicks::roughTerrain(200)) << false;
+        newRow("triangles smaller than pixels") << ModelPointer(cubeSphere(250)) << true;
+        newRow("slivers") << ModelPointer(drawnclicks::slivers(1500)) << false;
     }
 
     void theMeshLiesInTheBox()
@@ -37,7 +37,7 @@ private slots:
         QFETCH(ModelPointer, model);
         QFETCH(bool, isSmooth);
         // Every projection with every pixel ratio and depth range in turn.
-        constexpr int kPictures = 30, kClicks = 420;
+        constexpr int kPictures = tests::rounds(30), kClicks = 420;
         drawnclicks::Shares all;
         for (int number = 0; number < kPictures; ++number) {
             const auto shares = m_stage->clicked(model, number, kClicks);
@@ -49,7 +49,7 @@ private slots:
         };
         qInfo("%zu clicks; by triangle %s; by neighbours %s", all.byTriangle.count(), qPrintable(told(all.byTriangle)),
               qPrintable(told(all.byNeighbours)));
-        QVERIFY(all.byTriangle.count() >= 10'000);
+        QVERIFY(all.byTriangle.count() >= std::size_t(tests::rounds(10'000)));
         QVERIFY(all.byTriangle.inside() >= 0.999);
         QVERIFY(all.byTriangle.neededScale() >= 0.5);
         if (isSmooth)
@@ -58,14 +58,14 @@ private slots:
 
     void aGridOfCornersIsFound_data()
     {
-        QTest::addColumn<double>("grid");
-        QTest::addColumn<double>("least");
-        QTest::addColumn<double>("most");
+        addColumn<double>("grid");
+        addColumn<double>("least");
+        addColumn<double>("most");
         // A software renderer has no such grid for its depths, a graphics card has 1/256 of a pixel at
         // most.
-        QTest::newRow("OpenGL's own") << 0.0 << 0.0 << 0x1p-9;
-        QTest::newRow("1/256 of a pixel") << 256.0 << 0x1p-9 << 0x1p-9;
-        QTest::newRow("1/16 of a pixel") << 16.0 << 0x1p-5 << 0x1p-5;
+        newRow("OpenGL's own") << 0.0 << 0.0 << 0x1p-9;
+        newRow("1/256 of a pixel") << 256.0 << 0x1p-9 << 0x1p-9;
+        newRow("1/16 of a pixel") << 16.0 << 0x1p-5 << 0x1p-5;
     }
 
     void aGridOfCornersIsFound()

@@ -58,9 +58,9 @@ class TestExamplesDrawn : public QObject {
 private slots:
     void everyExampleShowsItsObjects_data()
     {
-        QTest::addColumn<QString>("id");
+        addColumn<QString>("id");
         for (const examples::Example &e : examples::examples())
-            QTest::newRow(e.id.c_str()) << QString::fromStdString(e.id);
+            newRow(e.id.c_str()) << QString::fromStdString(e.id);
     }
 
     void everyExampleShowsItsObjects()
@@ -84,19 +84,19 @@ private slots:
 
     void aClickReadsThePointOfTheNote_data()
     {
-        QTest::addColumn<QString>("id");
-        QTest::addColumn<double>("x");
-        QTest::addColumn<double>("y");
-        QTest::addColumn<double>("z");
-        QTest::newRow("2-D: (1, 1) of MC is (3, 4)") << "zhangci-2d" << 3.0 << 4.0 << 0.0;
-        QTest::newRow("modelview: 3 behind the origin") << "zhangci-model-view" << 1.0 << 1.0 << -3.0;
-        QTest::newRow("viewport of 50 x 50") << "zhangci-viewport-50" << 0.0 << 0.0 << 0.0;
-        QTest::newRow("lower right quarter") << "zhangci-viewport-quarter" << 0.0 << 0.0 << 0.0;
-        QTest::newRow("three projections: the matrix") << "derivation-matrix" << -8.0 << 0.0 << -20.0;
-        QTest::newRow("three projections: gluPerspective") << "derivation-perspective" << -8.0 << 0.0 << -20.0;
-        QTest::newRow("round trip") << "opencascade-round-trip" << 0.0 << 0.0 << 0.0;
-        QTest::newRow("the quad, its middle") << "parallel-orthographic" << 0.0 << 0.0 << -4.0;
-        QTest::newRow("the box, its front") << "parallel-oblique" << 0.0 << 0.0 << -3.0;
+        addColumn<QString>("id");
+        addColumn<double>("x");
+        addColumn<double>("y");
+        addColumn<double>("z");
+        newRow("2-D: (1, 1) of MC is (3, 4)") << "zhangci-2d" << 3.0 << 4.0 << 0.0;
+        newRow("modelview: 3 behind the origin") << "zhangci-model-view" << 1.0 << 1.0 << -3.0;
+        newRow("viewport of 50 x 50") << "zhangci-viewport-50" << 0.0 << 0.0 << 0.0;
+        newRow("lower right quarter") << "zhangci-viewport-quarter" << 0.0 << 0.0 << 0.0;
+        newRow("three projections: the matrix") << "derivation-matrix" << -8.0 << 0.0 << -20.0;
+        newRow("three projections: gluPerspective") << "derivation-perspective" << -8.0 << 0.0 << -20.0;
+        newRow("round trip") << "opencascade-round-trip" << 0.0 << 0.0 << 0.0;
+        newRow("the quad, its middle") << "parallel-orthographic" << 0.0 << 0.0 << -4.0;
+        newRow("the box, its front") << "parallel-oblique" << 0.0 << 0.0 << -3.0;
     }
 
     void aClickReadsThePointOfTheNote()

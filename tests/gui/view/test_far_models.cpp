@@ -213,14 +213,14 @@ private slots:
 
     void millimetresArePicked_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QByteArray>("content");
-        QTest::newRow("OBJ") << "field.obj" << obj();
-        QTest::newRow("PLY") << "field.ply" << plyHead("ascii") + corners() + squares(indexed);
-        QTest::newRow("binary PLY") << "field.ply" << binaryPly();
-        QTest::newRow("OFF") << "field.off" << off();
-        QTest::newRow("STL") << "field.stl" << stl();
-        QTest::newRow("glTF") << "field.gltf" << gltf();
+        addColumn<QString>("name");
+        addColumn<QByteArray>("content");
+        newRow("OBJ") << "field.obj" << obj();
+        newRow("PLY") << "field.ply" << plyHead("ascii") + corners() + squares(indexed);
+        newRow("binary PLY") << "field.ply" << binaryPly();
+        newRow("OFF") << "field.off" << off();
+        newRow("STL") << "field.stl" << stl();
+        newRow("glTF") << "field.gltf" << gltf();
     }
 
     void millimetresArePicked()
@@ -268,11 +268,11 @@ private slots:
 
     void theLargestAndTheSmallestAreDrawnAsOthers_data()
     {
-        QTest::addColumn<float>("size");
-        QTest::addColumn<bool>("isFlat");
+        addColumn<float>("size");
+        addColumn<bool>("isFlat");
         for (const bool isFlat : {false, true}) {
             for (const float size : {1e-29f, 1e-18f, 1e18f, 1e25f, 1e38f})
-                QTest::addRow("%g, %s", double(size), isFlat ? "flat" : "smooth") << size << isFlat;
+                addRow("%g, %s", double(size), isFlat ? "flat" : "smooth") << size << isFlat;
         }
     }
 

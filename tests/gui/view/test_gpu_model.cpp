@@ -45,17 +45,17 @@ private slots:
 
     void aPictureThatIsTooLargeIsScaledDownAndSaid_data()
     {
-        QTest::addColumn<QSize>("size");
-        QTest::addColumn<int>("most");
-        QTest::addColumn<QSize>("uploaded");
+        addColumn<QSize>("size");
+        addColumn<int>("most");
+        addColumn<QSize>("uploaded");
         int driver = 0;
         m_context.functions()->glGetIntegerv(GL_MAX_TEXTURE_SIZE, &driver);
-        QTest::newRow("small enough") << QSize(64, 32) << 64 << QSize(64, 32);
-        QTest::newRow("too wide") << QSize(128, 64) << 64 << QSize(64, 32);
-        QTest::newRow("too high") << QSize(64, 256) << 64 << QSize(16, 64);
-        QTest::newRow("narrow") << QSize(256, 2) << 64 << QSize(64, 1);
-        QTest::newRow("as large as the driver takes") << QSize(driver, 2) << 2 * driver << QSize(driver, 2);
-        QTest::newRow("too wide for the driver") << QSize(driver + 2, 2) << 2 * driver << QSize(driver, 1);
+        newRow("small enough") << QSize(64, 32) << 64 << QSize(64, 32);
+        newRow("too wide") << QSize(128, 64) << 64 << QSize(64, 32);
+        newRow("too high") << QSize(64, 256) << 64 << QSize(16, 64);
+        newRow("narrow") << QSize(256, 2) << 64 << QSize(64, 1);
+        newRow("as large as the driver takes") << QSize(driver, 2) << 2 * driver << QSize(driver, 2);
+        newRow("too wide for the driver") << QSize(driver + 2, 2) << 2 * driver << QSize(driver, 1);
     }
 
     void aPictureThatIsTooLargeIsScaledDownAndSaid()

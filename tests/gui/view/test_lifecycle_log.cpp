@@ -296,11 +296,11 @@ private slots:
 
     void theLifeOfAViewIsLogged_data()
     {
-        QTest::addColumn<int>("kind");
-        QTest::addColumn<QString>("viewport"); // of a window of 400 x 300 device pixels
-        QTest::newRow("whole window") << int(ViewportRule::Kind::WholeWindow) << "glViewport(0, 0, 400, 300)";
+        addColumn<int>("kind");
+        addColumn<QString>("viewport"); // of a window of 400 x 300 device pixels
+        newRow("whole window") << int(ViewportRule::Kind::WholeWindow) << "glViewport(0, 0, 400, 300)";
         // glViewport(width/2, 0, width/2, height/2)
-        QTest::newRow("quarter") << int(ViewportRule::Kind::Quarter) << "glViewport(200, 0, 200, 150)";
+        newRow("quarter") << int(ViewportRule::Kind::Quarter) << "glViewport(200, 0, 200, 150)";
     }
 
     void theLifeOfAViewIsLogged()

@@ -56,21 +56,21 @@ private slots:
 
     void aMeshHasItsColor_data()
     {
-        QTest::addColumn<bool>("isCloud");
-        QTest::addColumn<double>("normal"); // along z; 0: none, the triangles are flat
-        QTest::addColumn<bool>("isColored");
-        QTest::addColumn<bool>("isTextured");
-        QTest::addColumn<bool>("isClipped");
-        QTest::newRow("flat") << false << 0.0 << false << false << false;
-        QTest::newRow("with normals") << false << 1.0 << false << false << false;
-        QTest::newRow("seen from its back") << false << -1.0 << false << false << false;
-        QTest::newRow("coloured") << false << 1.0 << true << false << false;
-        QTest::newRow("textured") << false << 1.0 << false << true << false;
-        QTest::newRow("coloured and textured, flat") << false << 0.0 << true << true << false;
-        QTest::newRow("cut elsewhere") << false << 1.0 << false << false << true;
-        QTest::newRow("cut elsewhere, all of it") << false << 1.0 << true << true << true;
-        QTest::newRow("points") << true << 0.0 << false << false << false;
-        QTest::newRow("coloured points, cut elsewhere") << true << 0.0 << true << false << true;
+        addColumn<bool>("isCloud");
+        addColumn<double>("normal"); // along z; 0: none, the triangles are flat
+        addColumn<bool>("isColored");
+        addColumn<bool>("isTextured");
+        addColumn<bool>("isClipped");
+        newRow("flat") << false << 0.0 << false << false << false;
+        newRow("with normals") << false << 1.0 << false << false << false;
+        newRow("seen from its back") << false << -1.0 << false << false << false;
+        newRow("coloured") << false << 1.0 << true << false << false;
+        newRow("textured") << false << 1.0 << false << true << false;
+        newRow("coloured and textured, flat") << false << 0.0 << true << true << false;
+        newRow("cut elsewhere") << false << 1.0 << false << false << true;
+        newRow("cut elsewhere, all of it") << false << 1.0 << true << true << true;
+        newRow("points") << true << 0.0 << false << false << false;
+        newRow("coloured points, cut elsewhere") << true << 0.0 << true << false << true;
     }
 
     void aMeshHasItsColor()
@@ -133,20 +133,20 @@ private slots:
 
     void backSidesAreLeftOutWhereNobodySeesThem_data()
     {
-        QTest::addColumn<bool>("isClosed");
-        QTest::addColumn<bool>("isSeenFromItsBack");
-        QTest::addColumn<std::vector<TransformStep>>("transform");
-        QTest::addColumn<bool>("isInside");
-        QTest::addColumn<bool>("isClipped");
-        QTest::addColumn<bool>("isDrawn");
+        addColumn<bool>("isClosed");
+        addColumn<bool>("isSeenFromItsBack");
+        addColumn<std::vector<TransformStep>>("transform");
+        addColumn<bool>("isInside");
+        addColumn<bool>("isClipped");
+        addColumn<bool>("isDrawn");
         const std::vector<TransformStep> none, mirror{Scale{{-1.0, 1.0, 1.0}}};
-        QTest::newRow("an open surface from its back") << false << true << none << false << false << true;
-        QTest::newRow("a closed one's front") << true << false << none << false << false << true;
-        QTest::newRow("a closed one's back") << true << true << none << false << false << false;
-        QTest::newRow("a closed one's front in a mirror") << true << false << mirror << false << false << true;
-        QTest::newRow("a closed one's back in a mirror") << true << true << mirror << false << false << false;
-        QTest::newRow("a closed one's back from inside") << true << true << none << true << false << true;
-        QTest::newRow("a closed one's back, cut open") << true << true << none << false << true << true;
+        newRow("an open surface from its back") << false << true << none << false << false << true;
+        newRow("a closed one's front") << true << false << none << false << false << true;
+        newRow("a closed one's back") << true << true << none << false << false << false;
+        newRow("a closed one's front in a mirror") << true << false << mirror << false << false << true;
+        newRow("a closed one's back in a mirror") << true << true << mirror << false << false << false;
+        newRow("a closed one's back from inside") << true << true << none << true << false << true;
+        newRow("a closed one's back, cut open") << true << true << none << false << true << true;
     }
 
     void backSidesAreLeftOutWhereNobodySeesThem()

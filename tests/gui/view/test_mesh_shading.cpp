@@ -186,26 +186,26 @@ private slots:
 
     void depthsAndObjectsStay_data()
     {
-        QTest::addColumn<Objects>("objects");
-        QTest::addColumn<bool>("isClipped");
-        QTest::addColumn<bool>("isSoftware");
-        QTest::addColumn<int>("milliseconds"); // -1: no deadline
+        addColumn<Objects>("objects");
+        addColumn<bool>("isClipped");
+        addColumn<bool>("isSoftware");
+        addColumn<int>("milliseconds"); // -1: no deadline
         const auto smooth = modelOf(examples::sphereMesh(1.0, 3));
         const auto flat = modelOf(soupOf(examples::sphereMesh(1.0, 3)));
         const Objects two{{"one", {}, smooth, {}},
                           {"mirrored", {}, smooth, {Scale{{-0.5, 0.7, 0.9}}, Translate{{0.8, 0.1, 0.2}}}}};
-        QTest::newRow("smooth") << two << false << false << -1;
-        QTest::newRow("clipped") << two << true << false << -1;
-        QTest::newRow("flat") << Objects{{"flat", {}, flat, {}}} << false << false << -1;
-        QTest::newRow("coloured and textured") << Objects{{"rich", {}, richBall(), {}}} << false << false << -1;
+        newRow("smooth") << two << false << false << -1;
+        newRow("clipped") << two << true << false << -1;
+        newRow("flat") << Objects{{"flat", {}, flat, {}}} << false << false << -1;
+        newRow("coloured and textured") << Objects{{"rich", {}, richBall(), {}}} << false << false << -1;
         const Objects fine{{"fine", {}, cubeSphere(90), {}}};
-        QTest::newRow("fine") << fine << false << false << -1;
-        QTest::newRow("fine, without a graphics card") << fine << false << true << -1;
-        QTest::newRow("fine, bit by bit") << fine << true << true << 2;
+        newRow("fine") << fine << false << false << -1;
+        newRow("fine, without a graphics card") << fine << false << true << -1;
+        newRow("fine, bit by bit") << fine << true << true << 2;
         Mesh cloud;
         cloud.kind = Mesh::Kind::Points;
         cloud.positions = examples::sphereMesh(1.0, 4).positions;
-        QTest::newRow("with points") << Objects{{"points", {}, modelOf(cloud), {}}, two[1]} << false << false << -1;
+        newRow("with points") << Objects{{"points", {}, modelOf(cloud), {}}, two[1]} << false << false << -1;
     }
 
     void depthsAndObjectsStay()
@@ -254,13 +254,13 @@ private slots:
 
     void ridgesAreLightAndValleysDark_data()
     {
-        QTest::addColumn<std::vector<TransformStep>>("transform");
-        QTest::addColumn<bool>("isFromBehind");
+        addColumn<std::vector<TransformStep>>("transform");
+        addColumn<bool>("isFromBehind");
         const std::vector<TransformStep> none, mirror{Scale{{-1.0, 1.0, 1.0}}};
-        QTest::newRow("from in front") << none << false;
-        QTest::newRow("from behind") << none << true;
-        QTest::newRow("mirrored") << mirror << false;
-        QTest::newRow("mirrored, from behind") << mirror << true;
+        newRow("from in front") << none << false;
+        newRow("from behind") << none << true;
+        newRow("mirrored") << mirror << false;
+        newRow("mirrored, from behind") << mirror << true;
     }
 
     void ridgesAreLightAndValleysDark()
@@ -338,14 +338,14 @@ private slots:
 
     void edgesAreLinesOnTheSurface_data()
     {
-        QTest::addColumn<std::shared_ptr<Model>>("model");
-        QTest::addColumn<glm::dvec3>("place");
-        QTest::newRow("with vertex numbers") << modelOf(square(1)) << glm::dvec3(0.0);
-        QTest::newRow("soup") << modelOf(soupOf(square(1))) << glm::dvec3(0.0);
+        addColumn<std::shared_ptr<Model>>("model");
+        addColumn<glm::dvec3>("place");
+        newRow("with vertex numbers") << modelOf(square(1)) << glm::dvec3(0.0);
+        newRow("soup") << modelOf(soupOf(square(1))) << glm::dvec3(0.0);
         Mesh distant = square(1);
         const glm::dvec3 place(4e6, 5e5, 300.0);
         distant.origin = place;
-        QTest::newRow("elsewhere") << modelOf(distant) << place;
+        newRow("elsewhere") << modelOf(distant) << place;
     }
 
     void edgesAreLinesOnTheSurface()

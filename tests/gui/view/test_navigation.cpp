@@ -69,12 +69,12 @@ private slots:
 
     void aDragLeavesThePickAlone_data()
     {
-        QTest::addColumn<bool>("fromSurface");
-        QTest::addColumn<bool>("hasFormer");
-        QTest::newRow("on the surface, nothing picked") << true << false;
-        QTest::newRow("on the surface, another point picked") << true << true;
-        QTest::newRow("on the background, nothing picked") << false << false;
-        QTest::newRow("on the background, a point picked") << false << true;
+        addColumn<bool>("fromSurface");
+        addColumn<bool>("hasFormer");
+        newRow("on the surface, nothing picked") << true << false;
+        newRow("on the surface, another point picked") << true << true;
+        newRow("on the background, nothing picked") << false << false;
+        newRow("on the background, a point picked") << false << true;
     }
 
     void aDragLeavesThePickAlone()
@@ -162,11 +162,11 @@ private slots:
 
     void aSecondButtonStartsNoOtherDrag_data()
     {
-        QTest::addColumn<int>("first");
-        QTest::addColumn<int>("second");
-        QTest::addColumn<bool>("turns");
-        QTest::newRow("middle while turning") << int(Qt::LeftButton) << int(Qt::MiddleButton) << true;
-        QTest::newRow("left while moving") << int(Qt::MiddleButton) << int(Qt::LeftButton) << false;
+        addColumn<int>("first");
+        addColumn<int>("second");
+        addColumn<bool>("turns");
+        newRow("middle while turning") << int(Qt::LeftButton) << int(Qt::MiddleButton) << true;
+        newRow("left while moving") << int(Qt::MiddleButton) << int(Qt::LeftButton) << false;
     }
 
     void aSecondButtonStartsNoOtherDrag()
@@ -206,9 +206,9 @@ private slots:
 
     void aHandThatReadsNothingGoesByTheCentre_data()
     {
-        QTest::addColumn<int>("button");
-        QTest::newRow("turning") << int(Qt::LeftButton);
-        QTest::newRow("moving") << int(Qt::MiddleButton);
+        addColumn<int>("button");
+        newRow("turning") << int(Qt::LeftButton);
+        newRow("moving") << int(Qt::MiddleButton);
     }
 
     void aHandThatReadsNothingGoesByTheCentre()
@@ -234,14 +234,13 @@ private slots:
 
     void panningKeepsThePointUnderThePointer_data()
     {
-        QTest::addColumn<bool>("isOrtho");
-        QTest::addColumn<int>("button");
-        QTest::addColumn<int>("modifiers");
+        addColumn<bool>("isOrtho");
+        addColumn<int>("button");
+        addColumn<int>("modifiers");
         for (const bool isOrtho : {false, true}) {
             const char *projection = isOrtho ? "orthographic" : "perspective";
-            QTest::addRow("middle button, %s", projection) << isOrtho << int(Qt::MiddleButton) << int(Qt::NoModifier);
-            QTest::addRow("shift and left button, %s", projection)
-                << isOrtho << int(Qt::LeftButton) << int(Qt::ShiftModifier);
+            addRow("middle button, %s", projection) << isOrtho << int(Qt::MiddleButton) << int(Qt::NoModifier);
+            addRow("shift and left button, %s", projection) << isOrtho << int(Qt::LeftButton) << int(Qt::ShiftModifier);
         }
     }
 

@@ -73,11 +73,11 @@ private slots:
 
     void whatIsOnlyDrawnIsNeverPicked_data()
     {
-        QTest::addColumn<bool>("isOrtho");
-        QTest::addColumn<bool>("smooth");
-        QTest::newRow("perspective") << false << false;
-        QTest::newRow("orthographic") << true << false;
-        QTest::newRow("perspective, smooth edges") << false << true;
+        addColumn<bool>("isOrtho");
+        addColumn<bool>("smooth");
+        newRow("perspective") << false << false;
+        newRow("orthographic") << true << false;
+        newRow("perspective, smooth edges") << false << true;
     }
 
     void whatIsOnlyDrawnIsNeverPicked()
@@ -134,13 +134,13 @@ private slots:
 
     void theAxesInTheCornerLeaveTheViewportToTheScene_data()
     {
-        QTest::addColumn<QRect>("viewport"); // y from the bottom; empty: the whole window
-        QTest::addColumn<int>("side");       // logical pixels; 0: hidden
-        QTest::newRow("the whole window") << QRect() << 84;
-        QTest::newRow("a large viewport") << QRect(30, 20, 400, 360) << 84;
-        QTest::newRow("a smaller one: smaller axes") << QRect(120, 100, 220, 200) << 50;
-        QTest::newRow("50 x 50: none") << QRect(60, 70, 50, 50) << 0;
-        QTest::newRow("long and low: none") << QRect(10, 10, 450, 120) << 0;
+        addColumn<QRect>("viewport"); // y from the bottom; empty: the whole window
+        addColumn<int>("side");       // logical pixels; 0: hidden
+        newRow("the whole window") << QRect() << 84;
+        newRow("a large viewport") << QRect(30, 20, 400, 360) << 84;
+        newRow("a smaller one: smaller axes") << QRect(120, 100, 220, 200) << 50;
+        newRow("50 x 50: none") << QRect(60, 70, 50, 50) << 0;
+        newRow("long and low: none") << QRect(10, 10, 450, 120) << 0;
     }
 
     void theAxesInTheCornerLeaveTheViewportToTheScene()

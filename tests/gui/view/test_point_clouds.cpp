@@ -49,15 +49,15 @@ private slots:
 
     void aPointIsADot_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QByteArray>("content");
-        QTest::addColumn<bool>("isOrtho");
+        addColumn<QString>("name");
+        addColumn<QByteArray>("content");
+        addColumn<bool>("isOrtho");
         const QByteArray ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
                                "property double z\nend_header\n"
                                + lines("");
-        QTest::newRow("PLY") << "cloud.ply" << ply << false;
-        QTest::newRow("PLY, orthographic") << "cloud.ply" << ply << true;
-        QTest::newRow("OBJ") << "cloud.obj" << lines("v ") << false;
+        newRow("PLY") << "cloud.ply" << ply << false;
+        newRow("PLY, orthographic") << "cloud.ply" << ply << true;
+        newRow("OBJ") << "cloud.obj" << lines("v ") << false;
     }
 
     void aPointIsADot()
@@ -126,12 +126,12 @@ private slots:
 
     void theDotGrowsWithThePixelRatio_data()
     {
-        QTest::addColumn<double>("ratio");
-        QTest::addColumn<double>("pixels");
-        QTest::newRow("smaller than 1") << 0.5 << 3.0;
-        QTest::newRow("1") << 1.0 << 3.0;
-        QTest::newRow("1.25") << 1.25 << 4.0;
-        QTest::newRow("2") << 2.0 << 6.0;
+        addColumn<double>("ratio");
+        addColumn<double>("pixels");
+        newRow("smaller than 1") << 0.5 << 3.0;
+        newRow("1") << 1.0 << 3.0;
+        newRow("1.25") << 1.25 << 4.0;
+        newRow("2") << 2.0 << 6.0;
     }
 
     void theDotGrowsWithThePixelRatio()

@@ -105,19 +105,19 @@ private slots:
 
     void aClickOnAFaceGivesItsPlane_data()
     {
-        QTest::addColumn<bool>("smooth");
-        QTest::addColumn<QString>("projection");
-        QTest::addColumn<double>("atNear");
-        QTest::addColumn<double>("atFar");
+        addColumn<bool>("smooth");
+        addColumn<QString>("projection");
+        addColumn<double>("atNear");
+        addColumn<double>("atFar");
         for (const bool smooth : {false, true}) {
             for (const char *projection : {"frustum", "frustum, off-centre", "ortho", "oblique"})
-                QTest::addRow("%s%s", projection, smooth ? ", smooth edges" : "")
+                addRow("%s%s", projection, smooth ? ", smooth edges" : "")
                     << smooth << QString::fromLatin1(projection) << 0.0 << 1.0;
         }
-        QTest::newRow("frustum, depths reversed") << false << "frustum" << 1.0 << 0.0;
-        QTest::newRow("frustum, off-centre, the front of the depths") << false << "frustum, off-centre" << 0.0 << 0.65;
-        QTest::newRow("ortho, the middle of the depths") << false << "ortho" << 0.2 << 0.9;
-        QTest::newRow("oblique, depths reversed") << false << "oblique" << 1.0 << 0.0;
+        newRow("frustum, depths reversed") << false << "frustum" << 1.0 << 0.0;
+        newRow("frustum, off-centre, the front of the depths") << false << "frustum, off-centre" << 0.0 << 0.65;
+        newRow("ortho, the middle of the depths") << false << "ortho" << 0.2 << 0.9;
+        newRow("oblique, depths reversed") << false << "oblique" << 1.0 << 0.0;
     }
 
     void aClickOnAFaceGivesItsPlane()
@@ -147,13 +147,13 @@ private slots:
 
     void depthIsReadInTheRowAndColumnClicked_data()
     {
-        QTest::addColumn<bool>("smooth");
-        QTest::addColumn<glm::dvec3>("steep");
-        QTest::addColumn<glm::dvec3>("level");
+        addColumn<bool>("smooth");
+        addColumn<glm::dvec3>("steep");
+        addColumn<glm::dvec3>("level");
         for (const bool smooth : {false, true}) {
-            QTest::addRow("from row to row%s", smooth ? ", smooth edges" : "")
+            addRow("from row to row%s", smooth ? ", smooth edges" : "")
                 << smooth << glm::dvec3(0.0, 8.0, 9.0) << glm::dvec3(12.0, 0.0, 0.0);
-            QTest::addRow("from column to column%s", smooth ? ", smooth edges" : "")
+            addRow("from column to column%s", smooth ? ", smooth edges" : "")
                 << smooth << glm::dvec3(10.0, 0.0, 9.0) << glm::dvec3(0.0, 12.0, 0.0);
         }
     }

@@ -68,13 +68,13 @@ private slots:
 
     void keysLookFromTheSides_data()
     {
-        QTest::addColumn<int>("key");
-        QTest::addColumn<int>("modifiers");
-        QTest::addColumn<glm::dvec3>("forward");
-        QTest::addColumn<QString>("face");
+        addColumn<int>("key");
+        addColumn<int>("modifiers");
+        addColumn<glm::dvec3>("forward");
+        addColumn<QString>("face");
         const auto row = [](const char *name, Qt::Key key, Qt::KeyboardModifiers modifiers, const glm::dvec3 &forward,
                             const char *face) {
-            QTest::newRow(name) << int(key) << int(modifiers) << forward << QString::fromLatin1(face);
+            newRow(name) << int(key) << int(modifiers) << forward << QString::fromLatin1(face);
         };
         row("1: front", Qt::Key_1, Qt::NoModifier, {0.0, 0.0, -1.0}, "+z, blue");
         row("ctrl 1: back", Qt::Key_1, Qt::ControlModifier, {0.0, 0.0, 1.0}, "-z, yellow");
@@ -194,16 +194,16 @@ private slots:
 
     void plusAndMinusZoomToTheCrosshair_data()
     {
-        QTest::addColumn<int>("key");
-        QTest::addColumn<int>("modifiers");
-        QTest::addColumn<double>("factor");
-        QTest::newRow("plus") << int(Qt::Key_Plus) << int(Qt::NoModifier) << 1.2;
-        QTest::newRow("plus, on Shift") << int(Qt::Key_Plus) << int(Qt::ShiftModifier) << 1.2;
-        QTest::newRow("plus, of the number pad") << int(Qt::Key_Plus) << int(Qt::KeypadModifier) << 1.2;
-        QTest::newRow("equal, where plus is") << int(Qt::Key_Equal) << int(Qt::NoModifier) << 1.2;
-        QTest::newRow("page up") << int(Qt::Key_PageUp) << int(Qt::NoModifier) << 1.2;
-        QTest::newRow("minus") << int(Qt::Key_Minus) << int(Qt::NoModifier) << 1.0 / 1.2;
-        QTest::newRow("page down") << int(Qt::Key_PageDown) << int(Qt::NoModifier) << 1.0 / 1.2;
+        addColumn<int>("key");
+        addColumn<int>("modifiers");
+        addColumn<double>("factor");
+        newRow("plus") << int(Qt::Key_Plus) << int(Qt::NoModifier) << 1.2;
+        newRow("plus, on Shift") << int(Qt::Key_Plus) << int(Qt::ShiftModifier) << 1.2;
+        newRow("plus, of the number pad") << int(Qt::Key_Plus) << int(Qt::KeypadModifier) << 1.2;
+        newRow("equal, where plus is") << int(Qt::Key_Equal) << int(Qt::NoModifier) << 1.2;
+        newRow("page up") << int(Qt::Key_PageUp) << int(Qt::NoModifier) << 1.2;
+        newRow("minus") << int(Qt::Key_Minus) << int(Qt::NoModifier) << 1.0 / 1.2;
+        newRow("page down") << int(Qt::Key_PageDown) << int(Qt::NoModifier) << 1.0 / 1.2;
     }
 
     void plusAndMinusZoomToTheCrosshair()
@@ -376,12 +376,12 @@ private slots:
 private:
     static void addArrows()
     {
-        QTest::addColumn<int>("key");
-        QTest::addColumn<QPoint>("way");
-        QTest::newRow("left") << int(Qt::Key_Left) << QPoint(-1, 0);
-        QTest::newRow("right") << int(Qt::Key_Right) << QPoint(1, 0);
-        QTest::newRow("up") << int(Qt::Key_Up) << QPoint(0, -1);
-        QTest::newRow("down") << int(Qt::Key_Down) << QPoint(0, 1);
+        addColumn<int>("key");
+        addColumn<QPoint>("way");
+        newRow("left") << int(Qt::Key_Left) << QPoint(-1, 0);
+        newRow("right") << int(Qt::Key_Right) << QPoint(1, 0);
+        newRow("up") << int(Qt::Key_Up) << QPoint(0, -1);
+        newRow("down") << int(Qt::Key_Down) << QPoint(0, 1);
     }
 };
 

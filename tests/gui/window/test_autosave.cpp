@@ -149,16 +149,16 @@ private slots:
 
     void theReasonIsTold_data()
     {
-        QTest::addColumn<QString>("folder");
-        QTest::addColumn<bool>("isInTheWay"); // a folder of the recovery file's name
-        QTest::addColumn<QString>("problem"); // of the scene
-        QTest::addColumn<QString>("reason");
-        QTest::newRow("below a file") << "scene.json/recovery" << false << ""
-                                      << "scene.json/recovery: ";
-        QTest::newRow("a folder in its place") << "recovery" << true << ""
-                                               << "recovery: ";
-        QTest::newRow("no words for the scene") << "recovery" << false << "the scene: too large"
-                                                << "the scene: too large";
+        addColumn<QString>("folder");
+        addColumn<bool>("isInTheWay"); // a folder of the recovery file's name
+        addColumn<QString>("problem"); // of the scene
+        addColumn<QString>("reason");
+        newRow("below a file") << "scene.json/recovery" << false << ""
+                               << "scene.json/recovery: ";
+        newRow("a folder in its place") << "recovery" << true << ""
+                                        << "recovery: ";
+        newRow("no words for the scene") << "recovery" << false << "the scene: too large"
+                                         << "the scene: too large";
     }
 
     void theReasonIsTold()

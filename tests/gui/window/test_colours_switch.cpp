@@ -100,11 +100,11 @@ private slots:
 
     void itIsAsAfterAFreshStart_data()
     {
-        QTest::addColumn<Appearance>("from");
-        QTest::addColumn<QString>("to");
-        QTest::newRow("dark to light") << Appearance::Dark << QStringLiteral("Light");
-        QTest::newRow("light to dark") << Appearance::Light << QStringLiteral("Dark");
-        QTest::newRow("dark to the system's") << Appearance::Dark << QStringLiteral("System");
+        addColumn<Appearance>("from");
+        addColumn<QString>("to");
+        newRow("dark to light") << Appearance::Dark << QStringLiteral("Light");
+        newRow("light to dark") << Appearance::Light << QStringLiteral("Dark");
+        newRow("dark to the system's") << Appearance::Dark << QStringLiteral("System");
     }
 
     void itIsAsAfterAFreshStart()

@@ -127,9 +127,9 @@ private slots:
 
     void atTheViewsSizeThePictureIsTheViews_data()
     {
-        QTest::addColumn<bool>("smooth");
-        QTest::newRow("edges as they are drawn") << false;
-        QTest::newRow("smooth edges") << true;
+        addColumn<bool>("smooth");
+        newRow("edges as they are drawn") << false;
+        newRow("smooth edges") << true;
     }
 
     void atTheViewsSizeThePictureIsTheViews()
@@ -181,11 +181,11 @@ private slots:
 
     void marksAreLeftOut_data()
     {
-        QTest::addColumn<bool PictureMarks::*>("mark");
-        QTest::newRow("the pick") << &PictureMarks::pick;
-        QTest::newRow("landmarks") << &PictureMarks::landmarks;
-        QTest::newRow("the ground") << &PictureMarks::grid;
-        QTest::newRow("axes") << &PictureMarks::axes;
+        addColumn<bool PictureMarks::*>("mark");
+        newRow("the pick") << &PictureMarks::pick;
+        newRow("landmarks") << &PictureMarks::landmarks;
+        newRow("the ground") << &PictureMarks::grid;
+        newRow("axes") << &PictureMarks::axes;
     }
 
     void marksAreLeftOut()

@@ -103,11 +103,11 @@ private slots:
 
     void aFieldKeepsTheFocusUntilEnter_data()
     {
-        QTest::addColumn<Qt::Key>("key");
-        QTest::addColumn<int>("placing");
-        QTest::newRow("Enter") << Qt::Key_Return << 3;
-        QTest::newRow("Enter of the keypad") << Qt::Key_Enter << 3;
-        QTest::newRow("Esc") << Qt::Key_Escape << -1;
+        addColumn<Qt::Key>("key");
+        addColumn<int>("placing");
+        newRow("Enter") << Qt::Key_Return << 3;
+        newRow("Enter of the keypad") << Qt::Key_Enter << 3;
+        newRow("Esc") << Qt::Key_Escape << -1;
     }
 
     void aFieldKeepsTheFocusUntilEnter()

@@ -32,9 +32,9 @@ private slots:
 
     void whatWasSealedComesBack_data()
     {
-        QTest::addColumn<QByteArray>("bytes");
-        QTest::newRow("a layout") << QByteArray("\0\0\0\xFFlayout", 10);
-        QTest::newRow("one byte") << QByteArray("x");
+        addColumn<QByteArray>("bytes");
+        newRow("a layout") << QByteArray("\0\0\0\xFFlayout", 10);
+        newRow("one byte") << QByteArray("x");
     }
 
     void whatWasSealedComesBack()
@@ -46,8 +46,8 @@ private slots:
 
     void nothingElseDoes_data()
     {
-        QTest::addColumn<Damage>("damage");
-        const auto row = [](const char *name, const Damage &damage) { QTest::newRow(name) << damage; };
+        addColumn<Damage>("damage");
+        const auto row = [](const char *name, const Damage &damage) { newRow(name) << damage; };
         row("cut off", [](const QByteArray &kept) { return kept.chopped(1); });
         row("half of it", [](const QByteArray &kept) { return kept.left(kept.size() / 2); });
         row("shorter than its check sum", [](const QByteArray &kept) { return kept.left(7); });

@@ -225,11 +225,11 @@ private slots:
 
     void everythingFits_data()
     {
-        QTest::addColumn<int>("points");
-        QTest::addColumn<QString>("language");
+        addColumn<int>("points");
+        addColumn<QString>("language");
         for (const int points : {9, 11, 13}) {
             for (const QString &language : {QStringLiteral("en"), QStringLiteral("zh_CN")})
-                QTest::addRow("%d pt, %s", points, qPrintable(language)) << points << language;
+                addRow("%d pt, %s", points, qPrintable(language)) << points << language;
         }
     }
 

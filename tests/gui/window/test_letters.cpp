@@ -112,9 +112,9 @@ private slots:
 
     void eachIsAtItsOwn_data()
     {
-        QTest::addColumn<QString>("lesson");
+        addColumn<QString>("lesson");
         for (const char *lesson : {"first", "weng", "pipeline", "parallel", "rows", "derivation"})
-            QTest::newRow(lesson) << QString::fromLatin1(lesson);
+            newRow(lesson) << QString::fromLatin1(lesson);
     }
 
     void eachIsAtItsOwn()

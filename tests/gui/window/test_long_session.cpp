@@ -56,9 +56,9 @@ class TestLongSession : public QObject {
 private slots:
     void memoryStopsGrowing_data()
     {
-        QTest::addColumn<bool>("isReopening");
-        QTest::newRow("one file") << false; // all that was done can be undone
-        QTest::newRow("files in turn") << true;
+        addColumn<bool>("isReopening");
+        newRow("one file") << false; // all that was done can be undone
+        newRow("files in turn") << true;
     }
 
     void memoryStopsGrowing()

@@ -176,9 +176,9 @@ private slots:
 
     void narrowingAndWideningBringsTheOldLayoutBack_data()
     {
-        QTest::addColumn<QString>("place");
-        QTest::newRow("click") << QStringLiteral("click");
-        QTest::newRow("pipeline") << QStringLiteral("pipeline");
+        addColumn<QString>("place");
+        newRow("click") << QStringLiteral("click");
+        newRow("pipeline") << QStringLiteral("pipeline");
     }
 
     void narrowingAndWideningBringsTheOldLayoutBack()

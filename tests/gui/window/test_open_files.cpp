@@ -183,36 +183,36 @@ private slots:
 
     void aBrokenFileChangesNothing_data()
     {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QByteArray>("content");
-        QTest::addColumn<QString>("reason");
+        addColumn<QString>("name");
+        addColumn<QByteArray>("content");
+        addColumn<QString>("reason");
 
         QByteArray truncated(80, ' ');
         truncated +=
             QByteArray::fromHex("0a000000") + QByteArray(120, '\0'); // ten triangles announced, two and a bit there
-        QTest::newRow("truncated binary STL") << "cut.stl" << truncated << "damaged";
-        QTest::newRow("truncated ASCII STL") << "cut_text.stl" << triangleStl(3).left(150) << "damaged";
-        QTest::newRow("OBJ face without such a vertex")
+        newRow("truncated binary STL") << "cut.stl" << truncated << "damaged";
+        newRow("truncated ASCII STL") << "cut_text.stl" << triangleStl(3).left(150) << "damaged";
+        newRow("OBJ face without such a vertex")
             << "index.obj" << QByteArray("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 7\n") << "7";
-        QTest::newRow("empty file") << "empty.ply" << QByteArray() << "empty";
-        QTest::newRow("PLY without triangles") << "none.ply"
-                                               << QByteArray("ply\nformat ascii 1.0\nelement vertex 0\nproperty float "
-                                                             "x\nproperty float y\nproperty float z\nelement face 0\n"
-                                                             "property list uchar int vertex_indices\nend_header\n")
-                                               << "neither triangles nor points";
-        QTest::newRow("NaN vertex")
+        newRow("empty file") << "empty.ply" << QByteArray() << "empty";
+        newRow("PLY without triangles") << "none.ply"
+                                        << QByteArray("ply\nformat ascii 1.0\nelement vertex 0\nproperty float "
+                                                      "x\nproperty float y\nproperty float z\nelement face 0\n"
+                                                      "property list uchar int vertex_indices\nend_header\n")
+                                        << "neither triangles nor points";
+        newRow("NaN vertex")
             << "nan.ply"
             << QByteArray("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
                           "z\nelement face 1\n"
                           "property list uchar int vertex_indices\nend_header\n0 0 0\nnan 0 0\n0 1 0\n3 0 1 2\n")
             << "vertex 1 is NaN, infinite, or beyond 3.4e38";
-        QTest::newRow("unknown suffix") << "notes.doc" << QByteArray("words\n") << "OBJ, STL, PLY, OFF, glTF or GLB";
-        QTest::newRow("a text, not of landmarks") << "notes.txt" << QByteArray("words\n") << "there is no column x";
-        QTest::newRow("no suffix") << "model" << QByteArray("words\n") << "OBJ, STL, PLY, OFF, glTF or GLB";
-        QTest::newRow("words in an OFF") << "words.off" << QByteArray("not a model at all\n") << "damaged";
-        QTest::newRow("words in a GLB") << "words.glb" << QByteArray("not a model at all\n") << "damaged";
-        QTest::newRow("missing file") << "missing.obj" << QByteArray("(none)") << "no such file";
-        QTest::newRow("folder") << "folder.obj" << QByteArray("(folder)") << "folder";
+        newRow("unknown suffix") << "notes.doc" << QByteArray("words\n") << "OBJ, STL, PLY, OFF, glTF or GLB";
+        newRow("a text, not of landmarks") << "notes.txt" << QByteArray("words\n") << "there is no column x";
+        newRow("no suffix") << "model" << QByteArray("words\n") << "OBJ, STL, PLY, OFF, glTF or GLB";
+        newRow("words in an OFF") << "words.off" << QByteArray("not a model at all\n") << "damaged";
+        newRow("words in a GLB") << "words.glb" << QByteArray("not a model at all\n") << "damaged";
+        newRow("missing file") << "missing.obj" << QByteArray("(none)") << "no such file";
+        newRow("folder") << "folder.obj" << QByteArray("(folder)") << "folder";
     }
 
     void aBrokenFileChangesNothing()
@@ -254,9 +254,9 @@ private slots:
 
     void cancelEndsLoadingAndChangesNothing_data()
     {
-        QTest::addColumn<bool>("isByKey");
-        QTest::newRow("its button") << false;
-        QTest::newRow("Esc") << true;
+        addColumn<bool>("isByKey");
+        newRow("its button") << false;
+        newRow("Esc") << true;
     }
 
     void cancelEndsLoadingAndChangesNothing()

@@ -99,12 +99,12 @@ private slots:
 
     void theKeyOpensThePageOfThePanelWithTheFocus_data()
     {
-        QTest::addColumn<Workspace>("workspace");
-        QTest::addColumn<QString>("focused");
-        QTest::addColumn<Panel>("panel");
-        QTest::newRow("a field") << Workspace::Pipeline << "parameters" << Panel::Parameters;
-        QTest::newRow("the view in Pipeline") << Workspace::Pipeline << QString() << Panel::Pipeline;
-        QTest::newRow("the view in Click") << Workspace::Click << QString() << Panel::Comparison;
+        addColumn<Workspace>("workspace");
+        addColumn<QString>("focused");
+        addColumn<Panel>("panel");
+        newRow("a field") << Workspace::Pipeline << "parameters" << Panel::Parameters;
+        newRow("the view in Pipeline") << Workspace::Pipeline << QString() << Panel::Pipeline;
+        newRow("the view in Click") << Workspace::Click << QString() << Panel::Comparison;
     }
 
     void theKeyOpensThePageOfThePanelWithTheFocus()

@@ -43,11 +43,11 @@ class TestPictureNote : public QObject {
 private slots:
     void anEmptyPictureSaysWhy_data()
     {
-        QTest::addColumn<Projection>("projection");
-        QTest::addColumn<bool>("isHidden");
-        QTest::addColumn<QString>("said"); // nothing: no note
+        addColumn<Projection>("projection");
+        addColumn<bool>("isHidden");
+        addColumn<QString>("said"); // nothing: no note
         const auto row = [](const char *name, const Projection &projection, const char *said, bool isHidden = false) {
-            QTest::newRow(name) << projection << isHidden << QString::fromLatin1(said);
+            newRow(name) << projection << isHidden << QString::fromLatin1(said);
         };
         const auto ortho = [](double n, double f) { return Projection(Ortho{-3, 3, -2, 2, n, f}); };
         const auto perspective = [](double n, double f) { return Projection(Perspective{0.8, 1.3, n, f}); };
@@ -81,15 +81,15 @@ private slots:
 
     void aViewportOutsideTheWindowIsSaid_data()
     {
-        QTest::addColumn<Viewport>("viewport"); // of a window of 400 x 300 pixels
-        QTest::addColumn<bool>("isSaid");
-        QTest::newRow("right of it") << Viewport{400, 0, 100, 100} << true;
-        QTest::newRow("the last column in it") << Viewport{399, 0, 100, 100} << false;
-        QTest::newRow("left of it") << Viewport{-100, 0, 100, 100} << true;
-        QTest::newRow("the first column in it") << Viewport{-99, 0, 100, 100} << false;
-        QTest::newRow("above it") << Viewport{0, 300, 100, 100} << true;
-        QTest::newRow("below it") << Viewport{0, -100, 100, 100} << true;
-        QTest::newRow("larger than it") << Viewport{-100, -100, 1000, 1000} << false;
+        addColumn<Viewport>("viewport"); // of a window of 400 x 300 pixels
+        addColumn<bool>("isSaid");
+        newRow("right of it") << Viewport{400, 0, 100, 100} << true;
+        newRow("the last column in it") << Viewport{399, 0, 100, 100} << false;
+        newRow("left of it") << Viewport{-100, 0, 100, 100} << true;
+        newRow("the first column in it") << Viewport{-99, 0, 100, 100} << false;
+        newRow("above it") << Viewport{0, 300, 100, 100} << true;
+        newRow("below it") << Viewport{0, -100, 100, 100} << true;
+        newRow("larger than it") << Viewport{-100, -100, 1000, 1000} << false;
     }
 
     void aViewportOutsideTheWindowIsSaid()

@@ -325,19 +325,19 @@ private slots:
 
     void aDamagedFileIsPutAside_data()
     {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<bool>("isOffered"); // its first line is good: that the rest is not shows when it is opened
+        addColumn<QByteArray>("text");
+        addColumn<bool>("isOffered"); // its first line is good: that the rest is not shows when it is opened
         const QByteArray head = R"({"unprojectorRecovery": 1, "name": "n", "time": "2024-01-01T00:00:00.000Z")";
-        QTest::newRow("empty") << QByteArray() << false;
-        QTest::newRow("zeros") << QByteArray(4096, '\0') << false;
-        QTest::newRow("cut off in the first line") << head.left(40) << false;
-        QTest::newRow("without its first line") << kScene << false;
-        QTest::newRow("of another version") << QByteArray(head).replace("1,", "2,") + "}\n" + kScene << false;
-        QTest::newRow("of no time") << QByteArray(head).replace("2024-01", "2024-13") + "}\n" + kScene << false;
-        QTest::newRow("of a relative scene file") << head + R"(, "sceneFile": "scene.json"})" + "\n" + kScene << false;
-        QTest::newRow("a first line without end") << QByteArray(2 << 20, ' ') << false;
-        QTest::newRow("no scene") << head + "}\n" << true;
-        QTest::newRow("cut off in the scene") << head + "}\n" + kScene.left(200) << true;
+        newRow("empty") << QByteArray() << false;
+        newRow("zeros") << QByteArray(4096, '\0') << false;
+        newRow("cut off in the first line") << head.left(40) << false;
+        newRow("without its first line") << kScene << false;
+        newRow("of another version") << QByteArray(head).replace("1,", "2,") + "}\n" + kScene << false;
+        newRow("of no time") << QByteArray(head).replace("2024-01", "2024-13") + "}\n" + kScene << false;
+        newRow("of a relative scene file") << head + R"(, "sceneFile": "scene.json"})" + "\n" + kScene << false;
+        newRow("a first line without end") << QByteArray(2 << 20, ' ') << false;
+        newRow("no scene") << head + "}\n" << true;
+        newRow("cut off in the scene") << head + "}\n" + kScene.left(200) << true;
     }
 
     void aDamagedFileIsPutAside()

@@ -161,19 +161,17 @@ private slots:
             R"({"unprojector": 1, "window": {"width": 300, "height": 200}, "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]}, )";
         const QByteArray ortho =
             R"("projection": {"type": "ortho", "left": -3, "right": 3, "bottom": -2, "top": 2, "near": 1, "far": 9})";
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QString>("named");
-        QTest::newRow("cut off") << head << "bad.json";
-        QTest::newRow("near is 0")
+        addColumn<QByteArray>("text");
+        addColumn<QString>("named");
+        newRow("cut off") << head << "bad.json";
+        newRow("near is 0")
             << head
                    + R"("projection": {"type": "frustum", "left": -1, "right": 1, "bottom": -1, "top": 1, "near": 0, "far": 9}})"
             << "projection.near";
-        QTest::newRow("a model that is not there")
-            << head + ortho + R"(, "objects": [{"name": "a", "file": "nowhere.obj"}]})"
-            << "nowhere.obj";
-        QTest::newRow("an unknown bundled model")
-            << head + ortho + R"(, "objects": [{"name": "a", "bundled": "Nessie"}]})"
-            << "Nessie";
+        newRow("a model that is not there") << head + ortho + R"(, "objects": [{"name": "a", "file": "nowhere.obj"}]})"
+                                            << "nowhere.obj";
+        newRow("an unknown bundled model") << head + ortho + R"(, "objects": [{"name": "a", "bundled": "Nessie"}]})"
+                                           << "Nessie";
     }
 
     void aSceneThatCannotBeOpenedChangesNothing()

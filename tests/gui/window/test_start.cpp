@@ -69,10 +69,10 @@ private slots:
 
     void bothRunsStartTheSameWay_data()
     {
-        QTest::addColumn<QStringList>("words");
-        QTest::addColumn<QStringList>("state"); // its beginning
+        addColumn<QStringList>("words");
+        addColumn<QStringList>("state"); // its beginning
         const auto row = [](const char *name, const QStringList &words, const QStringList &state) {
-            QTest::newRow(name) << words << state;
+            newRow(name) << words << state;
         };
         row("a size", {"--size", "1000x700"}, {"Bundled scene", "click", "with panels", "smooth", "no lesson"});
         row("looks", {"--size", "1000x700", "--place", "pipeline", "--no-panels", "--smooth-edges", "off"},

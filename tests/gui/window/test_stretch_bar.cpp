@@ -53,11 +53,11 @@ class TestStretchBar : public QObject {
 private slots:
     void itSaysBothAspects_data()
     {
-        QTest::addColumn<Projection>("projection");
-        QTest::addColumn<bool>("follows");
-        QTest::addColumn<QString>("said"); // nothing: no bar
+        addColumn<Projection>("projection");
+        addColumn<bool>("follows");
+        addColumn<QString>("said"); // nothing: no bar
         const auto row = [](const char *name, const Projection &projection, const char *said, bool follows = false) {
-            QTest::newRow(name) << projection << follows << QString::fromLatin1(said);
+            newRow(name) << projection << follows << QString::fromLatin1(said);
         };
         row("4 : 3 is wider", wide(4.0 / 3.0), "Projection 4 : 3, viewport 1.11 : 1: the view is stretched.");
         row("3 : 4 is higher", wide(0.75), "Projection 3 : 4, viewport 1.11 : 1: the view is stretched.");

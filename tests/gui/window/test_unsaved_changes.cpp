@@ -111,9 +111,9 @@ private slots:
 
     void onlyWorkIsAskedAbout_data()
     {
-        QTest::addColumn<Act>("deed");
-        QTest::addColumn<Kind>("kind");
-        const auto row = [](const char *name, Kind kind, const Act &deed) { QTest::newRow(name) << deed << kind; };
+        addColumn<Act>("deed");
+        addColumn<Kind>("kind");
+        const auto row = [](const char *name, Kind kind, const Act &deed) { newRow(name) << deed << kind; };
         row("nothing", Kind::Nothing, [](MainWindow &) {});
         row("home at home", Kind::Nothing, [](MainWindow &w) { goHome(w.document()); });
         row("removed object, put back", Kind::Nothing, [](MainWindow &w) {
@@ -223,9 +223,9 @@ private slots:
 
     void undoingAllOfItClearsTheMark_data()
     {
-        QTest::addColumn<bool>("hasFile");
-        QTest::newRow("with a file") << true;
-        QTest::newRow("without one") << false;
+        addColumn<bool>("hasFile");
+        newRow("with a file") << true;
+        newRow("without one") << false;
     }
 
     void undoingAllOfItClearsTheMark()

@@ -129,11 +129,11 @@ private slots:
 
     void whatNeedsASurfaceIsGreyedWithoutOne_data()
     {
-        QTest::addColumn<bool>("onSurface");
-        QTest::addColumn<bool>("isPicked");
-        QTest::newRow("on an object, nothing picked") << true << false;
-        QTest::newRow("on the background, nothing picked") << false << false;
-        QTest::newRow("on the background, a point picked") << false << true;
+        addColumn<bool>("onSurface");
+        addColumn<bool>("isPicked");
+        newRow("on an object, nothing picked") << true << false;
+        newRow("on the background, nothing picked") << false << false;
+        newRow("on the background, a point picked") << false << true;
     }
 
     void whatNeedsASurfaceIsGreyedWithoutOne()

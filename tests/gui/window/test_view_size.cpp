@@ -69,19 +69,19 @@ QPointF mouseOver(const SceneView &view, const Surface &surface, const glm::dvec
 
 void addSizes()
 {
-    QTest::addColumn<int>("width"); // logical pixels
-    QTest::addColumn<int>("height");
-    QTest::addColumn<double>("ratio");
+    addColumn<int>("width"); // logical pixels
+    addColumn<int>("height");
+    addColumn<double>("ratio");
     for (const double ratio : {1.0, 2.0}) {
         const auto row = [ratio](const char *name, int width, int height) {
-            QTest::addRow("%s@%gx", name, ratio) << width << height << ratio;
+            addRow("%s@%gx", name, ratio) << width << height << ratio;
         };
         row("the paper's", 300, 300);
         row("smaller than any widget", 90, 60);
         row("larger than the widget", 1800, 1300);
         row("wider than the widget", 900, 100);
     }
-    QTest::newRow("a ratio that is not whole") << 211 << 173 << 1.75;
+    newRow("a ratio that is not whole") << 211 << 173 << 1.75;
 }
 
 QSpinBox &number(QDialog &dialog, const char *name)
@@ -99,30 +99,30 @@ private slots:
 
     void positionsGoThereAndBack_data()
     {
-        QTest::addColumn<QSize>("widget"); // device pixels
-        QTest::addColumn<double>("widgetRatio");
-        QTest::addColumn<QSize>("surface");
-        QTest::addColumn<double>("ratio");
-        QTest::addColumn<QRect>("shown");
-        QTest::addColumn<QPointF>("local");
-        QTest::addColumn<QPointF>("onSurface");
+        addColumn<QSize>("widget"); // device pixels
+        addColumn<double>("widgetRatio");
+        addColumn<QSize>("surface");
+        addColumn<double>("ratio");
+        addColumn<QRect>("shown");
+        addColumn<QPointF>("local");
+        addColumn<QPointF>("onSurface");
         const QSize room(500, 400);
-        QTest::newRow("the widget's own")
-            << room << 1.0 << room << 1.0 << QRect(0, 0, 500, 400) << QPointF(165, 135) << QPointF(165, 135);
-        QTest::newRow("the paper's") << room << 1.0 << QSize(300, 300) << 1.0 << QRect(100, 50, 300, 300)
-                                     << QPointF(265, 185) << QPointF(165, 135);
-        QTest::newRow("the paper's at 2 on a screen of 1")
+        newRow("the widget's own") << room << 1.0 << room << 1.0 << QRect(0, 0, 500, 400) << QPointF(165, 135)
+                                   << QPointF(165, 135);
+        newRow("the paper's") << room << 1.0 << QSize(300, 300) << 1.0 << QRect(100, 50, 300, 300) << QPointF(265, 185)
+                              << QPointF(165, 135);
+        newRow("the paper's at 2 on a screen of 1")
             << QSize(1000, 800) << 1.0 << QSize(600, 600) << 2.0 << QRect(200, 100, 600, 600) << QPointF(530, 370)
             << QPointF(165, 135);
-        QTest::newRow("the paper's at 1 on a screen of 2")
+        newRow("the paper's at 1 on a screen of 2")
             << QSize(1000, 800) << 2.0 << QSize(300, 300) << 1.0 << QRect(350, 250, 300, 300) << QPointF(257.5, 192.5)
             << QPointF(165, 135);
-        QTest::newRow("twice as large") << room << 1.0 << QSize(1000, 800) << 1.0 << QRect(0, 0, 500, 400)
-                                        << QPointF(250, 100) << QPointF(500, 200);
-        QTest::newRow("too wide alone") << room << 1.0 << QSize(1000, 200) << 1.0 << QRect(0, 150, 500, 100)
-                                        << QPointF(10, 160) << QPointF(20, 20);
-        QTest::newRow("beside it") << room << 1.0 << QSize(300, 300) << 1.0 << QRect(100, 50, 300, 300)
-                                   << QPointF(90, 40) << QPointF(-10, -10);
+        newRow("twice as large") << room << 1.0 << QSize(1000, 800) << 1.0 << QRect(0, 0, 500, 400) << QPointF(250, 100)
+                                 << QPointF(500, 200);
+        newRow("too wide alone") << room << 1.0 << QSize(1000, 200) << 1.0 << QRect(0, 150, 500, 100)
+                                 << QPointF(10, 160) << QPointF(20, 20);
+        newRow("beside it") << room << 1.0 << QSize(300, 300) << 1.0 << QRect(100, 50, 300, 300) << QPointF(90, 40)
+                            << QPointF(-10, -10);
     }
 
     void positionsGoThereAndBack()
@@ -414,9 +414,9 @@ private slots:
 
     void theDialogIsReachedFromTheNumbers_data()
     {
-        QTest::addColumn<QString>("label");
-        QTest::newRow("in the parameters") << QStringLiteral("Size of the window");
-        QTest::newRow("in the viewport panel") << QStringLiteral("Window");
+        addColumn<QString>("label");
+        newRow("in the parameters") << QStringLiteral("Size of the window");
+        newRow("in the viewport panel") << QStringLiteral("Window");
     }
 
     void theDialogIsReachedFromTheNumbers()

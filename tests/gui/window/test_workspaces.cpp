@@ -77,31 +77,31 @@ private slots:
 
     void theOldSizesComeBack_data()
     {
-        QTest::addColumn<Act>("before");
-        QTest::addColumn<Act>("whileNarrow");
+        addColumn<Act>("before");
+        addColumn<Act>("whileNarrow");
         const Act nothing = [](MainWindow &) {};
         const Act thereAndBack = [](MainWindow &window) {
             window.workspaces().enter(Workspace::Pipeline);
             settle(20);
             window.workspaces().enter(Workspace::Click);
         };
-        QTest::newRow("narrow, then wide") << nothing << nothing;
-        QTest::newRow("after another place") << thereAndBack << nothing;
-        QTest::newRow("another place meanwhile") << nothing << thereAndBack;
-        QTest::newRow("a click into the status bar meanwhile") << nothing << Act([](MainWindow &window) {
+        newRow("narrow, then wide") << nothing << nothing;
+        newRow("after another place") << thereAndBack << nothing;
+        newRow("another place meanwhile") << nothing << thereAndBack;
+        newRow("a click into the status bar meanwhile") << nothing << Act([](MainWindow &window) {
             QTest::mouseClick(window.statusBar()->findChild<QLabel *>(), Qt::LeftButton);
             settle(10);
         });
-        QTest::newRow("all panels hidden meanwhile") << nothing << Act([](MainWindow &window) {
+        newRow("all panels hidden meanwhile") << nothing << Act([](MainWindow &window) {
             window.workspaces().hidePanels(true);
             settle(10);
             window.workspaces().hidePanels(false);
         });
-        QTest::newRow("with a panel that was shown by its key")
+        newRow("with a panel that was shown by its key")
             << Act([](MainWindow &window) { dockOf(window, "parameters")->toggleViewAction()->trigger(); }) << nothing;
-        QTest::newRow("with one below that was shown by its key")
+        newRow("with one below that was shown by its key")
             << Act([](MainWindow &window) { dockOf(window, "inspector")->toggleViewAction()->trigger(); }) << nothing;
-        QTest::newRow("with the other tab in front")
+        newRow("with the other tab in front")
             << Act([](MainWindow &window) { window.workspaces().show(Panel::Objects); }) << nothing;
     }
 
@@ -123,9 +123,9 @@ private slots:
 
     void whatTheUserMadeWiderStaysWider_data()
     {
-        QTest::addColumn<bool>("withOtherPlace");
-        QTest::newRow("here") << false;
-        QTest::newRow("after another place") << true;
+        addColumn<bool>("withOtherPlace");
+        newRow("here") << false;
+        newRow("after another place") << true;
     }
 
     void whatTheUserMadeWiderStaysWider()
@@ -165,9 +165,9 @@ private slots:
 
     void theViewKeepsItsSizeAndItsClick_data()
     {
-        QTest::addColumn<QSize>("size");
-        QTest::newRow("wide") << kWide;
-        QTest::newRow("narrow") << QSize(1024, 700);
+        addColumn<QSize>("size");
+        newRow("wide") << kWide;
+        newRow("narrow") << QSize(1024, 700);
     }
 
     /// The panels on the right are as wide in every workspace, also after the user has made them wider
@@ -227,11 +227,11 @@ private slots:
 
     void theViewFromOutsideComesBackAsItWasLeft_data()
     {
-        QTest::addColumn<bool>("isDocked");
-        QTest::addColumn<bool>("isShown");
-        QTest::newRow("in the corner of the view") << false << true;
-        QTest::newRow("in a dock") << true << true;
-        QTest::newRow("in a dock, not shown") << true << false;
+        addColumn<bool>("isDocked");
+        addColumn<bool>("isShown");
+        newRow("in the corner of the view") << false << true;
+        newRow("in a dock") << true << true;
+        newRow("in a dock, not shown") << true << false;
     }
 
     void theViewFromOutsideComesBackAsItWasLeft()
@@ -303,10 +303,10 @@ private slots:
 
     void aLessonHasOneButtonThatClosesIt_data()
     {
-        QTest::addColumn<QSize>("size");
-        QTest::addColumn<bool>("isTab");
-        QTest::newRow("wide") << QSize(1280, 800) << false;
-        QTest::newRow("small") << QSize(700, 560) << true;
+        addColumn<QSize>("size");
+        addColumn<bool>("isTab");
+        newRow("wide") << QSize(1280, 800) << false;
+        newRow("small") << QSize(700, 560) << true;
     }
 
     void aLessonHasOneButtonThatClosesIt()
@@ -439,10 +439,10 @@ private slots:
 
     void aSmallWindowHasEveryPanelOfItsPlace_data()
     {
-        QTest::addColumn<QSize>("size");
-        QTest::newRow("wide and high") << kWide;
-        QTest::newRow("not high") << QSize(1280, 500);
-        QTest::newRow("narrow") << kNarrow;
+        addColumn<QSize>("size");
+        newRow("wide and high") << kWide;
+        newRow("not high") << QSize(1280, 500);
+        newRow("narrow") << kNarrow;
     }
 
     /// Some panels are tabs where there is no room for all side by side.
