@@ -66,12 +66,24 @@ private slots:
         QFETCH(QString, name);
         QFETCH(QByteArray, contents);
         const QString model = m_folder.write(name, contents);
-        QByteArray positions = "px,py\n";
-        for (int y = 5; y < 600; y += tests::spacing(10)) {
-            for (int x = 5; x < 800; x += tests::spacing(10))
+        // The pixels whose hits have the largest shares of the corners are the nearest to the vertices.
+        QByteArray positions = "px,py\n", nearest = positions;
+        for (int y = 1; y < 600; y += 2) {
+            for (int x = 1; x < 800; x += 2)
                 positions += QByteArray::number(x) + ',' + QByteArray::number(y) + '\n';
         }
-        const Run rows = runCommand({"pick", "--snap", "vertex", "--size", "800x600", model}, positions);
+        const Run hits = runCommand({"pick", "--size", "800x600", model}, positions);
+        VERIFY_SUCCEEDED(hits);
+        std::array<std::pair<double, QByteArray>, 3> best;
+        for (const QByteArray &line : hits.lines().mid(1)) {
+            const QByteArrayList cells = line.split(',');
+            for (std::size_t corner = 0; corner < 3 && !cells[2].isEmpty(); ++corner)
+                best[corner] = std::max(best[corner], {cells[2 + kColumns.indexOf("u") + qsizetype(corner)].toDouble(),
+                                                       cells[0] + ',' + cells[1] + '\n'});
+        }
+        for (const auto &[share, position] : best)
+            nearest += position;
+        const Run rows = runCommand({"pick", "--snap", "vertex", "--size", "800x600", model}, nearest);
         VERIFY_SUCCEEDED(rows);
         QMap<int, QByteArray> found;
         for (const QByteArray &line : rows.lines().mid(1)) {
