@@ -1,6 +1,7 @@
 // A long session: files opened and reopened, clicks, drags, undo and redo. The memory that it needs
 // stops growing. UNPROJECTOR_SESSION_STEPS makes it longer:
-//     bash tests/launch.sh --display UNPROJECTOR_SESSION_STEPS=800 -- build/ci/tests/tests_gui_window test_long_session
+//     bash tests/launch.sh --display UNPROJECTOR_SESSION_STEPS=800 -- build/dev/tests/tests_gui_window
+//         test_long_session
 
 #include "tests/support/test.h"
 
