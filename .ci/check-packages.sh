@@ -7,6 +7,7 @@
 source "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/common.sh" || exit 1
 cd -- "$root"
 bash .ci/setup.sh lintian desktop-file-utils appstream pkg-config python3-venv
+rm -f build/package/*.deb
 bash .ci/package.sh
 
 fail() {

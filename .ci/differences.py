@@ -36,6 +36,8 @@ def compared(old: bytes, new: bytes) -> tuple[str, str]:
 
 def main(old: pathlib.Path, new: pathlib.Path) -> int:
     names = sorted({path.relative_to(folder) for folder in (old, new) for path in folder.rglob("*") if path.is_file()})
+    if not names:
+        sys.exit(f"There are no files in {old} and {new}")
     found: dict[str, list[str]] = {"numbers": [], "words": [], "files": []}
     for name in names:
         if not (old / name).exists() or not (new / name).exists():

@@ -9,7 +9,8 @@
 #   speed    speed.py finds nothing slower than KEPT_BUILD, a build folder of the preset bench
 #
 #   plain    the build without precompiled headers and with the default linker: a missing #include and a
-#            wrong order of libraries are errors
+#            wrong order of libraries are errors; its tests, optimised, and a session ten times as long
+#   unsanitized  under the sanitizers of asan, the tests that asan leaves out because they are slow
 #   tsan     the tests with the label "threads" under the thread sanitizer
 #   tidyall  clang-tidy finds nothing in any source
 #   fuzz     each fuzzer, for 10 minutes
@@ -26,7 +27,7 @@ export LC_ALL=C.UTF-8
 cd -- "$root" # Presets are looked for in the current folder.
 checks=" ${*:-push} "
 checks=${checks/ push / format build asan tidy speed }
-checks=${checks/ night / plain tsan tidyall fuzz packages windows }
+checks=${checks/ night / plain unsanitized tsan tidyall fuzz packages windows }
 bash .ci/setup.sh git clang clang-format clang-tidy libclang-rt-dev llvm ccache "${testPackages[@]}" ||
     echo "The tools could not be installed: checks that need them are skipped."
 useCcache
@@ -53,32 +54,38 @@ asan() {
     return "$result"
 }
 
-# tidySources SECONDS: clang-tidy on the compiled sources that it reads, in so much time at most.
+# tidySources SECONDS: clang-tidy on the compiled sources that it reads. Returns 124 if the time is over,
+# and fails if it cannot read its settings: then it would find nothing.
 tidySources() {
     is14 clang-tidy && buildAsan --target help >/dev/null || return
-    local log=build/asan/tidy.log
+    local log=build/asan/tidy.log result=0
     while read -r file; do ! grep -qF "/$file\"" build/asan/compile_commands.json || echo "$file"; done |
-        timeout "$1" xargs -P 2 -n 1 clang-tidy -p build/asan --quiet --warnings-as-errors='*' >"$log" 2>/dev/null || [ $? -eq 124 ] || true
+        timeout "$1" xargs -r -P 2 -n 1 clang-tidy -p build/asan --quiet --warnings-as-errors='*' >"$log" 2>"$log.errors" || result=$?
     cat "$log"
-    ! grep -q ' error: ' "$log"
+    ! grep -q ' error: ' "$log" && ! grep 'Error parsing' "$log.errors" && return "$result"
 }
 # Sources that changed in the last 20 commits, and those whose header did: the latest changes first.
 tidy() {
     git -c safe.directory="$root" log -20 --first-parent --format= --name-only -- core gui tests |
-        sed -n 's/\.h$/.cpp/p; /\.cpp$/p' | awk '!seen[$0]++' | tidySources 90
+        sed -n 's/\.h$/.cpp/p; /\.cpp$/p' | awk '!seen[$0]++' | tidySources 90 || [ $? -eq 124 ]
 }
 tidyall() { sources | grep '\.cpp$' | tidySources 14400; }
 speed() {
     [ -n "${KEPT_BUILD:-}" ] || { skip "KEPT_BUILD is empty"; return; }
-    cmake --preset bench >/dev/null && cmake --build --preset bench && python3 .ci/speed.py "$KEPT_BUILD" build/bench
+    bash .ci/setup.sh libbenchmark-dev && cmake --preset bench >/dev/null && cmake --build --preset bench && python3 .ci/speed.py "$KEPT_BUILD" build/bench
 }
 plain() {
     cmake --preset dev -B build/plain -DUNPROJECTOR_PRECOMPILED_HEADERS=OFF -DUNPROJECTOR_FAST_LINKER=OFF >/dev/null &&
-        cmake --build build/plain
+        cmake --build build/plain && ctest --test-dir build/plain -j 3 --output-on-failure --no-tests=error &&
+        bash tests/launch.sh --display UNPROJECTOR_SESSION_STEPS=800 -- build/plain/tests/tests_gui_window test_long_session
 }
+unsanitized() { is14 clang++ && buildAsan && ctest --preset unsanitized; }
 tsan() { cmake --workflow --preset tsan; }
 fuzz() { is14 clang++ && buildAsan --target unprojector_fuzzers && bash .ci/fuzz.sh 600; }
-packages() { bash .ci/check-packages.sh; }
+packages() {
+    [ "$(id -u)" = 0 ] && grep -q '^VERSION_CODENAME=bookworm' /etc/os-release || { skip "needs root on Debian 12"; return; }
+    bash .ci/check-packages.sh
+}
 windows() {
     [ -n "${MINGW_SYSROOT:-}" ] || { skip "MINGW_SYSROOT is empty"; return; }
     bash .ci/windows.sh "$MINGW_SYSROOT"

@@ -8,6 +8,7 @@ source "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/common.sh" || exit
 build=$root/build/asan kept=$build/tests/fuzz/corpora
 names=("$@")
 [ ${#names[@]} -gt 0 ] || mapfile -t names < <(ls "$build/corpus")
+[ ${#names[@]} -gt 0 ] && [ -n "$(ls "$kept")" ] || { echo "Build the fuzzers and run .ci/fuzz.sh first" >&2; exit 1; }
 for name in "${names[@]}"; do
     merged=$(mktemp -d)
     mkdir -p "$kept/$name"

@@ -4,17 +4,13 @@
 - includes    tests -> gui -> core; rooms (core/ray, gui/view) include each other in one direction
 - names       nothing that a header of Windows or a library turns into something else, nothing asked in two places
 - words       texts use the terms of resources/manual/glossary.md, not those of its column "Not"
-- twins       each text has its Chinese: messages, window, lessons, manual, formulas, templates"""
-import collections
-import json
-import pathlib
-import re
-import sys
-import xml.etree.ElementTree
+- twins       each text has its Chinese: messages, window, manual, formulas, templates
+- data        each file of tests/data/texts has a test"""
+import collections, graphlib, json, pathlib, re, shutil, subprocess, sys, tempfile, xml.etree.ElementTree
 
 ROOT = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent.parent).resolve()
 RESOURCES = ROOT / "resources"
-INCLUDE = re.compile(r'^#include "((?:core|gui|tests)/[^"]+)"', re.MULTILINE)
+INCLUDE = re.compile(r'^\s*#\s*include\s*["<]((?:core|gui|tests|\.)/?[^">]+)', re.MULTILINE)
 STRIPPED = re.compile(r'R"(\w*)\(.*?\)\1"|//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.DOTALL)
 # What may stand only in some files: a pattern, the files that are read, those that may have it, and why.
 ONLY = [
@@ -34,7 +30,7 @@ def sources(*folders: str):
     for folder in folders:
         where, pattern = folder.split("/**") if "/**" in folder else (folder, "")
         for file in sorted((ROOT / where).rglob("*" + pattern)):
-            if file.suffix in (".h", ".cpp", ".inl"):
+            if file.suffix in (".h", ".hpp", ".cpp", ".inl"):
                 yield str(file.relative_to(ROOT)), file.read_text(encoding="utf8")
 
 
@@ -43,21 +39,15 @@ def includes() -> None:
     level = {"core": 0, "gui": 1, "tests": 2}
     for file, text in sources("core", "gui"):
         for other in INCLUDE.findall(text):
-            if level[other.split("/")[0]] > level[file.split("/")[0]] or (file.startswith("gui/") and other.startswith("core/cli/")):
+            if other[0] == ".":
+                found.append(f"{file} includes {other} without its room")
+            elif level[other.split("/")[0]] > level[file.split("/")[0]] or (file.startswith("gui/") and other.startswith("core/cli/")):
                 found.append(f"{file} includes {other}, which may include it")
             graph["/".join(file.split("/")[:2])].add("/".join(other.split("/")[:2]))
-    done: set[str] = set()
-
-    def visit(room: str, way: list[str]) -> None:
-        if room in way:
-            found.append("rooms in a circle: " + " > ".join([*way[way.index(room):], room]))
-        elif room not in done:
-            for other in sorted(graph[room] - {room}):
-                visit(other, [*way, room])
-            done.add(room)
-
-    for room in sorted(graph):
-        visit(room, [])
+    try:
+        graphlib.TopologicalSorter({room: others - {room} for room, others in graph.items()}).prepare()
+    except graphlib.CycleError as circle:
+        found.append("rooms in a circle: " + " > ".join(circle.args[1]))
 
 
 def names() -> None:
@@ -78,24 +68,29 @@ def prose(page: str) -> str:
 
 
 def messages_of_window():
-    for message in xml.etree.ElementTree.parse(RESOURCES / "translations/unprojector_zh_CN.ts").iter("message"):
-        yield message.findtext("source"), message.find("translation")
+    """The texts of the window with their translations, brought up to date where Qt's lupdate is installed."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = shutil.copy(RESOURCES / "translations/unprojector_zh_CN.ts", folder)
+        if lupdate := shutil.which("lupdate") or shutil.which("/usr/lib/qt6/bin/lupdate"):
+            subprocess.run([lupdate, "-silent", "-no-obsolete", "-locations", "none", "-I", ROOT, ROOT / "gui", "-ts", file],
+                           check=True, stderr=subprocess.DEVNULL)
+        return [(message.findtext("source"), message.find("translation")) for message in xml.etree.ElementTree.parse(file).iter("message")]
 
 
 def words() -> None:
     glossary = (RESOURCES / "manual/glossary.md").read_text(encoding="utf8")
-    wrong = [term.strip() for row in re.findall(r"^\|[^|]*\|[^|]*\|([^|]*)\|$", glossary, re.MULTILINE) for term in row.split(",")]
+    wrong = [term.strip() for row in re.findall(r"^\|[^|]*\|[^|]*\|([^|]*)\|\s*$", glossary, re.MULTILINE) for term in row.split(",")]
     terms = "|".join(re.escape(term) for term in wrong if term not in ("–", "Not", "---", ""))
     texts = [("window", source) for source, _ in messages_of_window()]
     texts += [("messages", key) for key in json.loads((RESOURCES / "translations/unproject_zh_CN.json").read_text(encoding="utf8"))]
     for file in sorted((RESOURCES / "lessons").glob("*.json")):
         if "_zh" not in file.name:
             texts += [(file.name, re.sub("<[^>]*>", " ", text)) for text in strings(json.loads(file.read_text(encoding="utf8"))) if " " in text]
-    for file in [ROOT / "README.md", *sorted((RESOURCES / "manual").glob("*.md"))]:
-        if file.name != "glossary.md":
-            texts.append((file.name, prose(file.read_text(encoding="utf8"))))
+    for file in [ROOT / "README.md", *sorted((RESOURCES / "manual").glob("*.md")), *sorted((RESOURCES / "help").glob("*.html"))]:
+        if file.name != "glossary.md" and "_zh_CN" not in file.name:
+            texts.append((file.name, re.sub("<[^>]*>", " ", prose(file.read_text(encoding="utf8")))))
     for where, text in texts:
-        for match in re.finditer(rf"\b(?:{terms}|{GHOSTS})\b", " ".join(text.split()), re.IGNORECASE):
+        for match in re.finditer(rf"\b(?:{terms}|{GHOSTS})s?\b", re.sub(r"[*_]|\s+", " ", text), re.IGNORECASE):
             found.append(f"{where}: “{match.group()}” is no term: {text.strip()[:80] if len(text) < 500 else ''}")
 
 
@@ -116,7 +111,7 @@ def told(code: str):
 
 def shape(text: str) -> list[str]:
     """What a text and its translation have in common: places of values, links, headings."""
-    return sorted(re.findall(r"%\d|%n|href='[^']*'|</?(?!i\b)[a-z]+\b|^#+ |^\|(?=\s?-)|^```.*|id=\"[^\"]*\"", text, re.MULTILINE))
+    return sorted(re.findall(r"%\d|%n|href=['\"][^'\"]*|\]\(|</?(?!i\b)[a-z]+\b|^#+ |^\|(?=\s?-)|^```.*|id=\"[^\"]*\"", text, re.MULTILINE))
 
 
 def twins() -> None:
@@ -136,13 +131,19 @@ def twins() -> None:
         if not twin.is_file():
             found.append(f"{file.relative_to(ROOT)}: there is no {twin.relative_to(ROOT)}")
         elif file.suffix == ".csv":
-            pairs.append((file.name, "#  " * file.read_text(encoding="utf8").count("\n"), "#  " * twin.read_text(encoding="utf8").count("\n")))
+            pairs.append((file.name, *("# line\n" * each.read_text(encoding="utf8").count("\n") for each in (file, twin))))
         else:
-            pairs.append((file.name, *(re.sub(r"\]\([^)]*\)", "", each.read_text(encoding="utf8")) for each in (file, twin))))
+            pairs.append((file.name, *(re.sub(r"\]\([^)]*\)", "](link)", each.read_text(encoding="utf8")) for each in (file, twin))))
     found.extend(f"{where}: its Chinese has other values, links or headings" for where, text, twin in pairs if shape(text) != shape(twin))
 
 
-for rule in (includes, names, words, twins):
+def data() -> None:
+    read = re.findall(r'(?:addCases|cases)\("([^"]+)"\)', "".join(text for _, text in sources("tests")))
+    read += re.findall(r'"([\w.]+)"', (ROOT / "core/landmark_files/landmark_file.cpp").read_text()) # by suffixOf
+    found.extend(f"{file.relative_to(ROOT)}: no test reads it" for file in (ROOT / "tests/data/texts").iterdir() if file.stem not in read)
+
+
+for rule in (includes, names, words, twins, data):
     rule()
 print(*found, sep="\n", end="\n" if found else "")
 sys.exit(bool(found))

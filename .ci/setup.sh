@@ -26,7 +26,7 @@ packages=(
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     cat >&2 <<EOF
 This script installs packages on Debian and Ubuntu only. Elsewhere, install a C++20 compiler, CMake 3.25 or later,
-Ninja, Qt 6.4 or later (base and tools), GLM, Embree, Draco, meshoptimizer, libpng, libjpeg, libtiff, OpenEXR, nlohmann-json, the Boost headers and Xvfb, then run
+Ninja, Qt 6.4 or later (base and tools), GLM, CLI11, Embree, Draco, meshoptimizer, libpng, libjpeg, libtiff, OpenEXR, nlohmann-json, the Boost headers and Xvfb, then run
     cmake --workflow --preset release && build/release/gui/unprojector
 EOF
     exit 1

@@ -17,4 +17,4 @@ cmake -S . -B build/windows -G Ninja -DCMAKE_BUILD_TYPE=Release -DUNPROJECTOR_WA
     -DCMAKE_TOOLCHAIN_FILE="$1/mingw-toolchain.cmake" -Dnlohmann_json_DIR="$headers/share/cmake/nlohmann_json" \
     -DUNPROJECTOR_CLI11_INCLUDE_DIR="$headers/include" -DUNPROJECTOR_BOOST_INCLUDE_DIR="$headers/include"
 cmake --build build/windows
-onVirtualDisplay env -u QT_QPA_PLATFORM ctest --test-dir build/windows --output-on-failure
+onVirtualDisplay env -u QT_QPA_PLATFORM ctest --test-dir build/windows --output-on-failure --no-tests=error
