@@ -155,7 +155,7 @@ QWidget *ComparisonPanel::answerPart()
                                           {tr("Object"), tr("The coordinate in the space of the clicked object")}});
     m_showsFloat = new QCheckBox(tr("Floa&t"));
     m_showsFloat->setToolTip(tr("Add the matrix inverse in single precision, as most programs compute it"));
-    m_showsRay = new QCheckBox(tr("Exact hi&t"));
+    m_showsRay = new QCheckBox(tr("E&xact hit"));
     m_showsRay->setToolTip(tr("Add the point where the ray through the pixel's centre meets the mesh itself"));
     auto *switches = new QHBoxLayout;
     switches->addWidget(m_space);

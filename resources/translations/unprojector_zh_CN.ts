@@ -1566,8 +1566,8 @@ Grey digits are smaller than the uncertainty.</source>
         <translation>观察</translation>
     </message>
     <message>
-        <source>Exact hi&amp;t</source>
-        <translation>精确交点(&amp;T)</translation>
+        <source>E&amp;xact hit</source>
+        <translation>精确交点(&amp;X)</translation>
     </message>
     <message>
         <source>Exact hit</source>

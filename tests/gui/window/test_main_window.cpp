@@ -312,6 +312,22 @@ private slots:
             QVERIFY2(!label->buddy() || !menus.contains(letterOf(label->text())), qPrintable(label->text()));
     }
 
+    void noLetterStandsForTwoSwitchesOfAPanel()
+    {
+        const auto window = windowOfSize({1280, 800});
+        for (const QDockWidget *dock : window->findChildren<QDockWidget *>()) {
+            QMap<QString, QString> texts;
+            for (const QAbstractButton *button : dock->findChildren<QAbstractButton *>()) {
+                const QString letter = QKeySequence::mnemonic(button->text()).toString();
+                if (letter.isEmpty())
+                    continue;
+                const QString other = texts.value(letter, button->text());
+                QVERIFY2(other == button->text(), qPrintable(other + " and " + button->text()));
+                texts[letter] = other;
+            }
+        }
+    }
+
     void aDarkWindowHasADarkView()
     {
         const auto window = windowOfSize({700, 500});
