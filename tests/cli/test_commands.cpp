@@ -76,7 +76,10 @@ void verifyRun(Texts said, const Folder &folder, Texts &files)
     const Run run = runCommand(words, said.take("<"), variables);
     QDir::setCurrent(QDir::rootPath()); // a system may keep a folder that a process is in
     verify(run.errors, said.take("!"));
-    QCOMPARE(run.exitCode, said.take("=").toInt());
+    bool isNumber = true;
+    const int exitCode = said.contains("=") ? said.take("=").trimmed().toInt(&isNumber) : 0;
+    QVERIFY2(isNumber, "the exit code is one number");
+    QCOMPARE(run.exitCode, exitCode);
     Texts found;
     for (QDirIterator it(folder.path("."), QDir::Files | QDir::Hidden, QDirIterator::Subdirectories); it.hasNext();) {
         QFile file(it.next());
@@ -87,6 +90,8 @@ void verifyRun(Texts said, const Folder &folder, Texts &files)
     said[">"];                                                      // silence is expected as well
     for (auto it = said.begin(); it != said.end(); ++it) {
         const QStringList names = it.key().mid(3).split(" = ");
+        for (const QString &name : names)
+            QVERIFY2(found.contains(name), qUtf8Printable("there is no " + name));
         files[names[0]] = found[names[0]];
         if (names.size() > 1)
             QCOMPARE(found[names[0]], found[names[1]]);
@@ -107,19 +112,26 @@ private slots:
     void cases_data()
     {
         addColumn<QStringList>("lines");
+        static const QRegularExpression ofFiles("^(?:(?:   |--) .*|#.*)?$");
         const QString chosen = qEnvironmentVariable("CASES", "*") + ".txt";
-        for (const QFileInfo &info : QDir(UNPROJECTOR_TEST_DATA "/commands").entryInfoList({chosen}, QDir::Files)) {
+        const QFileInfoList infos = QDir(UNPROJECTOR_TEST_DATA "/commands").entryInfoList({chosen}, QDir::Files);
+        QVERIFY2(!infos.isEmpty(), qPrintable("there is no " + chosen));
+        for (const QFileInfo &info : infos) {
             QFile file(info.filePath());
             QVERIFY(file.open(QIODevice::ReadOnly | QIODevice::Text));
             QStringList cases = ('\n' + QString::fromUtf8(file.readAll())).split("\n== ");
             QVERIFY2(cases.size() > 1, qPrintable(info.fileName() + ": no case"));
-            QStringList files = cases.takeFirst().split('\n');
+            QStringList files = cases.takeFirst().split('\n'), names;
             for (const QString &text : cases) {
                 const qsizetype end = (text + "\n-- ").indexOf("\n-- ");
                 const QStringList lines = files + text.left(end).split('\n').mid(1) + QStringList("$");
-                newRow(qUtf8Printable(info.baseName() + ": " + text.section('\n', 0, 0))) << lines;
+                const QString name = info.baseName() + ": " + text.section('\n', 0, 0);
+                QVERIFY2(!names.contains(name), qPrintable(name + ": the name is there twice"));
+                newRow(qUtf8Printable(names.emplaceBack(name))) << lines;
                 files += text.mid(end).split('\n');
             }
+            for (const QString &line : files)
+                QVERIFY2(ofFiles.match(line).hasMatch(), qPrintable(info.fileName() + ": a file's line? " + line));
         }
     }
 

@@ -78,6 +78,8 @@ inline CameraExample cameraExample(const std::filesystem::path &folder)
         example.texts.push_back({name, read(folder / name)});
     for (const nlohmann::json &point : expected.at("points"))
         example.points.push_back({point.at("world"), point.at("pixel")});
+    if (example.points.empty())
+        throw std::runtime_error("no points are expected");
     return example;
 }
 
@@ -85,8 +87,13 @@ inline const std::vector<CameraExample> &cameraExamples()
 {
     static const std::vector<CameraExample> examples = [] {
         std::vector<CameraExample> all;
-        for (const std::filesystem::path &folder : in("cameras"))
-            all.push_back(cameraExample(folder));
+        for (const std::filesystem::path &folder : in("cameras")) {
+            try {
+                all.push_back(cameraExample(folder));
+            } catch (const std::exception &why) {
+                qFatal("%s: %s", folder.string().c_str(), why.what());
+            }
+        }
         return all;
     }();
     return examples;
@@ -105,6 +112,13 @@ struct Case {
                 texts.push_back(value);
         }
         return texts;
+    }
+    /// The message of a case that is refused, and nothing else.
+    std::string refused() const
+    {
+        if (told.size() != 1 || told.front().first != "refused")
+            throw std::runtime_error(name + ": one line refused: is all that comes of it");
+        return told.front().second;
     }
 };
 
@@ -180,9 +194,11 @@ private:
         } else if (const std::string word = line.substr(0, colon),
                    value = unescaped(line.substr(std::min(line.size(), colon + 2)));
                    word == "from") {
-            Base &base = m_bases.at(value);
-            base.isUsed = true;
-            *m_text = base.text;
+            const auto base = m_bases.find(value);
+            if (base == m_bases.end())
+                fail("there is no text \"" + value + "\" above");
+            base->second.isUsed = true;
+            *m_text = base->second.text;
         } else if (cases.empty() || m_text != &cases.back().text) {
             fail("only a case has something that must come of it");
         } else {

@@ -54,6 +54,10 @@ Helper::Helper(const QString &name, std::function<int(const QStringList &words)>
 
 int main(int argc, char **argv)
 {
+#if !defined(QT_WIDGETS_LIB) && !defined(Q_OS_WIN)
+    if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", "offscreen"); // it shows nothing
+#endif
     const Application application(argc, argv);
     QStringList words = QCoreApplication::arguments();
     const QString first = words.value(1);

@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <string>
 
 /// Helpers that the tests of the model readers share: a folder for each test, and measures of the
@@ -187,6 +188,8 @@ void verifyCase(const Imported &result, const data_files::Case &example)
                      told);
             continue;
         }
+        static const std::set<std::string> kShapes{"box", "triangle", "quad", "triangles", "notes"};
+        QVERIFY2(kShapes.contains(word), ("unknown word: " + word).c_str());
         REQUIRE_MODEL(result);
         const unprojector::mesh::Model &model = **result;
         if (word == "triangles") {
@@ -200,8 +203,6 @@ void verifyCase(const Imported &result, const data_files::Case &example)
             verifyTriangle(model);
         else if (word == "quad")
             verifyQuad(model);
-        else
-            QCOMPARE(word.c_str(), "notes");
         for (const unprojector::mesh::Mesh &mesh : model.meshes)
             QCOMPARE(mesh.normals.size(), mesh.positions.size());
     }

@@ -22,6 +22,8 @@ std::size_t mostBytesAtOnce = std::numeric_limits<std::size_t>::max();
 
 } // namespace
 
+#ifndef UNPROJECTOR_IS_SANITIZED // it has its own, which the other tests of this program need
+
 void *operator new(std::size_t bytes)
 {
     void *memory = bytes <= mostBytesAtOnce ? std::malloc(bytes > 0 ? bytes : 1) : nullptr;
@@ -39,6 +41,8 @@ void operator delete(void *memory, std::size_t) noexcept
 {
     std::free(memory);
 }
+
+#endif
 
 class TestSceneMemory : public QObject {
     Q_OBJECT
