@@ -40,8 +40,8 @@ std::unique_ptr<MainWindow> cubesWindow(const DepthRange &range, bool isOrtho = 
 std::vector<std::optional<glm::dvec3>> pointsOf(MainWindow &window)
 {
     std::vector<std::optional<glm::dvec3>> points;
-    for (int y = 3; y < window.view().height(); y += tests::spacing(29)) {
-        for (int x = 2; x < window.view().width(); x += tests::spacing(23)) {
+    for (int y = 3; y < window.view().height(); y += tests::spacing(23)) {
+        for (int x = 2; x < window.view().width(); x += tests::spacing(19)) {
             click(window.view(), QPointF(x, y));
             const Pick &pick = *window.document().picks().pick();
             points.push_back(pick.hit() ? std::optional(pick.point.world[Method::Formula]->coordinates())
@@ -105,7 +105,7 @@ private slots:
                 for (const glm::dvec4 &plane : kPlanes)
                     QVERIFY(glm::dot(plane, glm::dvec4(*read[i], 1.0)) > -1e-4);
             }
-            QVERIFY2(hits > tests::rounds(10) && hits < int(read.size()) / 2, qPrintable(QString::number(hits)));
+            QVERIFY2(hits > tests::rounds(20) && hits < int(read.size()) / 2, qPrintable(QString::number(hits)));
         }
     }
 

@@ -89,8 +89,8 @@ private slots:
             SceneView &view = window->view();
             int background = 0;
             std::array<int, 2> seen{};
-            for (int y = 3; y < view.height(); y += 29) {
-                for (int x = 2; x < view.width(); x += 23) {
+            for (int y = 3; y < view.height(); y += 23) {
+                for (int x = 2; x < view.width(); x += 19) {
                     window->document().picks().clearPick();
                     click(view, QPointF(x, y));
                     QVERIFY(window->document().picks().pick());
@@ -121,7 +121,8 @@ private slots:
                         QVERIFY(std::abs(off[axis]) <= pick.uncertainty.world[axis] + kByHand);
                 }
             }
-            QVERIFY(background > 30 && seen[0] > 10 && seen[1] > 0);
+            QVERIFY2(background > 30 && seen[0] > 10 && seen[1] > 1,
+                     qPrintable(QString("%1 %2 %3").arg(background).arg(seen[0]).arg(seen[1])));
         }
     }
 
@@ -137,8 +138,8 @@ private slots:
             view.setSmoothEdges(smooth);
             (void)view.grabFramebuffer();
             std::vector<double> read;
-            for (int y = 0; y < view.height(); y += tests::spacing(23)) {
-                for (int x = 0; x < view.width(); x += tests::spacing(19)) {
+            for (int y = 0; y < view.height(); y += tests::spacing(19)) {
+                for (int x = 0; x < view.width(); x += tests::spacing(17)) {
                     click(view, QPointF(x, y));
                     read.push_back(window->document().picks().pick()->window.z);
                 }
@@ -199,7 +200,8 @@ private slots:
                 }
             }
         }
-        QVERIFY2(hits > 0 && cut > 0, qPrintable(QStringLiteral("%1 hits, %2 cut away").arg(hits).arg(cut)));
+        QVERIFY2(hits >= tests::rounds(5) && cut >= tests::rounds(5),
+                 qPrintable(QStringLiteral("%1 hits, %2 cut away").arg(hits).arg(cut)));
     }
 
     void aRemovedPlaneIsGone()

@@ -1,6 +1,6 @@
 // The layout of the whole window, in both languages, at several sizes of letters and of the window:
-// in no panel, lesson or bar is anything cut or covered, nothing scrolls sideways, and the view
-// stands still.
+// in no panel, lesson or bar is anything cut or covered, nothing scrolls sideways (but for what
+// mayScrollSideways and isExpected name), and the view stands still.
 
 #include "tests/support/test.h"
 
@@ -260,6 +260,7 @@ private slots:
             lookAtPanels(window, QStringLiteral("the bundled scene"), {kSizes[0]});
             openLongScene(window);
             lookAtPanels(window, QStringLiteral("long texts"), kSizes);
+            lookAtParameters(window);
             // All of them where letters need the most room.
             lookAtLessons(window, points == 13);
         }
@@ -386,6 +387,30 @@ private:
             }
             QCOMPARE(looked.size(), docks.size());
         }
+    }
+
+    /// The parameters of each projection with fields that are refused, and then of no objects.
+    void lookAtParameters(MainWindow &window)
+    {
+        SceneDocument &document = window.document();
+        window.resize(kSizes[0]);
+        window.workspaces().show(Panel::Parameters);
+        const QDockWidget &dock = window.workspaces().dock(Panel::Parameters);
+        const geometry::ProjectionWindow seen = projectionWindow(document.setup().projection());
+        const Ortho box{seen.left, seen.right, seen.bottom, seen.top, seen.nearDistance, seen.farDistance};
+        for (const Projection &projection : {Projection(Perspective()), Projection(box), Projection(Oblique{box})}) {
+            QVERIFY(document.edit({QStringLiteral("kind")}, [&](Scene &scene) { scene.projection = projection; }));
+            settle(1);
+            for (QLineEdit *field : dock.findChildren<QLineEdit *>()) {
+                if (field->isVisible())
+                    doctordesk::type(field, QStringLiteral("abc"));
+            }
+            add(QStringLiteral("refused, projection %1").arg(projection.index()),
+                settled([&] { return faultsOf(dock); }));
+        }
+        QVERIFY(document.edit({QStringLiteral("none")}, [&](Scene &scene) { scene.objects.clear(); }));
+        add(QStringLiteral("no objects"), settled([&] { return faultsOf(dock); }));
+        window.resize(kSizes.back());
     }
 
     /// The texts of the lessons, their questions' answers among them, and the view from outside.
