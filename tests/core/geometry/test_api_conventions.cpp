@@ -178,6 +178,18 @@ private slots:
         QVERIFY(glm::distance(back, kPoint.coordinates()) < kTolerance);
     }
 
+    /// K has no row for a shift of the eye.
+    void aMovedProjectionHasNoCameraMatrix()
+    {
+        for (int axis = 0; axis < 3; ++axis) {
+            Setup p = setup();
+            glm::dmat4 moved(1.0);
+            moved[3][axis] = 0.5;
+            p.lens = MatrixProjection{clipFromEye(setup()).value() * moved, NdcDepth::MinusOneToOne};
+            QVERIFY(!apiCamera(p, Api::OpenCv).value().intrinsics);
+        }
+    }
+
     void aBoxHasNoCameraMatrix()
     {
         Setup p = setup();

@@ -172,6 +172,10 @@ private slots:
         for (int j = 0; j < errors.size(); ++j) {
             QVERIFY(isClose(of.byPlacing[static_cast<std::size_t>(j)].error, errors[j]));
             QVERIFY(isClose(of.byPlacing[static_cast<std::size_t>(j)].bias, biases[j]));
+            const auto own = std::count_if(kFive.begin(), kFive.end(), [&](const PlacedFive &placed) {
+                return placed.placing == j + 1 && !std::isnan(placed.landmarks[std::size_t(landmark)][0]);
+            });
+            QCOMPARE(of.byPlacing[static_cast<std::size_t>(j)].specimens, static_cast<std::size_t>(own));
         }
     }
 

@@ -41,12 +41,12 @@ private slots:
         addColumn<int>("count");
         addColumn<QString>("detail");
         using Kind = ModelNote::Kind;
-        {
+        for (const int missing : {4, 65535}) { // the first behind the last vertex, too
             GltfBuilder file;
             file.add(kQuadCorners, "VEC3", kFloat);
-            file.add(std::vector<quint16>{0, 1, 2, 2, 1, 4, 0, 1, 65535}, "SCALAR", kUshort);
-            newRow("indices out of range") << file.json(shown(R"("attributes":{"POSITION":0},"indices":1)")) << 1
-                                           << int(Kind::FacesLeftOut) << 2 << QString();
+            file.add(std::vector<quint16>{0, 1, 2, 2, 1, quint16(missing)}, "SCALAR", kUshort);
+            addRow("index %d out of range", missing) << file.json(shown(R"("attributes":{"POSITION":0},"indices":1)"))
+                                                     << 1 << int(Kind::FacesLeftOut) << 1 << QString();
         }
         for (const QByteArray &extension :
              QByteArray("KHR_texture_ktx KHR_texture_basisu KHR_techniques_webgl GOOGLE_texture_basis EXT_texture_avif "
