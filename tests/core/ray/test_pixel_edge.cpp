@@ -149,10 +149,12 @@ private slots:
         const float x = 0.25f / 64.0f;
         // Keeps x > 0.25 pixels of the front wall, and all of the back wall as it is behind the plane's foot.
         const SceneRays rays = raysOf({wall(0.0f)}, {glm::dvec4(1.0, 0.0, 0.0, -x)});
-        const std::optional<PixelEdge> edge = edgeAt(rays, {320.5, kMiddleRow});
-        QVERIFY(edge);
-        QVERIFY(!edge->object);
-        QVERIFY(!edgeAt(raysOf({wall(0.0f)}), {320.5, kMiddleRow}));
+        for (const double row : {kMiddleRow, 300.5}) { // in one triangle each
+            const std::optional<PixelEdge> edge = edgeAt(rays, {320.5, row});
+            QVERIFY(edge);
+            QVERIFY(!edge->object);
+            QVERIFY(!edgeAt(raysOf({wall(0.0f)}), {320.5, row}));
+        }
         // A slope that the near plane, at z = 4, cuts at 0.25 pixels; behind it lies a wall.
         const float c = 0.25f / 320.0f;
         const auto slope =
