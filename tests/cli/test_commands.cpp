@@ -91,7 +91,7 @@ void verifyRun(Texts said, const Folder &folder, Texts &files)
     for (auto it = said.begin(); it != said.end(); ++it) {
         const QStringList names = it.key().mid(3).split(" = ");
         for (const QString &name : names)
-            QVERIFY2(found.contains(name), qUtf8Printable("there is no " + name));
+            QVERIFY2(name.isEmpty() || found.contains(name), qUtf8Printable("there is no " + name)); // "": no output
         files[names[0]] = found[names[0]];
         if (names.size() > 1)
             QCOMPARE(found[names[0]], found[names[1]]);
