@@ -3,6 +3,7 @@
 #include "tests/support/patience.h"
 
 #include <QFile>
+#include <QFileInfo>
 #include <QList>
 #include <QMap>
 #include <QProcess>
@@ -28,6 +29,9 @@ struct Run {
 
 using Variables = QMap<QString, QString>;
 
+/// The command's path with its drive: on Windows, a test may move to a folder on another one.
+inline const QString kCommand = QFileInfo(QStringLiteral(UNPROJECT_COMMAND)).absoluteFilePath();
+
 /// @param variables  environment variables; without them the command speaks English
 inline Run runCommand(const QStringList &arguments, const QByteArray &input = {},
                       const Variables &variables = {{"LC_ALL", "C"}})
@@ -39,7 +43,7 @@ inline Run runCommand(const QStringList &arguments, const QByteArray &input = {}
     for (auto it = variables.begin(); it != variables.end(); ++it)
         environment.insert(it.key(), it.value());
     process.setProcessEnvironment(environment);
-    process.start(QStringLiteral(UNPROJECT_COMMAND), arguments);
+    process.start(kCommand, arguments);
     if (!process.waitForStarted(kPatienceMilliseconds))
         qFatal("the command does not start: %s", qPrintable(process.errorString()));
     process.write(input);
