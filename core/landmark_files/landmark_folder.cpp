@@ -15,6 +15,7 @@
 #include <fstream>
 #include <iterator>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 namespace unprojector::landmark_files {
@@ -94,10 +95,13 @@ std::vector<std::filesystem::path> filesIn(const std::filesystem::path &folder, 
         if (format && !isOther && (it->is_regular_file(ignored) || isLost))
             found.push_back(file);
     }
-    // "face.ply.points-2.csv" would come before "face.ply.points.csv".
-    std::sort(found.begin(), found.end(), [](const std::filesystem::path &a, const std::filesystem::path &b) {
-        return std::pair(sourceOf(a), placingOf(a)) < std::pair(sourceOf(b), placingOf(b));
-    });
+    // "face.ply.points-2.csv" would come before "face.ply.points.csv". Of two names of one placing, the shorter
+    // one is first, in any order of the folder.
+    const auto key = [](const std::filesystem::path &file) {
+        return std::tuple(sourceOf(file), placingOf(file), file.native().size(), file);
+    };
+    std::sort(found.begin(), found.end(),
+              [&key](const std::filesystem::path &a, const std::filesystem::path &b) { return key(a) < key(b); });
     return found;
 }
 
