@@ -10,7 +10,7 @@
 #
 #   plain    the build without precompiled headers and with the default linker: a missing #include and a
 #            wrong order of libraries are errors; its tests, optimised, and a session ten times as long
-#   unsanitized  under the sanitizers of asan, the tests that asan leaves out because they are slow
+#   unsanitized   under the sanitizers of asan, the tests that asan leaves out because they are slow
 #   tsan     the tests with the label "threads" under the thread sanitizer
 #   tidyall  clang-tidy finds nothing in any source
 #   fuzz     each fuzzer, for 10 minutes
@@ -97,7 +97,7 @@ cacheCounts() {
         END { print hits + 0, misses + 0 }'
 }
 
-table=$(printf '%-9s %-7s %7s  %s' check result seconds 'from the cache')
+table=$(printf '%-11s %-7s %7s  %s' check result seconds 'from the cache')
 failed=0
 for check in $checks; do
     [ "$(type -t "$check")" = function ] || { echo "There is no check $check" >&2; exit 2; }
@@ -108,9 +108,9 @@ for check in $checks; do
     "$check" || result=$([ $? -eq 77 ] && echo skipped || echo FAILED)
     [ "$result" != FAILED ] || failed=1
     read -r hitsNow missesNow < <(cacheCounts)
-    row=$(printf '%-9s %-7s %7d  %d of %d' "$check" "$result" $((SECONDS - start)) $((hitsNow - hits)) $((hitsNow - hits + missesNow - misses)))
+    row=$(printf '%-11s %-7s %7d  %d of %d' "$check" "$result" $((SECONDS - start)) $((hitsNow - hits)) $((hitsNow - hits + missesNow - misses)))
     table+=$'\n'$row
     echo "== $row"
 done
-printf '%s\n%-9s %-7s %7d\n' "$table" total '' "$SECONDS"
+printf '%s\n%-11s %-7s %7d\n' "$table" total '' "$SECONDS"
 exit "$failed"
