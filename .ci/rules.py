@@ -16,7 +16,7 @@ STRIPPED = re.compile(r'R"(\w*)\(.*?\)\1"|//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"
 ONLY = [
     (r"\b(?:near|far)\b", "core gui tests", "", "Windows defines it as a macro: nearDistance, farPlane"),
     (r"^\s*using namespace", "core/**.h gui/**.h tests/**.h", "", "a header passes the names on"),
-    (r"hardware_concurrency", "core gui", "core/threads/parallel.cpp", "each question opens a file: threads::coreCount()"),
+    (r"hardware_concurrency", "core gui", "core/base/parallel.cpp", "each question opens a file: base::coreCount()"),
     (r"QFileDialog", "gui", "gui/widgets/file_dialogs.cpp gui/widgets/save_name.cpp", "it starts in no known folder"),
     (r"(?:new|public|make_unique<)\s*Q(?:Plain)?TextEdit\b|QGraphicsTextItem|setReadOnly\(false\)", "gui",
      "gui/widgets/plain_text_box.cpp gui/widgets/plain_text_box.h", "a paste of nothing ends the program: PlainTextBox"),

@@ -1,10 +1,10 @@
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/cameras/camera_reader.h"
 #include "core/cameras/reader_parts.h"
-#include "core/geometry/angle.h"
+#include "core/geometry/error_text.h"
+#include "core/geometry/numbers.h"
 #include "core/geometry/projection.h"
-#include "core/text/error_text.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace unprojector::cameras {
 using namespace geometry;
-using text::tr;
+using base::tr;
 
 namespace {
 
@@ -117,7 +117,7 @@ private:
         if (hasType("ORTHO"))
             return readParallel(*size, scale, scale.value_or(0.0) / side, tall, {shiftX, shiftY});
         if (const auto lens = m_values.number({"lens"}); lens && !(*lens > 0.0))
-            return fault("lens", tr("%1 is %2; it must be greater than 0", "lens", text::shortestText(*lens)));
+            return fault("lens", tr("%1 is %2; it must be greater than 0", "lens", base::shortestText(*lens)));
         const std::optional<double> focal = focalLength(fit, isVertical, side);
         if (!focal)
             return fault("lens", tr("the focal length is missing; give lens in millimetres or angle in radians"));
@@ -164,7 +164,7 @@ private:
                         *m_camera.farDistance};
         const Result<glm::dmat4> clip = clipFromEye(Projection(box));
         if (!clip)
-            return fault("type", text::errorText(clip.error()));
+            return fault("type", geometry::errorText(clip.error()));
         m_camera.projection = MatrixProjection{*clip, NdcDepth::MinusOneToOne};
         return std::nullopt;
     }

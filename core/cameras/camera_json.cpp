@@ -1,9 +1,9 @@
 #include "core/cameras/camera_json.h"
 
+#include "core/base/json_number.h"
+#include "core/base/translation.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/strict_json.h"
-#include "core/text/json_number.h"
-#include "core/text/translation.h"
 
 #include <nlohmann/json.hpp>
 
@@ -20,9 +20,9 @@ constexpr std::size_t kMostNumbers = std::size_t{1} << 20;
 /// The value of a finite number.
 std::optional<double> finiteNumber(const Json &json)
 {
-    if (!text::isJsonNumber(json))
+    if (!base::isJsonNumber(json))
         return std::nullopt;
-    const double value = text::valueOfJsonNumber(json);
+    const double value = base::valueOfJsonNumber(json);
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
@@ -58,7 +58,7 @@ geometry::Result<Json, CameraError> parsedJson(const NamedText &text)
         return std::move(parsed).value();
     scene_file::SceneFileError error = parsed.error();
     if (error.code == scene_file::SceneFileErrorCode::TooLarge)
-        return CameraError{text.name, 0, text::tr("longer than %1 MiB; give the file of one camera", kMostBytes >> 20)};
+        return CameraError{text.name, 0, base::tr("longer than %1 MiB; give the file of one camera", kMostBytes >> 20)};
     const std::size_t line = std::exchange(error.line, 0);
     error.file.clear();
     std::string reason = scene_file::sceneErrorText(error);

@@ -1,8 +1,8 @@
 #include "core/cameras/camera_reader.h"
 
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/cameras/reader_parts.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
 
 #include <glm/mat4x4.hpp>
 
@@ -11,7 +11,7 @@
 #include <utility>
 
 namespace unprojector::cameras {
-using text::tr;
+using base::tr;
 
 std::span<const CameraReader> cameraReaders()
 {
@@ -85,7 +85,7 @@ std::optional<std::string> reasonAgainst(const ForeignCamera &camera, const Came
         return tr("a number is not finite");
     for (const auto &[name, value] : {std::pair("fx", k.fx), std::pair("fy", k.fy)}) {
         if (value < 0.0)
-            return tr("the focal length %1 is %2; it must be greater than 0", name, text::shortestText(value));
+            return tr("the focal length %1 is %2; it must be greater than 0", name, base::shortestText(value));
     }
     const std::optional<ImageSize> size = sizeOf(camera, choices);
     constexpr double kLargest = 20.0; // in image widths; an angle of 3 degrees
@@ -94,8 +94,8 @@ std::optional<std::string> reasonAgainst(const ForeignCamera &camera, const Came
     if (isNormalized && !(size && size->width <= 2 && size->height <= 2))
         return tr("fx %1, fy %2, cx %3, cy %4 are no pixels; they look normalized. Multiply fx and cx by the image's "
                   "width, fy and cy by its height",
-                  text::shortestText(k.fx), text::shortestText(k.fy), text::shortestText(k.cx),
-                  text::shortestText(k.cy));
+                  base::shortestText(k.fx), base::shortestText(k.fy), base::shortestText(k.cx),
+                  base::shortestText(k.cy));
     return std::nullopt;
 }
 

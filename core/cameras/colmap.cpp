@@ -1,8 +1,8 @@
+#include "core/base/number_text.h"
+#include "core/base/text_scanner.h"
+#include "core/base/translation.h"
 #include "core/cameras/camera_reader.h"
 #include "core/cameras/reader_parts.h"
-#include "core/text/number_text.h"
-#include "core/text/text_scanner.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace unprojector::cameras {
 using namespace geometry;
-using text::tr;
+using base::tr;
 
 namespace {
 
@@ -53,7 +53,7 @@ std::vector<Line> linesOf(std::string_view text)
         at = end + 1;
         if (line.text.ends_with('\r'))
             line.text.remove_suffix(1);
-        text::TextScanner scanner(line.text);
+        base::TextScanner scanner(line.text);
         constexpr std::size_t kMost = 24; // a line of 2-D points has thousands, which are not read
         for (std::string_view word = scanner.nextWord(); !word.empty() && line.words.size() < kMost;
              word = scanner.nextWord())
@@ -72,15 +72,15 @@ bool isModel(std::string_view word)
 
 bool isCameraLine(const Line &line)
 {
-    return line.words.size() >= 5 && text::integerFromWord(line.words[0]) && isModel(line.words[1])
-           && text::integerFromWord(line.words[2]) && text::integerFromWord(line.words[3]);
+    return line.words.size() >= 5 && base::integerFromWord(line.words[0]) && isModel(line.words[1])
+           && base::integerFromWord(line.words[2]) && base::integerFromWord(line.words[3]);
 }
 
 /// Returns whether a line is of 2-D points: triples of numbers.
 bool isPointsLine(const Line &line)
 {
     return line.words.size() % 3 == 0 && std::all_of(line.words.begin(), line.words.end(), [](std::string_view word) {
-               return text::doubleFromWord(word).has_value();
+               return base::doubleFromWord(word).has_value();
            });
 }
 
@@ -89,7 +89,7 @@ std::array<double, 7> poseIn(const Line &line)
 {
     std::array<double, 7> pose{};
     for (std::size_t i = 0; i < pose.size(); ++i)
-        pose[i] = text::doubleFromWord(line.words[i + 1]).value_or(std::numeric_limits<double>::quiet_NaN());
+        pose[i] = base::doubleFromWord(line.words[i + 1]).value_or(std::numeric_limits<double>::quiet_NaN());
     return pose;
 }
 
@@ -104,7 +104,7 @@ constexpr double kUnit = 5e-3;
 /// Returns whether a line has an image's form. Its quaternion may be damaged.
 bool isImageLine(const Line &line)
 {
-    return line.words.size() >= 10 && text::integerFromWord(line.words[0]) && text::integerFromWord(line.words[8])
+    return line.words.size() >= 10 && base::integerFromWord(line.words[0]) && base::integerFromWord(line.words[8])
            && !isPointsLine(line);
 }
 
@@ -135,7 +135,7 @@ Reconstruction reconstructionOf(std::span<const NamedText> texts)
         for (std::size_t i = 0; i < lines.size(); ++i) {
             const Line &line = lines[i];
             if (isCameraLine(line)) {
-                found.cameras.emplace(*text::integerFromWord(line.words[0]), Found{&file, line});
+                found.cameras.emplace(*base::integerFromWord(line.words[0]), Found{&file, line});
             } else if (isImageLine(line)) {
                 found.images.push_back({&file, line});
                 found.hasWholeImage = found.hasWholeImage || isWholeImageLine(line);
@@ -175,12 +175,12 @@ std::optional<CameraError> setLens(ForeignCamera &camera, const Found &found)
         return fault(tr("%1 has %2 parameters; it needs %3", name, line.words.size() - 4, model->parameters));
     std::vector<double> p;
     for (std::size_t i = 4; i < line.words.size(); ++i) {
-        const auto number = text::doubleFromWord(line.words[i]);
+        const auto number = base::doubleFromWord(line.words[i]);
         if (!number || !std::isfinite(*number))
-            return fault(tr("%1 is not a finite number", text::quoted(line.words[i])));
+            return fault(tr("%1 is not a finite number", base::quoted(line.words[i])));
         p.push_back(*number);
     }
-    camera.size = sizeOf(text::doubleFromWord(line.words[2]), text::doubleFromWord(line.words[3]));
+    camera.size = sizeOf(base::doubleFromWord(line.words[2]), base::doubleFromWord(line.words[3]));
     if (!camera.size)
         return fault(
             tr("width and height are %1 and %2; they must be whole numbers above 0", line.words[2], line.words[3]));
@@ -229,16 +229,16 @@ CameraRead readColmap(std::span<const NamedText> texts, const CameraChoices &cho
     const std::array<double, 7> v = poseIn(image);
     for (std::size_t i = 0; i < v.size(); ++i) {
         if (!std::isfinite(v[i]))
-            return CameraError{file, image.number, tr("%1 is not a finite number", text::quoted(image.words[i + 1]))};
+            return CameraError{file, image.number, tr("%1 is not a finite number", base::quoted(image.words[i + 1]))};
     }
     const auto rotation = rotationOf(v[0], v[1], v[2], v[3]);
     if (!rotation)
         return CameraError{file, image.number, tr("the image's quaternion is 0; a rotation has the length 1")};
     if (const double length = quaternionLength(v); std::abs(length - 1.0) >= kUnit)
         camera.assumed.push_back(tr("The quaternion of %1 has the length %2 instead of 1; it is divided by it.",
-                                    camera.images[camera.image], text::significantText(length, 4)));
+                                    camera.images[camera.image], base::significantText(length, 4)));
     camera.pose = rigid(*rotation, {v[4], v[5], v[6]});
-    const auto lens = found.cameras.find(*text::integerFromWord(image.words[8]));
+    const auto lens = found.cameras.find(*base::integerFromWord(image.words[8]));
     if (lens == found.cameras.end())
         return CameraError{file, image.number, tr("there is no camera %1 in cameras.txt", image.words[8])};
     if (auto error = setLens(camera, lens->second))

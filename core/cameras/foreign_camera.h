@@ -80,7 +80,7 @@ struct ForeignCamera {
     /// worlds.
     glm::dmat4 rightHandedFromWorld{1.0};
     std::optional<Distortion> distortion;
-    std::vector<std::string> assumed; ///< one sentence each, in the language of text::tr()
+    std::vector<std::string> assumed; ///< one sentence each, in the language of base::tr()
 };
 
 /// The choices of the user about a camera. Empty members are taken from the file or assumed.
@@ -112,7 +112,7 @@ struct NamedText {
 struct CameraError {
     std::string file;
     std::size_t line = 0; ///< from 1; 0: the whole file
-    std::string reason;   ///< names the value and says what to do, in the language of text::tr()
+    std::string reason;   ///< names the value and says what to do, in the language of base::tr()
 };
 
 /// A scene's camera. Its eye space is OpenGL's; pixels count as everywhere in the program.

@@ -1,9 +1,9 @@
+#include "core/base/translation.h"
 #include "core/cameras/camera_reader.h"
 #include "core/cameras/reader_parts.h"
-#include "core/geometry/angle.h"
+#include "core/geometry/error_text.h"
+#include "core/geometry/numbers.h"
 #include "core/geometry/projection.h"
-#include "core/text/error_text.h"
-#include "core/text/translation.h"
 
 #include <array>
 #include <string_view>
@@ -13,7 +13,7 @@
 
 namespace unprojector::cameras {
 using namespace geometry;
-using text::tr;
+using base::tr;
 
 namespace {
 
@@ -128,7 +128,7 @@ private:
         const Result<glm::dmat4> clip = clipFromEye(
             Projection(Ortho{-halfWidth, halfWidth, -*half, *half, *m_camera.nearDistance, *m_camera.farDistance}));
         if (!clip)
-            return fault("orthographic", text::errorText(clip.error()));
+            return fault("orthographic", geometry::errorText(clip.error()));
         m_camera.projection = MatrixProjection{*clip, NdcDepth::MinusOneToOne};
         return std::nullopt;
     }

@@ -1,10 +1,10 @@
+#include "core/base/translation.h"
 #include "core/cameras/camera_json.h"
 #include "core/cameras/camera_reader.h"
 #include "core/cameras/reader_parts.h"
-#include "core/geometry/angle.h"
+#include "core/geometry/error_text.h"
+#include "core/geometry/numbers.h"
 #include "core/geometry/projection.h"
-#include "core/text/error_text.h"
-#include "core/text/translation.h"
 
 #include <nlohmann/json.hpp>
 
@@ -16,7 +16,7 @@
 
 namespace unprojector::cameras {
 using namespace geometry;
-using text::tr;
+using base::tr;
 using Json = nlohmann::ordered_json;
 
 namespace {
@@ -160,7 +160,7 @@ private:
             return fault(tr("the camera needs perspective with yfov, or orthographic with xmag, ymag, znear and zfar"));
         const Result<glm::dmat4> clip = clipFromEye(Projection(Ortho{-*x, *x, -*y, *y, *n, *f}));
         if (!clip)
-            return fault(text::errorText(clip.error()));
+            return fault(geometry::errorText(clip.error()));
         m_camera.projection = MatrixProjection{*clip, NdcDepth::MinusOneToOne};
         return std::nullopt;
     }

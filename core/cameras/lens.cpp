@@ -1,7 +1,7 @@
 #include "core/cameras/lens.h"
 
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat2x2.hpp>
@@ -13,8 +13,8 @@
 #include <limits>
 
 namespace unprojector::cameras {
-using text::shortestText;
-using text::tr;
+using base::shortestText;
+using base::tr;
 namespace {
 
 /// The derivative of distorted(), columns by x and y.

@@ -1,7 +1,7 @@
 #include "core/cameras/named_values.h"
 
-#include "core/geometry/angle.h"
-#include "core/text/expression.h"
+#include "core/base/expression.h"
+#include "core/geometry/numbers.h"
 
 #include <algorithm>
 #include <array>
@@ -260,7 +260,7 @@ private:
     bool readPi(std::size_t start)
     {
         const std::size_t end = std::min(m_text.find_first_of(",;)\n", start), m_text.size());
-        const auto value = text::evaluate(m_text.substr(start, end - start), [](std::string_view name) {
+        const auto value = base::evaluate(m_text.substr(start, end - start), [](std::string_view name) {
             return lastPart(name) == "pi" ? std::optional(geometry::kPi) : std::nullopt;
         });
         if (!value)

@@ -1,9 +1,9 @@
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/cameras/camera_json.h"
 #include "core/cameras/camera_reader.h"
 #include "core/cameras/reader_parts.h"
 #include "core/scene_file/json_text.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
 
 #include <nlohmann/json.hpp>
 
@@ -14,7 +14,7 @@
 
 namespace unprojector::cameras {
 using namespace geometry;
-using text::tr;
+using base::tr;
 using Json = nlohmann::ordered_json;
 
 namespace {
@@ -153,7 +153,7 @@ private:
         if (std::abs(byAngle / focal - 1.0) > kSame)
             m_camera.assumed.push_back(tr("fl_x is %1, but camera_angle_x gives %2: fl_x is taken. Remove the wrong "
                                           "one.",
-                                          text::significantText(focal, 6), text::significantText(byAngle, 6)));
+                                          base::significantText(focal, 6), base::significantText(byAngle, 6)));
     }
 
     std::optional<CameraError> readCentre()

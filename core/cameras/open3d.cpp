@@ -1,10 +1,10 @@
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/cameras/camera_json.h"
 #include "core/cameras/camera_reader.h"
 #include "core/cameras/reader_parts.h"
-#include "core/geometry/angle.h"
+#include "core/geometry/numbers.h"
 #include "core/geometry/projection.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
 
 #include <nlohmann/json.hpp>
 
@@ -20,7 +20,7 @@
 
 namespace unprojector::cameras {
 using namespace geometry;
-using text::tr;
+using base::tr;
 using Json = nlohmann::ordered_json;
 
 namespace {

@@ -1,13 +1,13 @@
 // OpenCV's cameras and ROS's camera_info.
 
+#include "core/base/number_text.h"
+#include "core/base/text_scanner.h"
+#include "core/base/translation.h"
 #include "core/cameras/camera_matrices.h"
 #include "core/cameras/camera_reader.h"
 #include "core/cameras/lens.h"
 #include "core/cameras/opencv_values.h"
 #include "core/cameras/reader_parts.h"
-#include "core/text/number_text.h"
-#include "core/text/text_scanner.h"
-#include "core/text/translation.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -18,10 +18,10 @@
 #include <utility>
 
 namespace unprojector::cameras {
+using base::shortestText;
+using base::significantText;
+using base::tr;
 using geometry::Result;
-using text::shortestText;
-using text::significantText;
-using text::tr;
 namespace {
 
 /// Thrown while reading; readOpenCv returns its error.

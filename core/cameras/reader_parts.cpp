@@ -1,9 +1,9 @@
 #include "core/cameras/reader_parts.h"
 
-#include "core/geometry/angle.h"
-#include "core/text/number_text.h"
-#include "core/text/text_scanner.h"
-#include "core/text/translation.h"
+#include "core/base/number_text.h"
+#include "core/base/text_scanner.h"
+#include "core/base/translation.h"
+#include "core/geometry/numbers.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -12,9 +12,9 @@
 #include <cmath>
 
 namespace unprojector::cameras {
+using base::shortestText;
+using base::tr;
 using geometry::kPi;
-using text::shortestText;
-using text::tr;
 
 namespace {
 
@@ -42,7 +42,7 @@ std::optional<CameraError> angleError(double radians, const std::string &file)
         return std::nullopt;
     return CameraError{file, 0,
                        tr("the field of view is %1 degrees; it must be greater than 0 and smaller than 180",
-                          text::significantText(geometry::degreesFromRadians(radians), 6))};
+                          base::significantText(geometry::degreesFromRadians(radians), 6))};
 }
 
 } // namespace
@@ -64,7 +64,7 @@ std::optional<std::size_t> imageIndex(const std::vector<std::string> &images, co
         if (const auto index = indexOf([&](std::string_view image) { return fileName(image, withSuffix) == wanted; }))
             return index;
     }
-    const auto number = text::integerFromWord(choice);
+    const auto number = base::integerFromWord(choice);
     if (number && *number >= 0 && *number < static_cast<long long>(images.size()))
         return std::size_t(*number);
     return std::nullopt;
@@ -77,7 +77,7 @@ std::optional<CameraError> chooseImage(ForeignCamera &camera, const CameraChoice
         return CameraError{file, 0,
                            tr("there is no image %1 among %2 (%3); give one of their names or an index from 0 with "
                               "--image",
-                              text::quoted(choices.image), camera.images.size(), firstNames(camera.images))};
+                              base::quoted(choices.image), camera.images.size(), firstNames(camera.images))};
     camera.image = *index;
     if (choices.image.empty() && camera.images.size() > 1)
         camera.assumed.push_back(tr("The first of %1 images is read, %2; --image NAME reads another.",

@@ -1,11 +1,11 @@
+#include "core/base/number_text.h"
+#include "core/base/text_scanner.h"
+#include "core/base/translation.h"
 #include "core/cameras/foreign_camera.h"
 #include "core/cameras/reader_parts.h"
 #include "core/cameras/seen_objects.h"
 #include "core/geometry/finite.h"
 #include "core/matrices/printed_digits.h"
-#include "core/text/number_text.h"
-#include "core/text/text_scanner.h"
-#include "core/text/translation.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -17,9 +17,9 @@
 
 namespace unprojector::cameras {
 using namespace geometry;
-using text::shortestText;
-using text::significantText;
-using text::tr;
+using base::shortestText;
+using base::significantText;
+using base::tr;
 namespace {
 
 constexpr int kMostPixels = 65536; // as for windows
@@ -141,7 +141,7 @@ glm::dmat4 clipFromEye(const ForeignCamera &camera, const SceneCamera &scene)
 
 double withTwoDigits(double value)
 {
-    return text::doubleFromWord(significantText(value, 2)).value_or(value);
+    return base::doubleFromWord(significantText(value, 2)).value_or(value);
 }
 
 /// The image's side whose centre is a coordinate of the principal point. Most sides are even, so a

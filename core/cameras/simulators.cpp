@@ -1,9 +1,9 @@
+#include "core/base/translation.h"
 #include "core/cameras/camera_reader.h"
 #include "core/cameras/reader_parts.h"
-#include "core/geometry/angle.h"
+#include "core/geometry/error_text.h"
+#include "core/geometry/numbers.h"
 #include "core/geometry/projection.h"
-#include "core/text/error_text.h"
-#include "core/text/translation.h"
 
 #include <glm/geometric.hpp>
 
@@ -15,7 +15,7 @@
 
 namespace unprojector::cameras {
 using namespace geometry;
-using text::tr;
+using base::tr;
 
 namespace {
 
@@ -102,7 +102,7 @@ Result<ForeignCamera, CameraError> readGlCamera(const NamedText &text, const Nam
     const Ortho box{frustum.left, frustum.right, *bottom, *top, *nearDistance, *farDistance};
     const Result<glm::dmat4> clip = clipFromEye(values.isTrue("orthographic") ? Projection(box) : Projection(frustum));
     if (!clip)
-        return CameraError{text.name, 0, text::errorText(clip.error())};
+        return CameraError{text.name, 0, geometry::errorText(clip.error())};
     camera.projection = MatrixProjection{*clip, NdcDepth::MinusOneToOne};
     return camera;
 }

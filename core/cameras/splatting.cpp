@@ -1,8 +1,8 @@
+#include "core/base/translation.h"
 #include "core/cameras/camera_json.h"
 #include "core/cameras/camera_reader.h"
 #include "core/cameras/reader_parts.h"
 #include "core/matrices/decomposition.h"
-#include "core/text/translation.h"
 
 #include <nlohmann/json.hpp>
 
@@ -18,7 +18,7 @@
 
 namespace unprojector::cameras {
 using namespace geometry;
-using text::tr;
+using base::tr;
 using Json = nlohmann::ordered_json;
 
 namespace {

@@ -1,10 +1,10 @@
 #include "core/cli/command_line.h"
 
+#include "core/base/translation.h"
 #include "core/cli/commands/usage.h"
 #include "core/cli/rows/byte_stream.h"
 #include "core/cli/terminal/console.h"
 #include "core/cli/terminal/help_formatter.h"
-#include "core/text/translation.h"
 
 #include <CLI/CLI.hpp>
 
@@ -16,7 +16,7 @@
 #include <utility>
 
 namespace unprojector::cli {
-using text::tr;
+using base::tr;
 namespace {
 
 /// An option or positional as the user wrote it: "--at 1,2".

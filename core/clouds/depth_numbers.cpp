@@ -1,7 +1,7 @@
 #include "core/clouds/depth_numbers.h"
 
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 
 #include <glm/geometric.hpp>
 
@@ -13,7 +13,7 @@
 namespace unprojector::clouds {
 using namespace geometry;
 using namespace unproject;
-using text::tr;
+using base::tr;
 namespace {
 
 /// True if the file's numbers are in single precision, and compared with numbers of the scene: a
@@ -35,19 +35,19 @@ std::string leftOutText(const PixelCounts &counts, const std::optional<ClipDista
     std::string list;
     const auto add = [&](PixelKind kind, const char *pattern, double plane = 0.0) {
         if (const std::size_t count = counts[static_cast<std::size_t>(kind)]; count > 0)
-            list += (list.empty() ? "" : ", ") + tr(pattern, count, text::shortestText(plane));
+            list += (list.empty() ? "" : ", ") + tr(pattern, count, base::shortestText(plane));
     };
-    add(PixelKind::NoData, text::marked("%1 with a number that means no measurement"));
-    add(PixelKind::Zero, text::marked("%1 with 0"));
-    add(PixelKind::NotANumber, text::marked("%1 with NaN"));
-    add(PixelKind::Infinite, text::marked("%1 infinite"));
-    add(PixelKind::Negative, text::marked("%1 below 0"));
-    add(PixelKind::OutsideRange, text::marked("%1 outside the depth range"));
+    add(PixelKind::NoData, base::marked("%1 with a number that means no measurement"));
+    add(PixelKind::Zero, base::marked("%1 with 0"));
+    add(PixelKind::NotANumber, base::marked("%1 with NaN"));
+    add(PixelKind::Infinite, base::marked("%1 infinite"));
+    add(PixelKind::Negative, base::marked("%1 below 0"));
+    add(PixelKind::OutsideRange, base::marked("%1 outside the depth range"));
     if (clip) {
-        add(PixelKind::BeforeNear, text::marked("%1 before the near plane (%2)"), clip->atNear);
-        add(PixelKind::AtFar, text::marked("%1 on the far plane (%2) or behind it"), clip->atFar);
+        add(PixelKind::BeforeNear, base::marked("%1 before the near plane (%2)"), clip->atNear);
+        add(PixelKind::AtFar, base::marked("%1 on the far plane (%2) or behind it"), clip->atFar);
     } else {
-        add(PixelKind::AtFar, text::marked("%1 with the background's depth"));
+        add(PixelKind::AtFar, base::marked("%1 with the background's depth"));
     }
     return list;
 }

@@ -1,9 +1,9 @@
 #include "core/clouds/organized_cloud.h"
 
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/clouds/depth_cloud.h"
-#include "core/text/error_text.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
+#include "core/geometry/error_text.h"
 
 #include <cmath>
 #include <limits>
@@ -12,7 +12,7 @@
 namespace unprojector::clouds {
 using namespace geometry;
 using namespace unproject;
-using text::tr;
+using base::tr;
 
 std::string faultOf(const DepthNumbers &numbers, const DepthOptionNames &names)
 {
@@ -29,11 +29,11 @@ std::string faultOf(const DepthNumbers &numbers, const DepthOptionNames &names)
             return tr("%1 goes with %2 disparity", name, names.meaning);
     }
     if (numbers.disparityOffset && !std::isfinite(*numbers.disparityOffset))
-        return tr("%1 is %2; it must be a finite number", names.offset, text::shortestText(*numbers.disparityOffset));
+        return tr("%1 is %2; it must be a finite number", names.offset, base::shortestText(*numbers.disparityOffset));
     for (const auto &[name, value] :
          {std::pair(names.scale, numbers.scale), std::pair(names.baseline, numbers.baseline)}) {
         if (value && !(*value > 0.0 && std::isfinite(*value)))
-            return tr("%1 is %2; it must be greater than 0", name, text::shortestText(*value));
+            return tr("%1 is %2; it must be greater than 0", name, base::shortestText(*value));
     }
     return {};
 }
@@ -47,14 +47,14 @@ Result<OrganizedCloud, std::string> OrganizedCloud::of(const Setup &setup, const
     const Result<BatchUnprojection> unprojection =
         isMatrix ? BatchUnprojection::byMatrix(setup, {}) : BatchUnprojection::byFormula(setup, {});
     if (!unprojection)
-        return text::errorText(unprojection.error());
+        return geometry::errorText(unprojection.error());
     Result<PixelLines> lines = PixelLines();
     std::optional<ClipDistances> clip;
     if (numbers.meaning != DepthMeaning::Buffer && numbers.meaning != DepthMeaning::Range) {
         lines = isMatrix ? PixelLines::byMatrix(setup) : PixelLines::byFormula(setup);
         const Result<ClipDistances> distances = clipDistances(setup);
         if (!lines || !distances)
-            return text::errorText(lines ? distances.error() : lines.error());
+            return geometry::errorText(lines ? distances.error() : lines.error());
         clip = *distances;
         if (numbers.meaning == DepthMeaning::Disparity && !lines->isPerspective())
             return tr("a parallel projection has no disparities; give distances along the view axis");

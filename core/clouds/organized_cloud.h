@@ -18,7 +18,7 @@ namespace unprojector::clouds {
 class OrganizedCloud {
 public:
     /// @param method  Formula or Matrix
-    /// @return the message about the numbers or the setup, in the language of text::tr()
+    /// @return the message about the numbers or the setup, in the language of base::tr()
     static geometry::Result<OrganizedCloud, std::string> of(const geometry::Setup &setup, const DepthNumbers &numbers,
                                                             const DepthValues::Type &type, unproject::Method method);
 

@@ -1,5 +1,5 @@
 #include "core/curves/triangle_strip.h"
-#include "core/geometry/angle.h"
+#include "core/geometry/numbers.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,7 +1,7 @@
 #include "core/curves/measured_sets.h"
 
+#include "core/base/translation.h"
 #include "core/curves/scan_surface.h"
-#include "core/text/translation.h"
 
 #include <memory>
 #include <utility>
@@ -15,7 +15,7 @@ measuredSets(std::span<const LandmarkSet> sets, std::span<const KeptMeasure> mea
              const std::function<Result<std::filesystem::path, std::string>(std::size_t)> &modelOf,
              const std::function<bool(std::size_t)> &goesOn)
 {
-    const text::InEnglish english;
+    const base::InEnglish english;
     std::vector<std::vector<ProtocolValue>> all;
     std::unique_ptr<ScanSurface> surface;
     bool isCancelled = false;

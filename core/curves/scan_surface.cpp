@@ -1,16 +1,16 @@
 #include "core/curves/scan_surface.h"
 
+#include "core/base/path_text.h"
+#include "core/base/translation.h"
 #include "core/curves/curve_line.h"
-#include "core/files/path_text.h"
 #include "core/mesh/import/import_error_text.h"
-#include "core/text/translation.h"
 
 #include <vector>
 
 namespace unprojector::curves {
+using base::tr;
 using geometry::Result;
 using landmarks::Landmark;
-using text::tr;
 namespace {
 
 std::string reasonOf(const CurveError &error, const std::vector<const Landmark *> &points)
@@ -43,7 +43,7 @@ Result<landmarks::Measure, std::string> ScanSurface::length(std::span<const Land
         if (!model) {
             m_problem = mesh::importErrorText(model.error());
         } else {
-            m_target.name = files::utf8FromPath(m_file.filename());
+            m_target.name = base::utf8FromPath(m_file.filename());
             m_target.places = ray::ClosestPlaces::build(*model, progress);
             m_surface = m_target.places ? SurfaceMesh::build(**model, progress) : nullptr;
             if (!m_surface)

@@ -1,6 +1,6 @@
+#include "core/base/translation.h"
 #include "core/doctor/frame_fit.h"
 #include "core/doctor/variant_list.h"
-#include "core/text/translation.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -14,7 +14,7 @@
 
 /// The mistakes of programs with a vision camera: a matrix K, distortion, and a pose.
 namespace unprojector::doctor {
-using text::marked;
+using base::marked;
 namespace {
 
 /// From OpenGL's eye axes to OpenCV's and back.

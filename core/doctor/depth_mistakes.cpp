@@ -1,8 +1,8 @@
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/doctor/lens_changes.h"
 #include "core/doctor/variant_list.h"
 #include "core/doctor/written_value.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
 
 #include <glm/geometric.hpp>
 
@@ -13,7 +13,7 @@
 
 namespace unprojector::doctor {
 using namespace geometry;
-using text::marked;
+using base::marked;
 namespace {
 
 /// The factors by which another frustum's near and far differ.

@@ -79,7 +79,7 @@ struct WrongPoint {
 
 /// The variant of a mistake that has several.
 struct VariantName {
-    /// Marked for text::tr, %1 to %4 are the values: "ratio %1"; null: the first value alone.
+    /// Marked for base::tr, %1 to %4 are the values: "ratio %1"; null: the first value alone.
     const char *words = nullptr;
     std::string value, second;
     /// Marked, with the same values: "Your program scales the depth by %1."; null: has no values.

@@ -1,12 +1,12 @@
 #include "core/doctor/lens_changes.h"
 
+#include "core/base/translation.h"
 #include "core/doctor/written_value.h"
-#include "core/text/translation.h"
 
 #include <cmath>
 
 namespace unprojector::doctor {
-using text::marked;
+using base::marked;
 
 double tangentOf(const Run &run)
 {

@@ -1,14 +1,14 @@
+#include "core/base/translation.h"
 #include "core/doctor/lens_changes.h"
 #include "core/doctor/variant_list.h"
-#include "core/geometry/angle.h"
-#include "core/text/translation.h"
+#include "core/geometry/numbers.h"
 
 #include <cmath>
 #include <string>
 
 namespace unprojector::doctor {
 using namespace geometry;
-using text::marked;
+using base::marked;
 namespace {
 
 /// The usual aspects of windows and images, and of a program's initial window.

@@ -1,6 +1,6 @@
+#include "core/base/translation.h"
 #include "core/doctor/frame_fit.h"
 #include "core/doctor/variant_list.h"
-#include "core/text/translation.h"
 
 #include <glm/matrix.hpp>
 
@@ -9,7 +9,7 @@
 #include <utility>
 
 namespace unprojector::doctor {
-using text::marked;
+using base::marked;
 namespace {
 
 glm::dvec3 transformed(const glm::dmat4 &m, const glm::dvec3 &point)

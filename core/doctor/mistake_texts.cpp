@@ -1,12 +1,12 @@
 #include "core/doctor/mistake_texts.h"
 
+#include "core/base/translation.h"
 #include "core/doctor/remedies.h"
-#include "core/text/translation.h"
 
 #include <cstddef>
 
 namespace unprojector::doctor {
-using text::tr;
+using base::tr;
 namespace {
 
 std::string nameOf(const KnownPoint &known)

@@ -8,7 +8,7 @@
 
 namespace unprojector::doctor {
 
-// Texts about mistakes, in the language of text::tr(), for the command and the window. Ids are
+// Texts about mistakes, in the language of base::tr(), for the command and the window. Ids are
 // candidates' ids; two mistakes are "a+b".
 
 /// The mistakes of an id: one or two; none for "right", "unknown", "known-point" and "".

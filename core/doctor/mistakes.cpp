@@ -1,8 +1,8 @@
 #include "core/doctor/mistakes.h"
 
+#include "core/base/translation.h"
 #include "core/doctor/solved_mistakes.h"
 #include "core/doctor/variant_list.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <cassert>
@@ -11,7 +11,7 @@
 
 namespace unprojector::doctor {
 using namespace geometry;
-using text::marked;
+using base::marked;
 namespace {
 
 constexpr Mistake kMistakes[] = {

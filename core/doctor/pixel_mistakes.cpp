@@ -1,6 +1,6 @@
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/doctor/variant_list.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
 
 #include <glm/common.hpp>
 
@@ -10,7 +10,7 @@
 
 namespace unprojector::doctor {
 using namespace geometry;
-using text::marked;
+using base::marked;
 namespace {
 
 constexpr std::array kUsualRatios{2.0, 1.5, 1.25, 1.75, 3.0};
@@ -24,7 +24,7 @@ void scaleViewport(Run &run, double factor)
 
 void addRatio(VariantList &list, double ratio)
 {
-    const std::string value = text::shortestText(ratio);
+    const std::string value = base::shortestText(ratio);
     const VariantName name(marked("ratio %1"), value);
     list.add(
         "ratio-logical-in-device", Stage::Pixel, [](Run &run, const Variant &v) { run.position /= v.parameter; }, ratio,

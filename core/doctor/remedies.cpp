@@ -1,10 +1,10 @@
 #include "core/doctor/remedies.h"
 
+#include "core/base/translation.h"
 #include "core/doctor/code_for_cameras.h"
 #include "core/doctor/code_for_pixels.h"
 #include "core/doctor/code_for_points.h"
 #include "core/doctor/written_value.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <cassert>
@@ -12,7 +12,7 @@
 #include <iterator>
 
 namespace unprojector::doctor {
-using text::marked;
+using base::marked;
 namespace {
 
 constexpr Remedy kRemedies[] = {

@@ -19,7 +19,7 @@ struct CodeChange {
 /// depth; (vx, vy, w, h) the viewport.
 struct Remedy {
     std::string_view id;
-    const char *name;     ///< short name of the mistake, marked for text::tr
+    const char *name;     ///< short name of the mistake, marked for base::tr
     const char *sentence; ///< the program's behaviour, with a full stop; marked too
     std::span<const CodeChange> code;
 };

@@ -1,11 +1,11 @@
 #include "core/doctor/report_text.h"
 
+#include "core/base/columns.h"
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/doctor/mistake_texts.h"
 #include "core/doctor/remedies.h"
 #include "core/doctor/verdict_texts.h"
-#include "core/text/columns.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 #include <vector>
 
 namespace unprojector::doctor {
-using namespace text;
+using namespace base;
 namespace {
 
 /// A coordinate with digits down to `lastDigit`.

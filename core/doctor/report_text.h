@@ -6,7 +6,7 @@
 
 namespace unprojector::doctor {
 
-/// A diagnosis as text, with the lines of code to change. In the language of text::tr().
+/// A diagnosis as text, with the lines of code to change. In the language of base::tr().
 /// @param first  the point that the coordinates of the diagnosis belong to
 std::string reportText(const Diagnosis &diagnosis, const WrongPoint &first);
 

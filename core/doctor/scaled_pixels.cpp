@@ -1,5 +1,5 @@
+#include "core/base/translation.h"
 #include "core/doctor/solved_mistakes.h"
-#include "core/text/translation.h"
 
 #include <array>
 #include <cmath>
@@ -12,7 +12,7 @@
 /// view is fitted into.
 namespace unprojector::doctor {
 using namespace geometry;
-using text::marked;
+using base::marked;
 namespace {
 
 /// The surface whose pixels the program uses. It shows the view between two bars of one size.

@@ -1,8 +1,8 @@
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/doctor/frame_fit.h"
 #include "core/doctor/solved_mistakes.h"
-#include "core/geometry/angle.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
+#include "core/geometry/numbers.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -17,7 +17,7 @@
 
 /// Another frame of the program's points: turned, moved, scaled, or with other axes.
 namespace unprojector::doctor {
-using text::marked;
+using base::marked;
 namespace {
 
 /// The right points and the program's.
@@ -147,7 +147,7 @@ VariantName nameOf(const FrameFit &frame, const AxisPermutation *permutation)
                    : VariantName(marked("scaled by %1, then moved by %2"), scale, moved,
                                  marked("Your program scales its points by %1, then moves them by %2."));
     const glm::dquat turn = turnOf(frame);
-    const std::string angle = text::significantText(geometry::degreesFromRadians(glm::angle(turn)), 4);
+    const std::string angle = base::significantText(geometry::degreesFromRadians(glm::angle(turn)), 4);
     VariantName name =
         !frame.isHandednessKnown ? VariantName(
             marked("turned by %1 degrees about %3, scaled by %2, moved by %4; the points lie in a plane, "

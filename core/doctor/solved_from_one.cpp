@@ -1,8 +1,8 @@
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/doctor/lens_changes.h"
 #include "core/doctor/solved_mistakes.h"
-#include "core/geometry/angle.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
+#include "core/geometry/numbers.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -13,7 +13,7 @@
 
 namespace unprojector::doctor {
 using namespace geometry;
-using text::marked;
+using base::marked;
 namespace {
 
 bool isAhead(double distance)
@@ -79,7 +79,7 @@ void addFovy(VariantList &list, const Given &given, std::span<const Target> poin
         };
         variant.parameter = value;
         variant.name = {marked("fovy is %1 degrees, the scene has %2"), valueText(value),
-                        text::significantText(fovy, 6),
+                        base::significantText(fovy, 6),
                         marked("Your program's field of view is %1 degrees, the scene's is %2.")};
         variant.values = {{"fovy", {value}, {}}};
         return variant;

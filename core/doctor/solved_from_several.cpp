@@ -1,8 +1,8 @@
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/doctor/frame_fit.h"
 #include "core/doctor/lens_changes.h"
 #include "core/doctor/solved_mistakes.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -19,7 +19,7 @@
 /// Values that take two or three points: near and far, a viewport's rectangle, K.
 namespace unprojector::doctor {
 using namespace geometry;
-using text::marked;
+using base::marked;
 namespace {
 
 /// The clicks of the points, and the points themselves.

@@ -1,13 +1,13 @@
 #include "core/doctor/verdict_texts.h"
 
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/doctor/mistake_texts.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 
 namespace unprojector::doctor {
-using namespace text;
+using namespace base;
 namespace {
 
 std::string rightnessText(const Diagnosis &diagnosis)

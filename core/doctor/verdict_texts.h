@@ -6,7 +6,7 @@
 
 namespace unprojector::doctor {
 
-// Sentences about a diagnosis, for the command and the window, in the language of text::tr().
+// Sentences about a diagnosis, for the command and the window, in the language of base::tr().
 
 /// The candidate's name: "y not flipped", with the variant if there are several: "pixel corner (x
 /// only)".

@@ -1,9 +1,9 @@
 #include "core/doctor/written_points.h"
 
+#include "core/base/csv.h"
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/landmark_files/lines.h"
-#include "core/text/csv.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <charconv>
@@ -16,8 +16,8 @@ using namespace geometry;
 
 namespace {
 
-using text::CsvCell;
-using text::CsvRow;
+using base::CsvCell;
+using base::CsvRow;
 
 constexpr std::size_t kDepth = 2;
 
@@ -124,20 +124,20 @@ bool NumbersFault::isNotFinite() const
 std::string faultText(const NumbersFault &fault, const std::string &wanted)
 {
     if (!fault.word.empty())
-        return fault.isNotFinite() ? text::tr(
+        return fault.isNotFinite() ? base::tr(
                    "\"%1\" is not a finite number; give a click for which the program has a point", fault.word)
-                                   : text::tr("\"%1\" is not a number; give %2", fault.word, wanted);
+                                   : base::tr("\"%1\" is not a number; give %2", fault.word, wanted);
     if (fault.areCommasMixed)
-        return text::tr("it has commas between some numbers and not between others; write decimals with a point, %1",
+        return base::tr("it has commas between some numbers and not between others; write decimals with a point, %1",
                         wanted);
-    return text::tr(fault.found == 1 ? "it has %1 number; give %2" : "it has %1 numbers; give %2", fault.found, wanted);
+    return base::tr(fault.found == 1 ? "it has %1 number; give %2" : "it has %1 numbers; give %2", fault.found, wanted);
 }
 
 std::string depthOutsideText(const std::string &depth, const DepthRange &range)
 {
-    return text::tr(
+    return base::tr(
         "the depth %1 lies outside the depth range, which goes from %2 to %3. A distance is not a depth: leave it out",
-        depth, text::shortestText(range.atNear), text::shortestText(range.atFar));
+        depth, base::shortestText(range.atNear), base::shortestText(range.atFar));
 }
 
 Result<std::vector<WrittenNumber>, NumbersFault> numbersOrFault(std::string_view given, std::size_t count)
@@ -194,7 +194,7 @@ Result<std::vector<PointRow>, PointTableError> pointRows(std::string_view text)
     if (text.starts_with(kByteOrderMark))
         text.remove_prefix(kByteOrderMark.size());
     std::vector<CsvRow> read;
-    text::CsvReader reader(text);
+    base::CsvReader reader(text);
     while (reader.next())
         read.push_back(reader.row());
     if (reader.error())
@@ -253,12 +253,12 @@ Result<WrongPoint, std::string> wrongPointOf(const std::string &pixel, const std
     const auto position = numbersOrFault(pixel, 2);
     if (!position)
         return names.pixel + (' ' + pixel) + ": "
-               + faultText(position.error(), text::tr("device pixels from the top left corner, as in 400.5,300.5"));
+               + faultText(position.error(), base::tr("device pixels from the top left corner, as in 400.5,300.5"));
     point.pixel = DevicePoint((*position)[0].value, (*position)[1].value);
     if (!depth.empty()) {
         const std::optional<WrittenNumber> number = writtenNumber(depth);
         if (!number)
-            return text::tr("%1: give a depth in the scene's depth range, as in 0.838331, or leave it out",
+            return base::tr("%1: give a depth in the scene's depth range, as in 0.838331, or leave it out",
                             names.depth + (' ' + depth));
         point.depth = number->value;
         point.depthLastDigit = depthLastDigit(*number);
@@ -266,7 +266,7 @@ Result<WrongPoint, std::string> wrongPointOf(const std::string &pixel, const std
     const auto coordinates = numbersOrFault(got, 3);
     if (!coordinates)
         return names.got + (' ' + got) + ": "
-               + faultText(coordinates.error(), text::tr("the three coordinates as the program printed them, as in "
+               + faultText(coordinates.error(), base::tr("the three coordinates as the program printed them, as in "
                                                          "0.7051,-0.4122,0.0918 or vec3(0.7051, -0.4122, 0.0918)"));
     for (int axis = 0; axis < 3; ++axis) {
         point.got[axis] = (*coordinates)[std::size_t(axis)].value;

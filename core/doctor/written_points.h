@@ -36,7 +36,7 @@ struct NumbersFault {
     /// True if the word is a program's output for NaN or infinity: nan, -inf, 1.#IND.
     bool isNotFinite() const;
 };
-/// The error in the given numbers and the remedy, in the language of text::tr().
+/// The error in the given numbers and the remedy, in the language of base::tr().
 /// @param wanted  "the three coordinates as the program has printed them"
 std::string faultText(const NumbersFault &fault, const std::string &wanted);
 /// Parses like writtenNumbers, but returns the reason of a failure.

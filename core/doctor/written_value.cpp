@@ -1,6 +1,6 @@
 #include "core/doctor/written_value.h"
 
-#include "core/text/number_text.h"
+#include "core/base/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,7 +90,7 @@ double withoutNoise(double value)
 
 std::string valueText(double value)
 {
-    return text::shortestText(value, 1e-7 * std::abs(value));
+    return base::shortestText(value, 1e-7 * std::abs(value));
 }
 
 } // namespace unprojector::doctor

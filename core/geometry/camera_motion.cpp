@@ -1,6 +1,6 @@
 #include "core/geometry/camera_motion.h"
 
-#include "core/geometry/angle.h"
+#include "core/geometry/numbers.h"
 #include "core/geometry/proportions.h"
 
 #include <glm/geometric.hpp>

@@ -1,6 +1,6 @@
 #include "core/geometry/observer_camera.h"
 
-#include "core/geometry/angle.h"
+#include "core/geometry/numbers.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/double_double.h"
+#include "core/geometry/numbers.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>

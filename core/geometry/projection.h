@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/geometry/angle.h"
-#include "core/geometry/double_double.h"
+#include "core/geometry/numbers.h"
 #include "core/geometry/result.h"
 
 #include <glm/mat4x4.hpp>

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <cassert>
-#include <cmath>
+#include "core/base/expected.h"
+
 #include <limits>
-#include <utility>
 #include <variant>
 
 namespace unprojector::geometry {
 
-/// The kinds of errors in an input. The caller words the message (core/text/error_text,
+/// The kinds of errors in an input. The caller words the message (core/geometry/error_text,
 /// gui/text/error_text); `Error` carries the offending values for it.
 enum class ErrorCode {
     NotFinite,             ///< value: the NaN or infinity given
@@ -52,53 +51,9 @@ struct Error {
     double other = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// A value, or an error that explains why there is none. There are no sentinel values: "no answer"
-/// is always an error.
+/// A value, or an error of an input.
 template <class T, class E = Error>
-class [[nodiscard]] Result {
-public:
-    Result(T value) : m_state(std::in_place_index<0>, std::move(value)) {}
-    Result(E error) : m_state(std::in_place_index<1>, std::move(error)) {}
-
-    bool hasValue() const { return m_state.index() == 0; }
-    explicit operator bool() const { return hasValue(); }
-
-    const T &value() const &
-    {
-        assert(hasValue());
-        return *std::get_if<0>(&m_state);
-    }
-    /// Returns a value, not a reference, because `const T &kept = f().value()` would dangle
-    /// otherwise.
-    T value() &&
-    {
-        assert(hasValue());
-        return std::move(*std::get_if<0>(&m_state));
-    }
-    T value() const && = delete;
-
-    const T &operator*() const & { return value(); }
-    T operator*() && { return std::move(*this).value(); }
-    T operator*() const && = delete;
-
-    const T *operator->() const & { return &value(); }
-    const T *operator->() const && = delete; // it would point into the temporary: write f().value().member
-
-    const E &error() const &
-    {
-        assert(!hasValue());
-        return *std::get_if<1>(&m_state);
-    }
-    E error() &&
-    {
-        assert(!hasValue());
-        return std::move(*std::get_if<1>(&m_state));
-    }
-    E error() const && = delete;
-
-private:
-    std::variant<T, E> m_state;
-};
+using Result = base::Expected<T, E>;
 
 /// The result of a check: nothing, or the error.
 using Check = Result<std::monostate>;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/components.h"
+#include "core/geometry/numbers.h"
 
 #include <glm/geometric.hpp>
 
@@ -203,6 +204,18 @@ struct DevicePixel {
     int i = 0;
     int j = 0;
     friend bool operator==(const DevicePixel &, const DevicePixel &) = default;
+};
+
+/// A point before rounding, for a further step to another space.
+template <class Space>
+struct PrecisePoint {
+    DoubleDouble x, y, z;
+
+    PrecisePoint() = default;
+    PrecisePoint(const DoubleDouble &ofX, const DoubleDouble &ofY, const DoubleDouble &ofZ) : x(ofX), y(ofY), z(ofZ) {}
+    PrecisePoint(const Point<Space> &point) : x(point.x), y(point.y), z(point.z) {} // every point is one
+
+    Point<Space> rounded() const { return Point<Space>(x.value, y.value, z.value); }
 };
 
 } // namespace unprojector::geometry

@@ -1,7 +1,7 @@
 #include "core/geometry/transform.h"
 
-#include "core/geometry/angle.h"
 #include "core/geometry/finite.h"
+#include "core/geometry/numbers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/double_double.h"
+#include "core/geometry/numbers.h"
 #include "core/geometry/result.h"
 #include "core/geometry/spaces.h"
 

@@ -1,7 +1,7 @@
 // OpenEXR, by its library.
 
+#include "core/base/translation.h"
 #include "core/images/formats.h"
-#include "core/text/translation.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -17,7 +17,7 @@
 #include <stdexcept>
 
 namespace unprojector::images {
-using text::tr;
+using base::tr;
 namespace {
 
 /// The bytes as OpenEXR reads them. Its errors are exceptions.

@@ -1,8 +1,8 @@
 // Colors from JPEG, by libjpeg.
 
+#include "core/base/translation.h"
 #include "core/images/exif_orientation.h"
 #include "core/images/formats.h"
-#include "core/text/translation.h"
 
 #include <csetjmp>
 #include <cstdio> // jpeglib.h needs it
@@ -12,7 +12,7 @@
 #include <jerror.h>
 
 namespace unprojector::images {
-using text::tr;
+using base::tr;
 namespace {
 
 /// libjpeg's reader. Its errors jump (longjmp) to the latest setjmp: each function that calls

@@ -1,14 +1,14 @@
 // PFM, PGM, COLMAP's maps and raw floats.
 
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/images/formats.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
 
 #include <charconv>
 #include <cmath>
 
 namespace unprojector::images {
-using text::tr;
+using base::tr;
 namespace {
 
 bool isSpace(char c)
@@ -161,12 +161,12 @@ std::optional<ImageError> excess(const NumberImage &image, const ImageRequest &r
     if (!request.byteOrder && std::ranges::none_of(numbers, isExcess, withSwappedBytes<Number>))
         return ImageError{tr("numbers are above %1, the greatest one of the header, and none is in the other byte "
                              "order; give little by %2",
-                             text::shortestText(image.greatest), request.byteOrderName)};
+                             base::shortestText(image.greatest), request.byteOrderName)};
     const auto pixel = static_cast<std::size_t>(found - numbers.begin());
     return ImageError{tr("the pixel in column %1 and row %2 has the value %3, and the header says that %4 is the "
                          "greatest (both counted from 0, from the upper left)",
                          pixel % image.size.width, pixel / image.size.width, unsigned{*found},
-                         text::shortestText(image.greatest))};
+                         base::shortestText(image.greatest))};
 }
 
 constexpr bool kIsLittle = std::endian::native == std::endian::little;
@@ -221,7 +221,7 @@ Numbers readNetpbm(ImageBytes &bytes, const ImageRequest &request)
         image.isBottomFirst = true;
         if (std::abs(*last) != 1.0)
             image.notes.push_back(tr("the header has the scale %1, which is not applied: the depths are used unchanged",
-                                     text::shortestText(std::abs(*last))));
+                                     base::shortestText(std::abs(*last))));
         error = readAll<float>(bytes, image, (*last < 0.0) != kIsLittle, request);
     } else if (image.greatest > 255.0) {
         error = readInOrder<std::uint16_t>(bytes, image, std::endian::big, request);

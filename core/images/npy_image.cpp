@@ -1,14 +1,14 @@
 // NumPy's arrays: https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html
 
+#include "core/base/translation.h"
 #include "core/images/formats.h"
-#include "core/text/translation.h"
 
 #include <charconv>
 #include <limits>
 #include <type_traits>
 
 namespace unprojector::images {
-using text::tr;
+using base::tr;
 namespace {
 
 /// The dictionary of a header: {'descr': '<f4', 'fortran_order': False, 'shape': (480, 640), }

@@ -1,13 +1,13 @@
 #include "core/images/number_image.h"
 
+#include "core/base/translation.h"
 #include "core/images/formats.h"
-#include "core/text/translation.h"
 
 #include <cmath>
 #include <limits>
 
 namespace unprojector::images {
-using text::tr;
+using base::tr;
 
 std::string sizeText(const PixelSize &size)
 {

@@ -30,7 +30,7 @@ constexpr std::size_t kMostSide = 65536;
 
 /// The fault of an image.
 struct ImageError {
-    std::string reason; ///< says what to do, in the language of text::tr()
+    std::string reason; ///< says what to do, in the language of base::tr()
 };
 
 /// One number a pixel, in the type of the file.
@@ -43,7 +43,7 @@ struct NumberImage {
     Numbers numbers;
     double greatest = 0.0;          ///< of whole numbers: the greatest possible one; 0: fractions
     bool isBottomFirst = false;     ///< rows are stored from the bottom
-    std::vector<std::string> notes; ///< what was chosen or ignored, in the language of text::tr()
+    std::vector<std::string> notes; ///< what was chosen or ignored, in the language of base::tr()
 
     /// The index of the first number of row j, counted from the top.
     std::size_t start(std::size_t j) const { return (isBottomFirst ? size.height - 1 - j : j) * size.width; }

@@ -1,7 +1,7 @@
 // PNG, by libpng.
 
+#include "core/base/translation.h"
 #include "core/images/formats.h"
-#include "core/text/translation.h"
 
 #include <png.h>
 
@@ -9,7 +9,7 @@
 #include <limits>
 
 namespace unprojector::images {
-using text::tr;
+using base::tr;
 namespace {
 
 /// libpng's reader. Its errors jump (longjmp) to the latest setjmp: each function that calls libpng

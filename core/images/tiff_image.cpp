@@ -1,7 +1,7 @@
 // TIFF, by libtiff.
 
+#include "core/base/translation.h"
 #include "core/images/formats.h"
-#include "core/text/translation.h"
 
 #include <tiffio.h>
 
@@ -11,7 +11,7 @@
 #include <utility>
 
 namespace unprojector::images {
-using text::tr;
+using base::tr;
 namespace {
 
 /// What libtiff's callbacks need.

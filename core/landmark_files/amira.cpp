@@ -1,9 +1,9 @@
 // .landmarkAscii of Amira and Avizo: "# Avizo 3D ASCII 2.0", declarations, then sections of
 // numbers, "@1" and so on.
 
+#include "core/base/text_scanner.h"
+#include "core/base/translation.h"
 #include "core/landmark_files/lines.h"
-#include "core/text/text_scanner.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -12,8 +12,8 @@
 namespace unprojector::landmark_files {
 using namespace geometry;
 using namespace landmarks;
-using text::marked;
-using text::tr;
+using base::marked;
+using base::tr;
 namespace {
 
 /// A declaration: "Markers { float[3] Coordinates } @1".
@@ -37,7 +37,7 @@ Landmark landmarkOf(const Lines &lines)
     constexpr std::array kAxes{"x", "y", "z"};
     const std::vector<std::string_view> words = wordsOf(lines.text());
     if (words.size() != kAxes.size())
-        throw Failure{lines.number(), tr("%1 is not a point; write x, y and z", text::quoted(lines.text()))};
+        throw Failure{lines.number(), tr("%1 is not a point; write x, y and z", base::quoted(lines.text()))};
     Landmark landmark;
     if (std::all_of(words.begin(), words.end(), isMissingWord))
         return landmark;
@@ -61,7 +61,7 @@ ReadLandmarks readAmira(std::string_view text)
                              || first.find("hypermesh") != first.npos);
     if (!isAmira)
         throw Failure{1, tr("the first line is %1; Amira and Avizo begin the file with \"# Avizo 3D ASCII 2.0\"",
-                            text::quoted(lines.text()))};
+                            base::quoted(lines.text()))};
     if (first.find("ascii") == first.npos)
         throw Failure{1, tr("this file is binary; save it as \"LandmarkSet Ascii\" in Amira or Avizo")};
     ReadLandmarks read;
@@ -98,7 +98,7 @@ ReadLandmarks readAmira(std::string_view text)
             isOther = true;
         } else if (!read.sets.empty() && !isOther && !lines.text().starts_with('#')) {
             throw Failure{lines.number(), tr("%1 follows the points; write the right number behind \"define Markers\"",
-                                             text::quoted(lines.text()))};
+                                             base::quoted(lines.text()))};
         }
     }
     if (read.sets.empty() || !sections.empty())

@@ -1,10 +1,10 @@
 // Writes this program's table: name,x,y,z,object,face,u,v,w,note and the columns for other data
 // that a landmark has.
 
+#include "core/base/number_text.h"
 #include "core/landmark_files/csv_columns.h"
 #include "core/landmark_files/lines.h"
 #include "core/scene_file/json_text.h"
-#include "core/text/number_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -27,7 +27,7 @@ std::string cellOf(const Json &value)
 std::string number(double value)
 {
     std::string text;
-    text::appendNumber(text, value);
+    base::appendNumber(text, value);
     return text;
 }
 
@@ -163,7 +163,7 @@ bool hasSeveralPlacings(std::span<const LandmarkSet> sets)
     return std::any_of(sets.begin(), sets.end(), [](const LandmarkSet &set) { return set.placing > 1; });
 }
 
-std::string csvText(std::span<const LandmarkSet> sets, text::CellTexts texts, Notes &notes, const std::string &absent)
+std::string csvText(std::span<const LandmarkSet> sets, base::CellTexts texts, Notes &notes, const std::string &absent)
 {
     FormatCapabilities all;
     all.names = all.objects = all.anchors = all.uncertainties = all.notes = all.colors = all.hidden = all.keys = true;

@@ -1,11 +1,11 @@
 // Reads tables: this program's, and other programs' with named columns.
 
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/landmark_files/csv_table.h"
 #include "core/landmark_files/lines.h"
 #include "core/scene_file/json_text.h"
 #include "core/scene_file/strict_json.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
 
 #include <nlohmann/json.hpp>
 
@@ -22,9 +22,9 @@ namespace unprojector::landmark_files {
 using namespace geometry;
 using namespace landmarks;
 using namespace csv;
-using text::CsvCell;
-using text::CsvRow;
-using text::tr;
+using base::CsvCell;
+using base::CsvRow;
+using base::tr;
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -144,7 +144,7 @@ Anchor anchorOf(const Cells &cells)
     if (isFace) {
         const double sum = barycentric->x + barycentric->y + barycentric->z;
         if (!(std::abs(sum - 1.0) <= kBarycentricSum))
-            throw Failure{cells.line(), tr("the sum of u, v and w is %1; it must be 1", text::shortestText(sum))};
+            throw Failure{cells.line(), tr("the sum of u, v and w is %1; it must be 1", base::shortestText(sum))};
         OnTriangle held; // GCC 12 reports uninitialized padding if it is built in one expression
         held.triangle = countOf(cells[Face], cells.line(), "face");
         held.barycentric = *barycentric;

@@ -3,8 +3,8 @@
 
 #include "core/landmark_files/csv_table.h"
 
-#include "core/text/text_scanner.h"
-#include "core/text/translation.h"
+#include "core/base/text_scanner.h"
+#include "core/base/translation.h"
 
 #include <algorithm>
 #include <set>
@@ -12,14 +12,14 @@
 
 namespace unprojector::landmark_files::csv {
 using namespace landmarks;
-using text::CsvReader;
-using text::CsvRow;
-using text::tr;
+using base::CsvReader;
+using base::CsvRow;
+using base::tr;
 namespace {
 
 constexpr std::array<Column, 10> kNumberColumns{X, Y, Z, U, V, W, Dx, Dy, Dz, EdgeShare};
 
-[[noreturn]] void fail(const text::CsvError &error)
+[[noreturn]] void fail(const base::CsvError &error)
 {
     throw Failure{error.line, error.text};
 }
@@ -29,8 +29,8 @@ constexpr std::array<Column, 10> kNumberColumns{X, Y, Z, U, V, W, Dx, Dy, Dz, Ed
 std::size_t takeApostrophesOff(CsvRow &row)
 {
     std::size_t count = 0;
-    for (text::CsvCell &cell : row.cells) {
-        if (!text::isQuotedFormula(cell.text))
+    for (base::CsvCell &cell : row.cells) {
+        if (!base::isQuotedFormula(cell.text))
             continue;
         cell.text.erase(0, 1);
         ++count;
@@ -38,7 +38,7 @@ std::size_t takeApostrophesOff(CsvRow &row)
     return count;
 }
 
-std::string nameOfCell(const text::CsvCell &cell)
+std::string nameOfCell(const base::CsvCell &cell)
 {
     return lowerCase(trimmed(cell.text));
 }
@@ -120,9 +120,9 @@ void takeSlashesOff(CsvRow &row)
         cell.erase(0, std::min(cell.find_first_not_of(" \t", 2), cell.size()));
 }
 
-bool isNumber(std::string_view cell, const text::DecimalMark &mark)
+bool isNumber(std::string_view cell, const base::DecimalMark &mark)
 {
-    return text::doubleFromWord(mark.withPoint(cell)).has_value();
+    return base::doubleFromWord(mark.withPoint(cell)).has_value();
 }
 
 bool isWholeNumber(std::string_view cell)
@@ -136,9 +136,9 @@ bool isWholeNumber(std::string_view cell)
 /// @return empty if the rows have another form
 std::optional<Header> guessedHeader(std::string_view text, char separator)
 {
-    text::DecimalMark mark(separator);
+    base::DecimalMark mark(separator);
     for (CsvReader reader(text, separator); reader.next();) {
-        for (const text::CsvCell &cell : reader.row().cells)
+        for (const base::CsvCell &cell : reader.row().cells)
             mark.see(cell.text);
     }
     std::size_t count = 0;
@@ -185,8 +185,8 @@ std::optional<Header> guessedHeader(std::string_view text, char separator)
 void readHeader(Table &table, std::optional<char> separator)
 {
     std::optional<CsvRow> first;
-    std::optional<text::CsvError> error; ///< with another separator the quotes may be valid
-    for (const char candidate : text::kCsvSeparators) {
+    std::optional<base::CsvError> error; ///< with another separator the quotes may be valid
+    for (const char candidate : base::kCsvSeparators) {
         CsvReader reader(table.text, candidate);
         if (separator.value_or(candidate) != candidate)
             continue;
@@ -208,7 +208,7 @@ void readHeader(Table &table, std::optional<char> separator)
         fail(*error);
     if (!first)
         throw Failure{1, tr("the file is empty; the first line names the columns, name,x,y,z at least")};
-    for (const char candidate : text::kCsvSeparators) {
+    for (const char candidate : base::kCsvSeparators) {
         if (separator.value_or(candidate) != candidate)
             continue;
         if (std::optional<Header> guessed = guessedHeader(table.text, candidate)) {
@@ -217,7 +217,7 @@ void readHeader(Table &table, std::optional<char> separator)
             return;
         }
     }
-    table.separator = separator.value_or(text::csvSeparatorOf(first->source));
+    table.separator = separator.value_or(base::csvSeparatorOf(first->source));
     if (error)
         fail(*error);
     CsvReader reader(table.text, table.separator);
@@ -271,7 +271,7 @@ Survey surveyOf(Table &table)
 /// Examines the numbers, now that every column is known.
 void seeNumbers(Table &table)
 {
-    table.mark = text::DecimalMark(table.separator);
+    table.mark = base::DecimalMark(table.separator);
     for (TableRows rows(table); rows.next();) {
         for (const Column column : kNumberColumns) {
             if (table.header.has(column))
@@ -285,7 +285,7 @@ void seeNumbers(Table &table)
 Table tableOf(std::string_view text)
 {
     Table table;
-    const std::optional<char> separator = text::takeSeparatorLine(text);
+    const std::optional<char> separator = base::takeSeparatorLine(text);
     table.text = text;
     readHeader(table, separator);
     const Survey survey = surveyOf(table);

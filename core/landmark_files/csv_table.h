@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/base/csv.h"
 #include "core/landmark_files/csv_columns.h"
 #include "core/landmark_files/lines.h"
-#include "core/text/csv.h"
 
 #include <array>
 #include <cstddef>
@@ -34,7 +34,7 @@ struct Table {
     Header header;
     std::size_t rowCount = 0; ///< without the header, and without padding after the last row
     std::size_t paddingCount = 0;
-    text::DecimalMark mark{','};
+    base::DecimalMark mark{','};
 };
 
 /// Finds a table's separator, header, row count and decimal mark. Throws Failure.
@@ -47,13 +47,13 @@ public:
     /// Moves to the next row.
     /// @return false after the last row. Throws Failure.
     bool next();
-    const text::CsvRow &row() const { return m_reader.row(); }
+    const base::CsvRow &row() const { return m_reader.row(); }
     /// The number of the row's cells in which an apostrophe before a formula was removed.
     std::size_t apostropheCount() const { return m_apostrophes; }
 
 private:
     const Table &m_table;
-    text::CsvReader m_reader;
+    base::CsvReader m_reader;
     std::size_t m_read = 0, m_apostrophes = 0;
 };
 

@@ -1,17 +1,17 @@
 // .pts of IDAV Landmark: "Version 1.0", the number of points, then one point per line.
 
+#include "core/base/number_text.h"
+#include "core/base/text_scanner.h"
+#include "core/base/translation.h"
 #include "core/landmark_files/lines.h"
-#include "core/text/number_text.h"
-#include "core/text/text_scanner.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 
 namespace unprojector::landmark_files {
 using namespace geometry;
 using namespace landmarks;
-using text::marked;
-using text::tr;
+using base::marked;
+using base::tr;
 namespace {
 
 constexpr double kMissing = 9999.0;
@@ -19,14 +19,14 @@ constexpr double kMissing = 9999.0;
 bool isVersion(std::string_view line)
 {
     const std::vector<std::string_view> words = wordsOf(line);
-    return words.size() == 2 && lowerCase(words[0]) == "version" && text::doubleFromWord(words[1]) == 1.0;
+    return words.size() == 2 && lowerCase(words[0]) == "version" && base::doubleFromWord(words[1]) == 1.0;
 }
 
 /// True if a word means "no number". This program writes a coordinate of exactly 9999 with an
 /// exponent.
 bool isMissing(std::string_view word)
 {
-    return isMissingWord(word) || (text::doubleFromWord(word) == kMissing && word.find_first_of("eE") == word.npos);
+    return isMissingWord(word) || (base::doubleFromWord(word) == kMissing && word.find_first_of("eE") == word.npos);
 }
 
 /// Parses a row "name x y z". Throws Failure.
@@ -34,14 +34,14 @@ Landmark landmarkOf(std::string_view row, std::size_t line)
 {
     const std::vector<std::string_view> words = wordsOf(row);
     if (words.size() < 4)
-        throw Failure{line, tr("%1 is not a point; write its name, x, y and z", text::quoted(row))};
+        throw Failure{line, tr("%1 is not a point; write its name, x, y and z", base::quoted(row))};
     // A name may contain blanks: the coordinates are the last three words.
     const std::string_view lastOfName = words[words.size() - 4];
-    if (words.size() > 4 && text::doubleFromWord(lastOfName))
+    if (words.size() > 4 && base::doubleFromWord(lastOfName))
         throw Failure{line,
                       tr("%1 has more than three numbers behind its name; write name, x, y and z, and _ for a blank "
                          "in a name that ends in a number",
-                         text::quoted(row))};
+                         base::quoted(row))};
     Landmark landmark;
     landmark.name = row.substr(0, static_cast<std::size_t>(lastOfName.data() + lastOfName.size() - row.data()));
     const auto missing = std::count_if(words.end() - 3, words.end(), isMissing);
@@ -72,12 +72,12 @@ ReadLandmarks readIdav(std::string_view text)
                       tr("this .pts begins with %1, not with \"Version 1.0\" as those of IDAV Landmark "
                          "do; a point cloud of a scanner is not read: save it as .ply, and open that as a "
                          "model",
-                         text::quoted(lines.text()))};
+                         base::quoted(lines.text()))};
     if (!isVersion(lines.text()))
         throw Failure{lines.number(),
                       tr("this .pts begins with %1, and only \"Version 1.0\" is known; write that there if "
                          "its rows are name, x, y and z",
-                         text::quoted(lines.text()))};
+                         base::quoted(lines.text()))};
     if (!lines.nextFilled())
         throw Failure{lines.number(), tr("the number of points is missing; it follows \"Version 1.0\"")};
     const std::size_t countLine = lines.number();
@@ -114,7 +114,7 @@ std::string idavText(const LandmarkSet &set, Notes &notes)
             if (landmark.world && v[axis] == kMissing)
                 text += "9.999e3"; // "9999" would mean missing
             else
-                text::appendNumber(text, v[axis]);
+                base::appendNumber(text, v[axis]);
         }
         text += '\n';
     }

@@ -1,10 +1,10 @@
 #include "core/landmark_files/landmark_file.h"
 
-#include "core/files/path_text.h"
-#include "core/files/replace_file.h"
+#include "core/base/path_text.h"
+#include "core/base/replace_file.h"
+#include "core/base/translation.h"
+#include "core/base/utf8.h"
 #include "core/landmark_files/lines.h"
-#include "core/text/translation.h"
-#include "core/text/utf8.h"
 
 #include <algorithm>
 #include <array>
@@ -15,9 +15,8 @@
 
 namespace unprojector::landmark_files {
 using namespace landmarks;
-using namespace files;
+using namespace base;
 using geometry::Result;
-using text::tr;
 
 const char *suffixOf(Format format)
 {
@@ -94,7 +93,7 @@ Result<ReadLandmarks, LandmarkFileError> parseLandmarks(std::string_view text, F
             throw Failure{0, tr("this is not a text in UTF-8; save it as UTF-8")};
         // A name in Latin-1, if written unchanged, would make an XML or JSON file that other
         // programs reject.
-        if (const std::size_t end = text::firstNotUtf8(text); end != text.npos)
+        if (const std::size_t end = base::firstNotUtf8(text); end != text.npos)
             throw Failure{static_cast<std::size_t>(std::count(text.begin(), text.begin() + end, '\n')) + 1,
                           tr("this is not UTF-8; save the file as UTF-8")};
         if (text.starts_with("\xef\xbb\xbf"))
@@ -130,7 +129,7 @@ const LandmarkSet &onlyOf(std::span<const LandmarkSet> sets, Format format)
                   LandmarkFileError::Code::CannotHold};
 }
 
-std::string textOf(std::span<const LandmarkSet> sets, Format format, text::CellTexts texts, Notes &notes)
+std::string textOf(std::span<const LandmarkSet> sets, Format format, base::CellTexts texts, Notes &notes)
 {
     switch (format) {
     case Format::Csv: return csvText(sets, texts, notes);
@@ -163,7 +162,7 @@ void checkSize(std::size_t bytes)
 }
 
 Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const LandmarkSet> sets, Format format,
-                                                          text::CellTexts texts)
+                                                          base::CellTexts texts)
 {
     Notes notes;
     try {

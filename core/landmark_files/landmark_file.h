@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/base/csv.h"
 #include "core/geometry/result.h"
 #include "core/landmarks/landmark.h"
-#include "core/text/csv.h"
 
 #include <array>
 #include <cstddef>
@@ -130,7 +130,7 @@ struct LandmarkFileError {
         NotFound,
         IsDirectory,
         NotReadable,
-        NotWritable,   ///< detail: files::fileErrorText
+        NotWritable,   ///< detail: base::fileErrorText
         UnknownFormat, ///< the suffix belongs to no known format
         NotWritten,    ///< the suffix belongs to no writable format
         TooLarge,
@@ -180,7 +180,7 @@ geometry::Result<ReadLandmarks, LandmarkFileError> parseLandmarks(std::string_vi
 ///         kMostLandmarkBytes
 geometry::Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const landmarks::LandmarkSet> sets,
                                                                     Format format,
-                                                                    text::CellTexts texts = text::CellTexts::AsTheyAre);
+                                                                    base::CellTexts texts = base::CellTexts::AsTheyAre);
 
 /// Converts trailing points "NAME:01", "NAME:02" and so on without a gap to curves with
 /// semilandmarks only. Formats without curves name semilandmarks so. The first one may be

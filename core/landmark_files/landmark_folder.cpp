@@ -1,13 +1,13 @@
 #include "core/landmark_files/landmark_folder.h"
 
-#include "core/files/path_text.h"
-#include "core/files/replace_file.h"
+#include "core/base/csv.h"
+#include "core/base/path_text.h"
+#include "core/base/replace_file.h"
+#include "core/base/system_error.h"
+#include "core/base/translation.h"
 #include "core/landmark_files/lines.h"
 #include "core/landmark_files/measures_file.h"
 #include "core/landmark_files/sliders.h"
-#include "core/text/csv.h"
-#include "core/text/system_error.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@
 
 namespace unprojector::landmark_files {
 using namespace landmarks;
-using namespace files;
+using namespace base;
 namespace {
 
 /// True if a name without its last suffix ends in ".mrk", in any case.
@@ -52,7 +52,7 @@ bool isResultTable(const std::filesystem::path &file)
     std::getline(opened, line);
     if (line.starts_with("\xef\xbb\xbf"))
         line.erase(0, 3);
-    text::CsvReader reader(line, text::csvSeparatorOf(line));
+    base::CsvReader reader(line, base::csvSeparatorOf(line));
     if (!reader.next())
         return false;
     const auto cell = [&reader](std::size_t i) {
@@ -136,7 +136,7 @@ void tellSamePlacing(LandmarkFolder &folder, const std::filesystem::path &file)
         const std::filesystem::path &other = folder.files[i];
         if (scanOf(other) != scan || placingOf(other) != placingOf(file))
             continue;
-        folder.reports.push_back(text::tr("%1: this is placing %2 of %3, as %4 is; it counts as another specimen",
+        folder.reports.push_back(base::tr("%1: this is placing %2 of %3, as %4 is; it counts as another specimen",
                                           utf8FromPath(file), placingOf(file), utf8FromPath(scan.filename()),
                                           utf8FromPath(other.filename())));
         return;
@@ -203,12 +203,12 @@ LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, std::span
         const std::string name = utf8FromPath(file);
         ++read.fileCount;
         if (formatOf(file) == Format::MeshLabTemplate) {
-            read.reports.push_back(name + ": " + text::tr("a template has names and no points; it is left out"));
+            read.reports.push_back(name + ": " + base::tr("a template has names and no points; it is left out"));
             continue;
         }
         if (isResultTable(file)) {
             read.reports.push_back(name + ": "
-                                   + text::tr("this is a table that this program made of other files; it is left out"));
+                                   + base::tr("this is a table that this program made of other files; it is left out"));
             continue;
         }
         auto result = readLandmarkFile(file);
@@ -221,7 +221,7 @@ LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, std::span
         if (hasScans && scanOf(file).empty() && landmarks.sets.size() > 1) {
             read.reports.push_back(
                 name + ": "
-                + text::tr("it has several specimens, and other files lie beside their scans; it is left out"));
+                + base::tr("it has several specimens, and other files lie beside their scans; it is left out"));
             continue;
         }
         tellSamePlacing(read, file);
@@ -262,7 +262,7 @@ LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, std::span
 
 std::string folderErrorText(const std::filesystem::path &folder, const std::error_code &error)
 {
-    return text::tr("%1: the folder cannot be read: %2", utf8FromPath(folder), text::systemErrorText(error));
+    return base::tr("%1: the folder cannot be read: %2", utf8FromPath(folder), base::systemErrorText(error));
 }
 
 } // namespace unprojector::landmark_files

@@ -2,14 +2,14 @@
 
 #include "core/landmark_files/landmark_file.h"
 
-#include "core/text/translation.h"
+#include "core/base/translation.h"
 
 #include <algorithm>
 #include <map>
 
 namespace unprojector::landmark_files {
-using text::marked;
-using text::tr;
+using base::marked;
+using base::tr;
 namespace {
 
 /// A sentence with a number, in singular or plural.

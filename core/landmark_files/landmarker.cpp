@@ -1,12 +1,12 @@
 // .ljson of landmarker.io and menpo, versions 1 to 3: points without names of their own, in groups
 // with labels.
 
+#include "core/base/json_number.h"
+#include "core/base/translation.h"
 #include "core/landmark_files/lines.h"
 #include "core/scene_file/json_text.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/strict_json.h"
-#include "core/text/json_number.h"
-#include "core/text/translation.h"
 
 #include <nlohmann/json.hpp>
 
@@ -16,7 +16,7 @@
 namespace unprojector::landmark_files {
 using namespace geometry;
 using namespace landmarks;
-using text::tr;
+using base::tr;
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -40,9 +40,9 @@ Landmark landmarkOf(const Json &point, const std::string &key)
         return landmark;
     glm::dvec3 v(0.0);
     for (std::size_t i = 0; i < 3; ++i) {
-        if (!text::isJsonNumber(point[i]))
+        if (!base::isJsonNumber(point[i]))
             fail(tr("%1 is not a point; write three numbers, or null for a missing one", key));
-        v[static_cast<int>(i)] = text::valueOfJsonNumber(point[i]);
+        v[static_cast<int>(i)] = base::valueOfJsonNumber(point[i]);
     }
     landmark.world = WorldPoint(v);
     return landmark;

@@ -1,8 +1,8 @@
 #include "core/landmark_files/lines.h"
 
-#include "core/text/number_text.h"
-#include "core/text/text_scanner.h"
-#include "core/text/translation.h"
+#include "core/base/number_text.h"
+#include "core/base/text_scanner.h"
+#include "core/base/translation.h"
 
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
@@ -17,8 +17,8 @@
 namespace unprojector::landmark_files {
 using namespace geometry;
 using namespace landmarks;
-using text::quoted;
-using text::tr;
+using base::quoted;
+using base::tr;
 
 bool Lines::next()
 {
@@ -69,7 +69,7 @@ std::vector<std::string_view> wordsOf(std::string_view line)
 
 double numberOf(std::string_view word, std::size_t line, std::string_view what)
 {
-    const std::optional<double> value = text::doubleFromWord(trimmed(word));
+    const std::optional<double> value = base::doubleFromWord(trimmed(word));
     if (value && std::isfinite(*value))
         return *value;
     throw Failure{line, tr(word.find(',') == word.npos ? "%1 is %2; write a number"
@@ -79,7 +79,7 @@ double numberOf(std::string_view word, std::size_t line, std::string_view what)
 
 std::uint32_t countOf(std::string_view word, std::size_t line, std::string_view what)
 {
-    const std::optional<long long> value = text::integerFromWord(trimmed(word));
+    const std::optional<long long> value = base::integerFromWord(trimmed(word));
     if (value && *value >= 0 && *value <= std::numeric_limits<std::uint32_t>::max())
         return static_cast<std::uint32_t>(*value);
     throw Failure{line, tr("%1 is %2; write a whole number, 0 or more", tr(what), quoted(word))};
@@ -89,7 +89,7 @@ void appendNumbers(std::string &text, const glm::dvec3 &v, char separator)
 {
     for (int i = 0; i < 3; ++i) {
         text += separator;
-        text::appendNumber(text, v[i]);
+        base::appendNumber(text, v[i]);
     }
 }
 
@@ -348,7 +348,7 @@ void appendValue(std::string &text, const std::optional<double> &value)
 {
     text += ',';
     if (value)
-        text::appendNumber(text, *value);
+        base::appendNumber(text, *value);
     else
         text += "NA";
 }
@@ -373,10 +373,10 @@ void appendCell(std::string &text, std::string_view cell)
     text += '"';
 }
 
-void appendCell(std::string &text, const std::string &cell, text::CellTexts texts)
+void appendCell(std::string &text, const std::string &cell, base::CellTexts texts)
 {
     const bool isQuoted =
-        text::isQuotedFormula(cell) || (texts == text::CellTexts::SpreadsheetSafe && text::isFormula(cell));
+        base::isQuotedFormula(cell) || (texts == base::CellTexts::SpreadsheetSafe && base::isFormula(cell));
     appendCell(text, isQuoted ? '\'' + cell : cell);
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "core/base/csv.h"
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmarks/distinct_names.h"
 #include "core/landmarks/landmark.h"
 #include "core/scene_file/scene_file_error.h"
-#include "core/text/csv.h"
 
 #include <cstddef>
 #include <map>
@@ -131,7 +131,7 @@ void appendValue(std::string &text, const std::optional<double> &value);
 void appendCell(std::string &text, std::string_view cell);
 /// Appends a cell of this program's table. Its reader removes an apostrophe before a formula, so an
 /// apostrophe of the name itself is doubled.
-void appendCell(std::string &text, const std::string &cell, text::CellTexts texts);
+void appendCell(std::string &text, const std::string &cell, base::CellTexts texts);
 
 /// Reads a file, at most a byte more than kMostLandmarkBytes and a block.
 /// @return NotFound, IsDirectory, NotReadable
@@ -167,7 +167,7 @@ ReadLandmarks readLandmarker(std::string_view text);
 /// Returns whether a set is a second or later placing.
 bool hasSeveralPlacings(std::span<const landmarks::LandmarkSet> sets);
 /// @param absent  stands for each coordinate of a landmark without a position
-std::string csvText(std::span<const landmarks::LandmarkSet> sets, text::CellTexts texts, Notes &notes,
+std::string csvText(std::span<const landmarks::LandmarkSet> sets, base::CellTexts texts, Notes &notes,
                     const std::string &absent = {});
 std::string meshLabText(const landmarks::LandmarkSet &set, Notes &notes);
 std::string meshLabTemplateText(const landmarks::LandmarkSet &set, Notes &notes);

@@ -1,11 +1,11 @@
 #include "core/landmark_files/measures_file.h"
 
-#include "core/files/path_text.h"
+#include "core/base/csv.h"
+#include "core/base/path_text.h"
+#include "core/base/translation.h"
+#include "core/base/utf8.h"
 #include "core/landmark_files/lines.h"
 #include "core/landmarks/protocol.h"
-#include "core/text/csv.h"
-#include "core/text/translation.h"
-#include "core/text/utf8.h"
 
 #include <algorithm>
 #include <optional>
@@ -14,9 +14,9 @@
 
 namespace unprojector::landmark_files {
 using namespace landmarks;
+using base::CsvRow;
+using base::tr;
 using geometry::Result;
-using text::CsvRow;
-using text::tr;
 namespace {
 
 std::string kindWords()
@@ -68,7 +68,7 @@ KeptMeasure measureOf(CsvRow &row)
 bool isMeasuresFile(const std::filesystem::path &file)
 {
     constexpr std::string_view kSuffix = ".measures.csv";
-    return lowerCase(files::utf8FromPath(file.filename())).ends_with(kSuffix);
+    return lowerCase(base::utf8FromPath(file.filename())).ends_with(kSuffix);
 }
 
 Result<std::vector<KeptMeasure>, LandmarkFileError> parseMeasures(std::string_view text, const std::string &name)
@@ -76,11 +76,11 @@ Result<std::vector<KeptMeasure>, LandmarkFileError> parseMeasures(std::string_vi
     try {
         if (text.starts_with("\xef\xbb\xbf"))
             text.remove_prefix(3);
-        if (text.find('\0') != text.npos || text::firstNotUtf8(text) != text.npos)
+        if (text.find('\0') != text.npos || base::firstNotUtf8(text) != text.npos)
             throw Failure{0, tr("this is not a text in UTF-8; save it as UTF-8")};
-        const std::optional<char> separator = text::takeSeparatorLine(text);
+        const std::optional<char> separator = base::takeSeparatorLine(text);
         const std::string_view first = text.substr(0, text.find_first_of("\r\n"));
-        text::CsvReader reader(text, separator.value_or(text::csvSeparatorOf(first)));
+        base::CsvReader reader(text, separator.value_or(base::csvSeparatorOf(first)));
         const bool hasHeader = reader.next() && lowerCase(cellOf(reader.row(), 0)) == "name"
                                && lowerCase(cellOf(reader.row(), 1)) == "kind";
         if (!hasHeader && !reader.error())
@@ -109,8 +109,8 @@ Result<std::vector<KeptMeasure>, LandmarkFileError> readMeasures(const std::file
     if (!text)
         return text.error();
     if (text->size() > kMostLandmarkBytes)
-        return LandmarkFileError{LandmarkFileError::Code::TooLarge, files::utf8FromPath(file), 0, {}};
-    return parseMeasures(*text, files::utf8FromPath(file));
+        return LandmarkFileError{LandmarkFileError::Code::TooLarge, base::utf8FromPath(file), 0, {}};
+    return parseMeasures(*text, base::utf8FromPath(file));
 }
 
 std::string measuresText(std::span<const KeptMeasure> measures)

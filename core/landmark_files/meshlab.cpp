@@ -1,8 +1,8 @@
 // .pp of MeshLab, points picked on a mesh, and .pptpl, their names alone. XML.
 
+#include "core/base/text_scanner.h"
+#include "core/base/translation.h"
 #include "core/landmark_files/lines.h"
-#include "core/text/text_scanner.h"
-#include "core/text/translation.h"
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
@@ -16,7 +16,7 @@
 namespace unprojector::landmark_files {
 using namespace geometry;
 using namespace landmarks;
-using text::tr;
+using base::tr;
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -186,11 +186,11 @@ Landmark pointOf(const Tree &point, std::size_t line, std::size_t number, bool i
     Landmark landmark;
     landmark.name = attributeOf(point, "name").value_or(std::string());
     const std::string who =
-        tr("point %1", number + 1) + (landmark.name.empty() ? "" : " (" + text::quoted(landmark.name) + ')');
+        tr("point %1", number + 1) + (landmark.name.empty() ? "" : " (" + base::quoted(landmark.name) + ')');
     glm::dvec3 v(0.0);
     const std::string active = attributeOf(point, "active").value_or("1");
     if (active != "0" && active != "1")
-        throw Failure{line, tr("active of %1 is %2; write 1, or 0 where it is not placed", who, text::quoted(active))};
+        throw Failure{line, tr("active of %1 is %2; write 1, or 0 where it is not placed", who, base::quoted(active))};
     constexpr std::array kAxes{"x", "y", "z"};
     const bool isMissing = std::all_of(kAxes.begin(), kAxes.end(), [&point](const char *axis) {
         return isMissingWord(attributeOf(point, axis).value_or(std::string()));

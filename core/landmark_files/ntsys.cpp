@@ -1,10 +1,10 @@
 // .nts and .dta of NTSYS: a matrix with one row per specimen, or without labels one row per
 // landmark of one specimen.
 
+#include "core/base/number_text.h"
+#include "core/base/text_scanner.h"
+#include "core/base/translation.h"
 #include "core/landmark_files/lines.h"
-#include "core/text/number_text.h"
-#include "core/text/text_scanner.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -14,8 +14,8 @@
 namespace unprojector::landmark_files {
 using namespace geometry;
 using namespace landmarks;
-using text::marked;
-using text::tr;
+using base::marked;
+using base::tr;
 namespace {
 
 /// The parameter line "1 12L 63L 1 9999 DIM=3": kind of matrix, rows, columns, whether values are
@@ -54,7 +54,7 @@ Parameters parametersOf(std::string_view line, std::size_t number)
     const std::size_t key = upper.find("DIM");
     const std::size_t equals = key == upper.npos ? key : upper.find('=', key);
     if (equals == upper.npos)
-        throw Failure{number, tr("%1 has no DIM=3; this is not a matrix of landmarks", text::quoted(line))};
+        throw Failure{number, tr("%1 has no DIM=3; this is not a matrix of landmarks", base::quoted(line))};
     const std::string_view behind = trimmed(std::string_view(upper).substr(equals + 1));
     const std::size_t end = std::min(behind.find_first_of(" \t"), behind.size());
     Parameters parameters;
@@ -65,7 +65,7 @@ Parameters parametersOf(std::string_view line, std::size_t number)
     std::vector<std::string_view> words = wordsOf(rest);
     if (words.size() < 3 || words.front() != "1")
         throw Failure{number, tr("%1 is not a line of parameters; a matrix of landmarks begins with one like %2",
-                                 text::quoted(line), "1 12L 63 1 9999 DIM=3")};
+                                 base::quoted(line), "1 12L 63 1 9999 DIM=3")};
     parameters.rowLabels = takeLetter(words[1], "LBE");
     parameters.hasColumnLabels = takeLetter(words[2], "LBE") != 0;
     parameters.rows = countOf(words[1], number, marked("the number of rows"));
@@ -239,7 +239,7 @@ ReadLandmarks readNts(std::string_view text)
     if (const auto word = words.next())
         throw Failure{words.line(),
                       tr("%1 follows the matrix; write the right numbers of rows and columns into the parameters",
-                         text::quoted(*word))};
+                         base::quoted(*word))};
     if (parameters.isMissingUnknown)
         notes.add(LandmarkNote::Kind::MissingCodeUnknown);
     if (axes == 2)
@@ -278,7 +278,7 @@ std::string ntsText(std::span<const LandmarkSet> sets, Notes &notes)
     std::string text = "1 " + std::to_string(sets.size()) + "L " + std::to_string(3 * points);
     text += hasMissing ? " 1 " : " 0";
     if (hasMissing)
-        text::appendNumber(text, missing);
+        base::appendNumber(text, missing);
     text += " DIM=3\n";
     PlainNames names(" \"'", true, notes);
     for (std::size_t i = 0; i < sets.size(); ++i)

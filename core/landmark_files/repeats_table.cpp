@@ -1,21 +1,21 @@
 #include "core/landmark_files/repeats_table.h"
 
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/landmark_files/lines.h"
 #include "core/landmarks/distinct_names.h"
 #include "core/landmarks/repeats.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
 
 #include <cmath>
 #include <optional>
 #include <utility>
 
 namespace unprojector::landmark_files {
+using base::tr;
 using landmarks::RepeatedLandmark;
-using text::tr;
 
 geometry::Result<WrittenLandmarks, LandmarkFileError> repeatsTable(std::span<const RepeatedSpecimen> specimens,
-                                                                   text::CellTexts texts)
+                                                                   base::CellTexts texts)
 {
     Notes notes;
     try {
@@ -36,14 +36,14 @@ geometry::Result<WrittenLandmarks, LandmarkFileError> repeatsTable(std::span<con
             for (int axis = 0; axis < 3; ++axis) {
                 text += ',';
                 if (repeated.mean)
-                    text::appendNumber(text, (*repeated.mean)[axis]);
+                    base::appendNumber(text, (*repeated.mean)[axis]);
             }
             text += ',';
             if (repeated.error)
-                text::appendNumber(text, *repeated.error);
+                base::appendNumber(text, *repeated.error);
             text += ',';
             if (repeated.mean && std::isfinite(repeated.farthest))
-                text::appendNumber(text, repeated.farthest);
+                base::appendNumber(text, repeated.farthest);
             text += '\n';
         }
     }
@@ -74,7 +74,7 @@ std::vector<std::string> errorRemarks(const landmarks::MeasurementError &error)
 }
 
 geometry::Result<WrittenLandmarks, LandmarkFileError> errorsTable(std::span<const RepeatedSpecimen> specimens,
-                                                                  text::CellTexts texts)
+                                                                  base::CellTexts texts)
 {
     Notes notes;
     RepeatedSpecimen all; // an error over all specimens has one unit

@@ -1,12 +1,12 @@
 // .fcsv of 3D Slicer: comments with version and axes, then
 // id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID.
 
+#include "core/base/csv.h"
+#include "core/base/number_text.h"
+#include "core/base/text_scanner.h"
+#include "core/base/translation.h"
 #include "core/landmark_files/lines.h"
 #include "core/scene_file/json_text.h"
-#include "core/text/csv.h"
-#include "core/text/number_text.h"
-#include "core/text/text_scanner.h"
-#include "core/text/translation.h"
 
 #include <nlohmann/json.hpp>
 
@@ -16,9 +16,9 @@
 namespace unprojector::landmark_files {
 using namespace geometry;
 using namespace landmarks;
-using text::CsvCell;
-using text::marked;
-using text::tr;
+using base::CsvCell;
+using base::marked;
+using base::tr;
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -71,7 +71,7 @@ std::size_t columnCount(std::string_view names, bool hasVersion, std::size_t lin
         return (lowerCase(columns) + ',').starts_with(list + ',');
     };
     if (!begins(kColumns) && (hasVersion || !begins(kOldColumns)))
-        throw Failure{line, tr("the columns are %1; put them in the order %2", text::quoted(names), kColumns)};
+        throw Failure{line, tr("the columns are %1; put them in the order %2", base::quoted(names), kColumns)};
     return static_cast<std::size_t>(std::count(list.begin(), list.end(), ',')) + 1;
 }
 
@@ -81,7 +81,7 @@ Axes axesOf(std::string_view word, std::size_t line)
         return Axes::Lps;
     if (word == "RAS" || word == "0")
         return Axes::Ras;
-    throw Failure{line, tr("the coordinate system is %1; it must be LPS or RAS (1 or 0)", text::quoted(word))};
+    throw Failure{line, tr("the coordinate system is %1; it must be LPS or RAS (1 or 0)", base::quoted(word))};
 }
 
 bool flagOf(const CsvCell &cell, bool usual, std::size_t line, const char *what)
@@ -91,12 +91,12 @@ bool flagOf(const CsvCell &cell, bool usual, std::size_t line, const char *what)
     if (cell.text == "0" || cell.text == "1")
         return cell.text == "1";
     throw Failure{line, tr("%1 is %2; it must be 0 or 1. Is there a comma in a label that is not in quotes?", tr(what),
-                           text::quoted(cell.text))};
+                           base::quoted(cell.text))};
 }
 
 /// The position; empty if the row has NA.
-std::optional<WorldPoint> positionOf(const text::CsvRow &row, std::size_t first, Axes axes,
-                                     const text::DecimalMark &mark)
+std::optional<WorldPoint> positionOf(const base::CsvRow &row, std::size_t first, Axes axes,
+                                     const base::DecimalMark &mark)
 {
     constexpr std::array kNames{"x", "y", "z"};
     const auto cell = [&](std::size_t i) { return std::string_view(row.cells[first + i].text); };
@@ -116,7 +116,7 @@ std::string textOf(const CsvCell &cell)
 }
 
 /// Parses label,x,y,z,sel,vis: 3D Slicer 3, always in RAS.
-Landmark oldLandmarkOf(text::CsvRow &row, const text::DecimalMark &mark)
+Landmark oldLandmarkOf(base::CsvRow &row, const base::DecimalMark &mark)
 {
     row.cells.resize(kOldFieldCount);
     Landmark landmark;
@@ -128,7 +128,7 @@ Landmark oldLandmarkOf(text::CsvRow &row, const text::DecimalMark &mark)
     return landmark;
 }
 
-Landmark landmarkOf(text::CsvRow &row, Axes axes, std::size_t number, const text::DecimalMark &mark, Notes &notes)
+Landmark landmarkOf(base::CsvRow &row, Axes axes, std::size_t number, const base::DecimalMark &mark, Notes &notes)
 {
     row.cells.resize(kFieldCount);
     const auto &cells = row.cells;
@@ -171,7 +171,7 @@ Landmark landmarkOf(text::CsvRow &row, Axes axes, std::size_t number, const text
 }
 
 /// The text of a comment, which a spreadsheet may have quoted; empty for another row.
-std::optional<std::string_view> commentOf(const text::CsvRow &row)
+std::optional<std::string_view> commentOf(const base::CsvRow &row)
 {
     const std::string_view first = row.cells.front().text;
     if (!first.starts_with('#'))
@@ -182,32 +182,32 @@ std::optional<std::string_view> commentOf(const text::CsvRow &row)
 /// The format of the rows of points.
 struct Dialect {
     char separator = ',';
-    text::DecimalMark mark{','};
+    base::DecimalMark mark{','};
 };
 
 /// True if a row, split by a separator, has coordinates in their columns.
 bool hasPlace(std::string_view source, char separator)
 {
-    text::CsvReader reader(source, separator);
+    base::CsvReader reader(source, separator);
     if (!reader.next() || reader.row().cells.size() <= Z)
         return false;
     const auto &cells = reader.row().cells;
-    text::DecimalMark mark(separator);
+    base::DecimalMark mark(separator);
     for (std::size_t i = X; i <= Z; ++i)
         mark.see(cells[i].text);
     return std::all_of(cells.begin() + X, cells.begin() + Z + 1, [&mark](const CsvCell &cell) {
-        return cell.text.empty() || isMissingWord(cell.text) || text::doubleFromWord(mark.withPoint(cell.text));
+        return cell.text.empty() || isMissingWord(cell.text) || base::doubleFromWord(mark.withPoint(cell.text));
     });
 }
 
 /// The first separator that makes a row a point. A label may contain other separators more often.
 char separatorOf(std::string_view source)
 {
-    for (const char separator : text::kCsvSeparators) {
+    for (const char separator : base::kCsvSeparators) {
         if (hasPlace(source, separator))
             return separator;
     }
-    return text::csvSeparatorOf(source);
+    return base::csvSeparatorOf(source);
 }
 
 /// The format according to the first row that is no comment.
@@ -215,13 +215,13 @@ Dialect dialectOf(std::string_view text)
 {
     Dialect dialect;
     bool hasSeparator = false;
-    for (text::CsvReader rows(text); rows.next() && !hasSeparator;) {
+    for (base::CsvReader rows(text); rows.next() && !hasSeparator;) {
         hasSeparator = !commentOf(rows.row());
         if (hasSeparator)
             dialect.separator = separatorOf(rows.row().source);
     }
-    dialect.mark = text::DecimalMark(dialect.separator);
-    for (text::CsvReader rows(text, dialect.separator); rows.next();) {
+    dialect.mark = base::DecimalMark(dialect.separator);
+    for (base::CsvReader rows(text, dialect.separator); rows.next();) {
         const auto &cells = rows.row().cells;
         for (std::size_t i = X; i <= Z && i < cells.size() && !commentOf(rows.row()); ++i)
             dialect.mark.see(cells[i].text);
@@ -247,16 +247,16 @@ ReadLandmarks readSlicerCsv(std::string_view text)
     std::optional<Axes> said;
     std::size_t fewest = 0; ///< cells of a row so far, or of the columns' names
     const Dialect dialect = dialectOf(text);
-    text::CsvReader rows(text, dialect.separator);
+    base::CsvReader rows(text, dialect.separator);
     while (rows.next()) {
-        text::CsvRow &row = rows.row();
+        base::CsvRow &row = rows.row();
         if (const auto comment = commentOf(row)) {
             if (const auto system = valueOf(*comment, "CoordinateSystem")) {
                 const Axes axes = axesOf(*system, row.line);
                 if ((said || !set.landmarks.empty()) && axes != set.axes)
                     throw Failure{row.line, tr("the coordinate system is %1 here and another one before; keep one such "
                                                "line, before the points",
-                                               text::quoted(*system))};
+                                               base::quoted(*system))};
                 said = set.axes = axes;
             } else if (valueOf(*comment, "Markups fiducial file version"))
                 hasVersion = true;
@@ -285,7 +285,7 @@ ReadLandmarks readSlicerCsv(std::string_view text)
                          "labels that have commas in quotes"
                        : "%1 is not a point; without a line \"# Markups fiducial file version = 5.8\" points are "
                          "label,x,y,z,sel,vis",
-                   text::quoted(trimmed(row.source)))};
+                   base::quoted(trimmed(row.source)))};
         for (std::size_t index = 0; index < row.cells.size(); ++index) {
             if (row.cells[index].hadBlanks && (hasVersion ? index == Label || index == Description : index == 0))
                 notes.add(LandmarkNote::Kind::BlanksLeftOut);

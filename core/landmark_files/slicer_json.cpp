@@ -1,12 +1,12 @@
 // .mrk.json of 3D Slicer: lists of control points, and curves.
 
+#include "core/base/translation.h"
 #include "core/landmark_files/csv_columns.h"
 #include "core/landmark_files/lines.h"
 #include "core/scene_file/json_fields.h"
 #include "core/scene_file/json_text.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/strict_json.h"
-#include "core/text/translation.h"
 
 #include <nlohmann/json.hpp>
 
@@ -18,7 +18,7 @@
 namespace unprojector::landmark_files {
 using namespace geometry;
 using namespace landmarks;
-using text::tr;
+using base::tr;
 namespace {
 
 using namespace scene_file;
@@ -38,18 +38,18 @@ struct Point {
     std::optional<glm::dvec3> position;
     bool visibility = true;
     Status status = Status::Defined;
-    text::JsonValue extra;
+    base::JsonValue extra;
 };
 struct Markup {
     std::string name;
     Axes axes = Axes::Lps;
     std::vector<Point> points;
-    text::JsonValue extra;
+    base::JsonValue extra;
 };
 struct Document {
     std::string schema = kSchema;
     std::vector<Markup> markups;
-    text::JsonValue extra;
+    base::JsonValue extra;
 };
 
 template <class Fields, Is<Point> T>
@@ -321,7 +321,7 @@ Point pointOf(const Landmark &landmark, Axes axes, std::size_t number)
                                  : landmark.isMissing() ? Point::Status::Missing
                                                         : Point::Status::Undefined;
     Point point{landmark.name,      landmark.note, glm::dvec3(0.0),
-                !landmark.isHidden, status,        text::JsonValue(Json::object())};
+                !landmark.isHidden, status,        base::JsonValue(Json::object())};
     if (landmark.world)
         point.position = turned(*landmark.world, axes).coordinates();
     Json &extra = point.extra.edit();
@@ -338,7 +338,7 @@ Point pointOf(const Landmark &landmark, Axes axes, std::size_t number)
 /// A curve with both ends: 3D Slicer leads it through its own points.
 Markup markupOf(const Curve &curve, std::size_t index, const LandmarkSet &set)
 {
-    Markup markup{curve.name, set.axes, {}, text::JsonValue(Json::object())};
+    Markup markup{curve.name, set.axes, {}, base::JsonValue(Json::object())};
     Json &extra = markup.extra.edit();
     extra["type"] = kCurve;
     if (!set.unit.empty())
@@ -373,7 +373,7 @@ std::string slicerJsonText(std::span<const LandmarkSet> sets, Notes &notes)
                .unit = true});
     Document document;
     for (const LandmarkSet &set : sets) {
-        Markup markup{set.name, set.axes, {}, text::JsonValue(Json::object())};
+        Markup markup{set.name, set.axes, {}, base::JsonValue(Json::object())};
         const Json &kept = set.extra.json();
         Json &extra = markup.extra.edit();
         if (!kept.is_object() || !kept.contains("type"))

@@ -1,9 +1,9 @@
 #include "core/landmark_files/sliders.h"
 
-#include "core/files/path_text.h"
-#include "core/files/replace_file.h"
+#include "core/base/path_text.h"
+#include "core/base/replace_file.h"
+#include "core/base/translation.h"
 #include "core/landmark_files/lines.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <map>
@@ -12,9 +12,8 @@
 
 namespace unprojector::landmark_files {
 using namespace landmarks;
-using namespace files;
+using namespace base;
 using geometry::Result;
-using text::tr;
 namespace {
 
 constexpr const char *kSuffix = ".sliders.csv";

@@ -1,10 +1,10 @@
 #include "core/landmark_files/specimen_table.h"
 
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/landmark_files/csv_columns.h"
 #include "core/landmark_files/lines.h"
 #include "core/landmarks/distinct_names.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
 
 #include <nlohmann/json.hpp>
 
@@ -16,7 +16,7 @@
 
 namespace unprojector::landmark_files {
 using namespace landmarks;
-using text::tr;
+using base::tr;
 namespace {
 
 constexpr const char *kNoteColumn = "measures_note";
@@ -192,7 +192,7 @@ nlohmann::ordered_json cellOf(const std::optional<double> &value)
     if (!value)
         return nullptr;
     std::string text;
-    text::appendNumber(text, *value);
+    base::appendNumber(text, *value);
     return text;
 }
 
@@ -218,7 +218,7 @@ void addProtocol(std::vector<LandmarkSet> &sets, const ProtocolColumns &protocol
     }
 }
 
-std::string wideText(std::span<const LandmarkSet> sets, const ProtocolColumns &protocol, text::CellTexts texts,
+std::string wideText(std::span<const LandmarkSet> sets, const ProtocolColumns &protocol, base::CellTexts texts,
                      Notes &notes)
 {
     FormatCapabilities held;
@@ -287,7 +287,7 @@ void sortNotes(std::vector<LandmarkNote> &notes, TableForm form)
 }
 
 std::string textOf(std::vector<LandmarkSet> &sets, TableForm form, const ProtocolColumns &protocol,
-                   text::CellTexts texts, Notes &notes)
+                   base::CellTexts texts, Notes &notes)
 {
     if (!protocol.measures.empty() && (form == TableForm::Tps || form == TableForm::Nts))
         notes.add(LandmarkNote::Kind::MeasuresLeftOut, protocol.measures.size());
@@ -327,7 +327,7 @@ std::vector<std::string> unmeasuredTexts(const ProtocolColumns &protocol)
 
 geometry::Result<WrittenTable, LandmarkFileError> specimenTable(std::span<const LandmarkSet> specimens, TableForm form,
                                                                 const ProtocolColumns &protocol,
-                                                                std::span<const Landmark> names, text::CellTexts texts)
+                                                                std::span<const Landmark> names, base::CellTexts texts)
 {
     Notes notes;
     std::vector<LandmarkSet> sets(specimens.begin(), specimens.end());
@@ -380,7 +380,7 @@ LandmarkSet inOrderOf(LandmarkSet specimen, std::span<const Landmark> names)
 }
 
 geometry::Result<WrittenTable, LandmarkFileError> convertedText(std::vector<LandmarkSet> sets, Format to,
-                                                                const std::string &source, text::CellTexts texts)
+                                                                const std::string &source, base::CellTexts texts)
 {
     // NTSYS rows are specimens by name.
     if (to == Format::Nts && !source.empty()) {

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "core/base/csv.h"
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmark_files/sliders.h"
 #include "core/landmarks/landmark.h"
 #include "core/landmarks/protocol.h"
-#include "core/text/csv.h"
 
 #include <cstddef>
 #include <span>
@@ -62,7 +62,7 @@ struct WrittenTable {
 geometry::Result<WrittenTable, LandmarkFileError> specimenTable(std::span<const landmarks::LandmarkSet> specimens,
                                                                 TableForm form, const ProtocolColumns &protocol = {},
                                                                 std::span<const landmarks::Landmark> names = {},
-                                                                text::CellTexts texts = text::CellTexts::AsTheyAre);
+                                                                base::CellTexts texts = base::CellTexts::AsTheyAre);
 
 /// A specimen with the landmarks of a list first, in its order, as in a table of specimens. Those
 /// that it lacks have no position.
@@ -76,6 +76,6 @@ landmarks::LandmarkSet inOrderOf(landmarks::LandmarkSet specimen, std::span<cons
 /// @return the errors of specimenTable and landmarksText
 geometry::Result<WrittenTable, LandmarkFileError> convertedText(std::vector<landmarks::LandmarkSet> sets, Format to,
                                                                 const std::string &source,
-                                                                text::CellTexts texts = text::CellTexts::AsTheyAre);
+                                                                base::CellTexts texts = base::CellTexts::AsTheyAre);
 
 } // namespace unprojector::landmark_files

@@ -1,9 +1,9 @@
 // .tps of tpsDig and geomorph, many specimens per file.
 
+#include "core/base/text_scanner.h"
+#include "core/base/translation.h"
 #include "core/geometry/finite.h"
 #include "core/landmark_files/lines.h"
-#include "core/text/text_scanner.h"
-#include "core/text/translation.h"
 
 #include <nlohmann/json.hpp>
 
@@ -14,7 +14,7 @@
 namespace unprojector::landmark_files {
 using namespace geometry;
 using namespace landmarks;
-using text::tr;
+using base::tr;
 namespace {
 
 constexpr std::string_view kPlacingWord = "placing ";
@@ -41,7 +41,7 @@ std::optional<KeyValue> keyValueOf(std::string_view line)
 bool isMinusOnes(const std::vector<std::string_view> &words)
 {
     return std::all_of(words.begin(), words.end(), [](std::string_view word) {
-        return text::doubleFromWord(word) == -1.0 && word.find_first_of("eE") == word.npos;
+        return base::doubleFromWord(word) == -1.0 && word.find_first_of("eE") == word.npos;
     });
 }
 
@@ -72,7 +72,7 @@ std::vector<std::string_view> rowOf(Lines &lines, std::size_t size, const std::s
     if (words.size() != size || keyValueOf(lines.text()))
         throw Failure{lines.number(),
                       tr("%1 is not a row of %2 numbers, which %3 announces; write the right number of points there",
-                         text::quoted(lines.text()), size, announced)};
+                         base::quoted(lines.text()), size, announced)};
     return words;
 }
 
@@ -96,7 +96,7 @@ std::optional<int> placingOf(std::string_view key, std::string_view value)
 {
     if (key != "COMMENT" || !value.starts_with(kPlacingWord))
         return std::nullopt;
-    const std::optional<long long> number = text::integerFromWord(value.substr(kPlacingWord.size()));
+    const std::optional<long long> number = base::integerFromWord(value.substr(kPlacingWord.size()));
     return number && *number >= 1 && *number <= kMostPlacings ? std::optional(static_cast<int>(*number)) : std::nullopt;
 }
 
@@ -114,7 +114,7 @@ ReadLandmarks readTps(std::string_view text)
         if (!entry)
             throw Failure{lines.number(),
                           tr("%1 belongs to nothing; LM3= or LM= and a number come first, then as many rows of numbers",
-                             text::quoted(lines.text()))};
+                             base::quoted(lines.text()))};
         const std::string announced = tr("line %1", lines.number());
         const auto &[key, value] = *entry;
         if (key == "LM3" || key == "LM") {
@@ -136,7 +136,7 @@ ReadLandmarks readTps(std::string_view text)
         }
         if (read.sets.empty())
             throw Failure{lines.number(),
-                          tr("before %1 there must be points: LM3= and their number", text::quoted(lines.text()))};
+                          tr("before %1 there must be points: LM3= and their number", base::quoted(lines.text()))};
         LandmarkSet &set = read.sets.back();
         const bool isRepeated = key.starts_with("POINTS") || key.starts_with("CURVES");
         if (!isRepeated && !keys.insert(key).second)
@@ -178,7 +178,7 @@ ReadLandmarks readTps(std::string_view text)
                 const std::vector<std::string_view> words = wordsOf(lines.text());
                 if (words.size() != 2 && words.size() != 3)
                     throw Failure{lines.number(), tr("%1 is not a point of a curve; write two or three numbers",
-                                                     text::quoted(lines.text()))};
+                                                     base::quoted(lines.text()))};
                 const Landmark place = landmarkOf(words, lines.number());
                 if (!place.isPlaced() || (words.size() == 2 && isMinusOnes(words)))
                     throw Failure{lines.number(),

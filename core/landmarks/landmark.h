@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/base/json_value.h"
 #include "core/geometry/spaces.h"
-#include "core/text/json_value.h"
 
 #include <glm/fwd.hpp> // u8vec3
 #include <glm/vec3.hpp>
@@ -58,7 +58,7 @@ struct Landmark {
     std::optional<glm::u8vec3> color;                 ///< empty: the default colour
     bool isHidden = false;
     /// Data of a file that has no member here, kept for writing: null or an object.
-    text::JsonValue extra;
+    base::JsonValue extra;
 
     bool isPlaced() const { return world.has_value(); }
     /// Returns whether it still waits for a click: it has no position and is not marked as missing.
@@ -87,7 +87,7 @@ struct Curve {
     std::uint32_t count = 10; ///< number of semilandmarks, including those at both ends; at least 2
     /// The semilandmarks' positions, if computed: in data for files and from files.
     std::vector<geometry::WorldPoint> semilandmarks;
-    text::JsonValue extra; ///< as in a landmark
+    base::JsonValue extra; ///< as in a landmark
 
     friend bool operator==(const Curve &, const Curve &) = default;
 };
@@ -126,7 +126,7 @@ struct LandmarkSet {
     std::vector<Curve> curves;
     std::vector<KeptMeasure> measures; ///< the protocol; a scene has one, a landmark file has none
     int placing = 1;                   ///< from 1: which of the specimen's repeated placings
-    text::JsonValue extra;             ///< as in a landmark
+    base::JsonValue extra;             ///< as in a landmark
 
     friend bool operator==(const LandmarkSet &, const LandmarkSet &) = default;
 };

@@ -1,6 +1,6 @@
 #include "core/landmarks/measure.h"
 
-#include "core/geometry/angle.h"
+#include "core/geometry/numbers.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,15 +1,15 @@
 #include "core/landmarks/protocol.h"
 
-#include "core/geometry/angle.h"
+#include "core/base/translation.h"
+#include "core/geometry/numbers.h"
 #include "core/landmarks/name_key.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
 namespace unprojector::landmarks {
-using text::tr;
+using base::tr;
 
 std::optional<std::size_t> landmarkNamed(const LandmarkSet &set, const std::string &name)
 {

@@ -196,7 +196,7 @@ void readChanges(LessonReader &reader, const JsonNode &node, FieldReader &json, 
             if (std::find(kSettableKeys.begin(), kSettableKeys.end(), key) == kSettableKeys.end())
                 reader.fail(one, "a link cannot change \"" + key + "\", only " + listed(kSettableKeys));
         }
-        step.changes[name] = text::JsonValue(change);
+        step.changes[name] = base::JsonValue(change);
     }
 }
 

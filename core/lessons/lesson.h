@@ -1,12 +1,12 @@
 #pragma once
 
+#include "core/base/json_value.h"
 #include "core/geometry/given_point.h"
 #include "core/geometry/result.h"
 #include "core/geometry/viewport.h"
 #include "core/lessons/highlight.h"
 #include "core/lessons/link.h"
 #include "core/ray/scene_rays.h"
-#include "core/text/json_value.h"
 
 #include <glm/vec2.hpp>
 
@@ -94,13 +94,13 @@ struct Step {
     std::string title;
     std::vector<std::string> text; ///< paragraphs
     std::string source;            ///< may be empty
-    text::JsonValue scene;         ///< the whole document, or the name of one of scene::examples()
+    base::JsonValue scene;         ///< the whole document, or the name of one of scene::examples()
     std::optional<glm::ivec2> view;
     std::optional<Workspace> workspace; ///< empty: any
     std::vector<Panel> panels;
     std::set<Highlight> highlights;
     std::map<std::string, StepPoint> points;
-    std::map<std::string, text::JsonValue> changes; ///< "set": merge patches of the scene document, by name
+    std::map<std::string, base::JsonValue> changes; ///< "set": merge patches of the scene document, by name
     std::optional<Question> question;
 };
 

@@ -22,7 +22,7 @@ std::string firstPath(const nlohmann::ordered_json &object)
 
 } // namespace
 
-Result<SceneSettings, LessonError> settingsWith(const Scene &scene, const Setup &setup, const text::JsonValue &change)
+Result<SceneSettings, LessonError> settingsWith(const Scene &scene, const Setup &setup, const base::JsonValue &change)
 {
     using namespace scene_file;
     const auto failed = [](SceneFileError error) {

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/base/json_value.h"
 #include "core/lessons/lesson.h"
 #include "core/scene/scene.h"
-#include "core/text/json_value.h"
 
 #include <array>
 #include <string_view>
@@ -21,6 +21,6 @@ inline constexpr std::array<std::string_view, 6> kSettableKeys{"projection", "vi
 /// @return an error if the result is no scene, or has no such key, such as left and right of a
 ///         gluPerspective
 geometry::Result<scene::SceneSettings, LessonError>
-settingsWith(const scene::Scene &scene, const geometry::Setup &setup, const text::JsonValue &change);
+settingsWith(const scene::Scene &scene, const geometry::Setup &setup, const base::JsonValue &change);
 
 } // namespace unprojector::lessons

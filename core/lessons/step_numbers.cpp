@@ -1,5 +1,9 @@
 #include "core/lessons/step_numbers.h"
 
+#include "core/base/expression.h"
+#include "core/base/json_number.h"
+#include "core/base/number_text.h"
+#include "core/geometry/error_text.h"
 #include "core/lessons/statements.h"
 #include "core/matrices/matrix_factors.h"
 #include "core/matrices/pipeline.h"
@@ -8,10 +12,6 @@
 #include "core/scene_file/json_text.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
-#include "core/text/error_text.h"
-#include "core/text/expression.h"
-#include "core/text/json_number.h"
-#include "core/text/number_text.h"
 #include "core/unproject/unprojector.h"
 
 #include <nlohmann/json.hpp>
@@ -114,7 +114,7 @@ Result<Pipeline, LessonError> pipelineOf(const Scene &scene, const Setup &setup,
     }
     const Result<Pipeline> made = matrices::pipeline(setup, worldFromObject);
     if (!made)
-        return failed(where, text::errorText(made.error()));
+        return failed(where, geometry::errorText(made.error()));
     return *made;
 }
 
@@ -133,7 +133,7 @@ Result<Json, LessonError> treeOf(const Scene &scene, const Setup &setup, const C
 {
     const Result<unproject::Unprojector> unprojector = unproject::Unprojector::of(setup);
     if (!unprojector)
-        return failed(where, text::errorText(unprojector.error()));
+        return failed(where, geometry::errorText(unprojector.error()));
     std::vector<std::shared_ptr<const ray::RayCaster>> casters;
     for (const SceneObject &object : scene.objects)
         casters.push_back(ray::RayCaster::build(object.model, {}));
@@ -149,7 +149,7 @@ Result<Json, LessonError> treeOf(const Scene &scene, const Setup &setup, const C
     if (clicked.snap == ray::Snap::Surface) {
         const Result<WindowPoint> seen = windowFromWorld(setup, *surface);
         if (!seen)
-            return failed(where, text::errorText(seen.error()));
+            return failed(where, geometry::errorText(seen.error()));
         return treeOf(*pipeline, matrices::pointsBackward(*pipeline, windowFromDevice(setup.surface, center, seen->z)));
     }
     const WorldPoint &taken = clicked.snap == ray::Snap::Vertex ? (*hit)->vertex.world : (*hit)->world;
@@ -159,8 +159,8 @@ Result<Json, LessonError> treeOf(const Scene &scene, const Setup &setup, const C
 /// All numbers under a node, in their order.
 void flatten(const Json &node, std::vector<double> &numbers)
 {
-    if (text::isJsonNumber(node))
-        numbers.push_back(text::valueOfJsonNumber(node));
+    if (base::isJsonNumber(node))
+        numbers.push_back(base::valueOfJsonNumber(node));
     for (const Json &child : node.is_structured() ? node : Json::array())
         flatten(child, numbers);
 }
@@ -197,7 +197,7 @@ std::optional<std::string> faultOf(const Statement &statement, const std::vector
         const StatedNumber &stated = statement.numbers[i];
         const double value = stated.isOfSize ? std::fabs(values[i]) : values[i];
         if (!(std::fabs(value - stated.value) <= stated.tolerance))
-            return "says " + text::shortestText(stated.value) + ", it is " + text::shortestText(values[i]);
+            return "says " + base::shortestText(stated.value) + ", it is " + base::shortestText(values[i]);
     }
     return std::nullopt;
 }
@@ -233,11 +233,11 @@ Surface surfaceOf(const Step &step, const Surface &surface)
 
 Result<StepNumbers, LessonError> StepNumbers::of(const Scene &scene, const Surface &surface,
                                                  const std::map<std::string, StepPoint> &points,
-                                                 const std::map<std::string, text::JsonValue> &changes)
+                                                 const std::map<std::string, base::JsonValue> &changes)
 {
     const Result<Setup> setup = setupOf(scene, surface, {});
     if (!setup)
-        return failed("scene", text::errorText(setup.error()));
+        return failed("scene", geometry::errorText(setup.error()));
     StepNumbers numbers;
     GivenPoint followed = scene.givenPoint.value_or(GivenPoint{});
     if (followed.object.empty() && !scene.objects.empty() && !scene.givenPoint)
@@ -341,7 +341,7 @@ Result<std::vector<double>, LessonError> LessonNumbers::values(const std::string
         const std::vector<double> numbers = at(step, path);
         return numbers.size() == 1 ? std::optional(numbers.front()) : std::nullopt;
     };
-    const Result<double, text::ExpressionError> value = text::evaluate(expression, named);
+    const base::Expected<double, base::ExpressionError> value = base::evaluate(expression, named);
     if (!value)
         return failed(step, "\"" + std::string(expression.substr(value.error().place, value.error().length))
                                 + "\" in \"" + std::string(source) + "\" is not a number of this step");

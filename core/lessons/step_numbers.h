@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/base/json_value.h"
 #include "core/lessons/lesson.h"
 #include "core/scene/scene.h"
-#include "core/text/json_value.h"
 
 #include <map>
 #include <memory>
@@ -51,7 +51,7 @@ public:
     ///         nothing is visible at its pixel
     static geometry::Result<StepNumbers, LessonError> of(const scene::Scene &scene, const geometry::Surface &surface,
                                                          const std::map<std::string, StepPoint> &points,
-                                                         const std::map<std::string, text::JsonValue> &changes = {});
+                                                         const std::map<std::string, base::JsonValue> &changes = {});
 
     /// @return empty if there is no such number
     std::vector<double> at(std::string_view path) const;
@@ -61,7 +61,7 @@ public:
     std::optional<geometry::DevicePixel> pixelOf(const std::string &point) const;
 
 private:
-    text::JsonValue m_tree;
+    base::JsonValue m_tree;
 };
 
 /// The numbers of all steps of a lesson, so that one step can refer to another.

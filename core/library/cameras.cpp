@@ -1,11 +1,11 @@
 #include "unprojector/cameras.h"
 
+#include "core/base/path_text.h"
+#include "core/base/translation.h"
+#include "core/base/utf8.h"
 #include "core/cameras/foreign_camera.h"
 #include "core/cameras/lens.h"
-#include "core/files/path_text.h"
 #include "core/library/internal.h"
-#include "core/text/translation.h"
-#include "core/text/utf8.h"
 
 #include <algorithm>
 #include <array>
@@ -37,7 +37,7 @@ Result<std::optional<Value>> valueOf(const char *choice, const std::string &word
             return std::optional(value);
         known += (known.empty() ? "" : ", ") + std::string(cameras::keyOf(value));
     }
-    return valueError(text::tr("there are no %1 \"%2\"; known: %3", choice, word, known));
+    return valueError(base::tr("there are no %1 \"%2\"; known: %3", choice, word, known));
 }
 
 Result<cameras::CameraChoices> internalChoices(const CameraChoices &choices)
@@ -46,7 +46,7 @@ Result<cameras::CameraChoices> internalChoices(const CameraChoices &choices)
     result.image = choices.image;
     if (choices.width != 0 || choices.height != 0) {
         if (choices.width < 1 || choices.height < 1)
-            return valueError(text::tr("the image has %1x%2 pixels; width and height must be at least 1 pixel",
+            return valueError(base::tr("the image has %1x%2 pixels; width and height must be at least 1 pixel",
                                        choices.width, choices.height));
         result.size = cameras::ImageSize{choices.width, choices.height};
     }
@@ -75,7 +75,7 @@ Result<CameraRead> readCamera(const std::vector<CameraText> &texts, const Camera
     std::vector<cameras::NamedText> named;
     named.reserve(texts.size());
     for (const CameraText &text : texts)
-        named.push_back({text.name, text::utf8FromFile(text.text)});
+        named.push_back({text.name, base::utf8FromFile(text.text)});
     const std::string name = nameOf(texts);
     const auto errorOf = [&name](const cameras::CameraError &error) {
         const std::string file = error.file.empty() ? name : error.file;
@@ -84,7 +84,7 @@ Result<CameraRead> readCamera(const std::vector<CameraText> &texts, const Camera
     };
     const auto read = cameras::readCamera(named, *internal);
     if (!read)
-        return valueError(name + ": " + text::tr("has no camera in the form of a known program"));
+        return valueError(name + ": " + base::tr("has no camera in the form of a known program"));
     if (!*read)
         return errorOf(read->error());
     const cameras::ForeignCamera &camera = **read;
@@ -93,7 +93,7 @@ Result<CameraRead> readCamera(const std::vector<CameraText> &texts, const Camera
         return errorOf(converted.error());
     if (converted->distortion)
         return valueError(name + ": "
-                          + text::tr("the lens distorts the image (%1), and a setup has no lens; if the pixels are "
+                          + base::tr("the lens distorts the image (%1), and a setup has no lens; if the pixels are "
                                      "those of the undistorted image, say so (undistorted)",
                                      cameras::coefficientsText(*converted->distortion)));
     geometry::Setup setup;
@@ -102,7 +102,7 @@ Result<CameraRead> readCamera(const std::vector<CameraText> &texts, const Camera
     setup.lens = converted->projection;
     setup.pose = converted->eyeFromWorld;
     if (const geometry::Check valid = check(setup); !valid)
-        return valueError(name + ": " + text::errorText(valid.error()));
+        return valueError(name + ": " + geometry::errorText(valid.error()));
     return CameraRead{SetupAccess::make(setup, converted->assumed), camera.program, camera.images, converted->assumed};
 }
 
@@ -110,17 +110,17 @@ Result<CameraRead> readCamera(const std::vector<std::filesystem::path> &files, c
 {
     std::vector<CameraText> texts;
     for (const std::filesystem::path &file : files) {
-        const std::string name = files::utf8FromPath(file);
+        const std::string name = base::utf8FromPath(file);
         std::error_code code;
         if (!std::filesystem::exists(file, code))
-            return Error{Error::Kind::MissingFile, name + ": " + text::tr("there is no such file")};
+            return Error{Error::Kind::MissingFile, name + ": " + base::tr("there is no such file")};
         const std::uintmax_t bytes = std::filesystem::file_size(file, code);
         if (!code && bytes > cameras::kMostCameraBytes)
-            return valueError(name + ": " + text::tr("longer than 256 MiB; give the file of one camera"));
+            return valueError(name + ": " + base::tr("longer than 256 MiB; give the file of one camera"));
         std::ifstream stream(file, std::ios::binary);
         std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
         if (code || !stream)
-            return Error{Error::Kind::File, name + ": " + text::tr("cannot be read")};
+            return Error{Error::Kind::File, name + ": " + base::tr("cannot be read")};
         texts.push_back({name, std::move(text)});
     }
     return readCamera(texts, choices);

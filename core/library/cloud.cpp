@@ -1,10 +1,10 @@
 #include "unprojector/cloud.h"
 
+#include "core/base/path_text.h"
+#include "core/base/translation.h"
 #include "core/clouds/organized_cloud.h"
-#include "core/files/path_text.h"
 #include "core/images/number_image.h"
 #include "core/library/internal.h"
-#include "core/text/translation.h"
 
 #include <fstream>
 #include <limits>
@@ -50,7 +50,7 @@ Result<Cloud> Cloud::of(const Setup &setup, const CloudOptions &options)
 {
     const bool isOfWindow = options.depthIs == DepthIs::Buffer || options.depthIs == DepthIs::Range;
     if (isOfWindow && options.type == NumberType::Int32)
-        return valueError(text::tr("window depths as whole numbers have 8 or 16 bits; give floats, or distances"));
+        return valueError(base::tr("window depths as whole numbers have 8 or 16 bits; give floats, or distances"));
     const clouds::DepthNumbers numbers{internalMeaning(options.depthIs), true,          options.scale, options.baseline,
                                        options.disparityOffset,          options.noData};
     const auto cloud = clouds::OrganizedCloud::of(SetupAccess::of(setup), numbers, internalType(options.type),
@@ -119,14 +119,14 @@ void Cloud::count(std::size_t row, const std::vector<double> &numbers, CloudCoun
 Result<DepthImage> readDepth(const std::filesystem::path &file, const std::string &channel,
                              std::optional<std::endian> byteOrder)
 {
-    const std::string name = files::utf8FromPath(file);
+    const std::string name = base::utf8FromPath(file);
     std::error_code code;
     if (!std::filesystem::exists(file, code))
-        return Error{Error::Kind::MissingFile, name + ": " + text::tr("there is no such file")};
+        return Error{Error::Kind::MissingFile, name + ": " + base::tr("there is no such file")};
     const std::uintmax_t size = std::filesystem::file_size(file, code);
     std::ifstream stream(file, std::ios::binary);
     if (code || !stream)
-        return Error{Error::Kind::File, name + ": " + text::tr("cannot be read")};
+        return Error{Error::Kind::File, name + ": " + base::tr("cannot be read")};
     images::ImageBytes bytes(
         [&stream](char *target, std::size_t count) {
             stream.read(target, static_cast<std::streamsize>(count));

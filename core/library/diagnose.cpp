@@ -1,5 +1,7 @@
 #include "unprojector/diagnose.h"
 
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/doctor/diagnosis.h"
 #include "core/doctor/mesh_vertices.h"
 #include "core/doctor/mistake_texts.h"
@@ -10,8 +12,6 @@
 #include "core/library/internal.h"
 #include "core/library/scene_data.h"
 #include "core/ray/mesh_point.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,14 +74,14 @@ Result<Diagnosis> diagnosed(doctor::Case scene, std::span<const WrongPoint> poin
 {
     if (points.empty())
         return valueError(
-            text::tr("there is no point to examine; give a pixel and the coordinate that the program got"));
+            base::tr("there is no point to examine; give a pixel and the coordinate that the program got"));
     if (points.size() > doctor::kMostWrongPoints)
-        return valueError(text::tr("there are %1 points; give at most %2, more add no information", points.size(),
+        return valueError(base::tr("there are %1 points; give at most %2, more add no information", points.size(),
                                    doctor::kMostWrongPoints));
     if (options.otherSize) {
         scene.otherSize = geometry::Surface{options.otherSize->first, options.otherSize->second, 1.0};
         if (const geometry::Check valid = check(*scene.otherSize); !valid)
-            return valueError("other_size: " + text::errorText(valid.error()));
+            return valueError("other_size: " + geometry::errorText(valid.error()));
     }
     const geometry::Surface &surface = scene.setup.surface;
     std::vector<doctor::WrongPoint> given;
@@ -90,14 +90,14 @@ Result<Diagnosis> diagnosed(doctor::Case scene, std::span<const WrongPoint> poin
         const glm::dvec2 &at = point.pixel;
         if (!(at.x >= 0.0 && at.y >= 0.0 && at.x <= surface.widthPixels && at.y <= surface.heightPixels))
             return valueError(
-                text::tr("%1: %2,%3 lies outside the view of %4x%5; give device pixels from its top left corner",
-                         nameOf(i, points.size()), text::shortestText(at.x), text::shortestText(at.y),
+                base::tr("%1: %2,%3 lies outside the view of %4x%5; give device pixels from its top left corner",
+                         nameOf(i, points.size()), base::shortestText(at.x), base::shortestText(at.y),
                          surface.widthPixels, surface.heightPixels));
         const glm::dvec3 &digit = point.lastDigit;
         if (!(digit.x > 0.0 && digit.y > 0.0 && digit.z > 0.0 && std::isfinite(digit.x + digit.y + digit.z)))
-            return valueError(text::tr("%1: the unit of a last digit is %2; it must be greater than 0",
+            return valueError(base::tr("%1: the unit of a last digit is %2; it must be greater than 0",
                                        nameOf(i, points.size()),
-                                       text::shortestText(std::min({digit.x, digit.y, digit.z}))));
+                                       base::shortestText(std::min({digit.x, digit.y, digit.z}))));
         given.push_back({geometry::DevicePoint(at), point.depth, point.got, point.lastDigit,
                          options.space == Space::Eye ? doctor::PointSpace::Eye : doctor::PointSpace::World, 0,
                          point.depthLastDigit});
@@ -108,7 +108,7 @@ Result<Diagnosis> diagnosed(doctor::Case scene, std::span<const WrongPoint> poin
     const geometry::Error &error = diagnosis.error();
     if (error.code == geometry::ErrorCode::DepthOutsideRange)
         return valueError("depth: "
-                          + doctor::depthOutsideText(text::shortestText(error.value), scene.setup.depthRange));
+                          + doctor::depthOutsideText(base::shortestText(error.value), scene.setup.depthRange));
     return valueError(error);
 }
 

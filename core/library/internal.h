@@ -3,11 +3,11 @@
 #include "unprojector/result.h"
 #include "unprojector/setup.h"
 
+#include "core/base/translation.h"
 #include "core/geometry/api_conventions.h"
+#include "core/geometry/error_text.h"
 #include "core/geometry/result.h"
 #include "core/geometry/setup.h"
-#include "core/text/error_text.h"
-#include "core/text/translation.h"
 
 #include <string>
 #include <utility>
@@ -37,14 +37,14 @@ inline std::vector<std::string> worldFindings(geometry::Api api)
     if (!conventions.isWorldMirrored)
         return {};
     return {"conventions: "
-            + text::tr("%1's own world has z negated; world coordinates here are the scene's, right-handed",
+            + base::tr("%1's own world has z negated; world coordinates here are the scene's, right-handed",
                        conventions.name)};
 }
 
 /// The public error of a value.
 inline Error valueError(const geometry::Error &error)
 {
-    return {Error::Kind::Value, text::errorText(error)};
+    return {Error::Kind::Value, geometry::errorText(error)};
 }
 
 inline Error valueError(std::string message)

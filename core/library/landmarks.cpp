@@ -1,7 +1,7 @@
 #include "unprojector/landmarks.h"
 
-#include "core/files/path_text.h"
-#include "core/files/replace_file.h"
+#include "core/base/path_text.h"
+#include "core/base/replace_file.h"
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmark_files/landmark_folder.h"
 #include "core/landmark_files/specimen_table.h"
@@ -36,7 +36,7 @@ std::vector<std::string> sentences(const std::filesystem::path &file, const std:
     std::vector<landmark_files::FileNote> named;
     named.reserve(notes.size());
     for (const LandmarkNote &note : notes)
-        named.push_back({files::utf8FromPath(file), note});
+        named.push_back({base::utf8FromPath(file), note});
     return landmark_files::noteLines(named);
 }
 
@@ -151,7 +151,7 @@ const std::vector<std::string> &Landmarks::notes() const
 
 Result<std::vector<std::string>> Landmarks::write(const std::filesystem::path &file) const
 {
-    const std::string name = files::utf8FromPath(file);
+    const std::string name = base::utf8FromPath(file);
     const auto format = landmark_files::formatOf(file);
     if (!format)
         return publicError({LandmarkFileError::Code::NotWritten, name, 0, {}});
@@ -161,8 +161,8 @@ Result<std::vector<std::string>> Landmarks::write(const std::filesystem::path &f
         error.file = name;
         return publicError(error);
     }
-    if (const files::Written written = files::replaceFile(file, text->text); !written)
-        return publicError({LandmarkFileError::Code::NotWritable, name, 0, files::fileErrorText(written.error())});
+    if (const base::Written written = base::replaceFile(file, text->text); !written)
+        return publicError({LandmarkFileError::Code::NotWritable, name, 0, base::fileErrorText(written.error())});
     return sentences(file, text->notes);
 }
 

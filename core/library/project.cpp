@@ -1,8 +1,8 @@
 #include "unprojector/project.h"
 
+#include "core/base/parallel.h"
+#include "core/base/translation.h"
 #include "core/library/internal.h"
-#include "core/text/translation.h"
-#include "core/threads/parallel.h"
 #include "core/unproject/pixel_projection.h"
 
 #include <cmath>
@@ -60,13 +60,13 @@ Result<Stages> ForwardProjection::at(const glm::dvec3 &point) const
     if (m_data->stagesOf(point, stages))
         return stages;
     return Error{Error::Kind::Value,
-                 text::tr("the point has no window position: it lies in the plane of the eye, or too far away")};
+                 base::tr("the point has no window position: it lies in the plane of the eye, or too far away")};
 }
 
 void ForwardProjection::operator()(const double *points, Stages *stages, std::size_t count, unsigned threads) const
 {
     constexpr std::size_t kTask = std::size_t{1} << 12; // about a millisecond
-    threads::inParallelRanges(
+    base::inParallelRanges(
         count, kTask, {},
         [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)

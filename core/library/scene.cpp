@@ -1,14 +1,14 @@
 #include "unprojector/scene.h"
 
-#include "core/files/path_text.h"
+#include "core/base/number_text.h"
+#include "core/base/parallel.h"
+#include "core/base/path_text.h"
+#include "core/base/translation.h"
 #include "core/library/internal.h"
 #include "core/library/scene_data.h"
 #include "core/ray/snap.h"
 #include "core/scene_file/clicks.h"
 #include "core/scene_file/scene_error_text.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
-#include "core/threads/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +61,7 @@ Result<Scene> Scene::load(const std::filesystem::path &file)
     const auto text = scene_file::readSceneText(file);
     if (!text)
         return publicError(opening::openingError(text.error()));
-    const std::string name = files::utf8FromPath(file);
+    const std::string name = base::utf8FromPath(file);
     Result<scene_file::SceneFile> scene = sceneIn(*text, name);
     if (!scene)
         return scene.error();
@@ -82,19 +82,19 @@ Result<Scene> Scene::of(const Setup &setup, std::span<const double> vertices, st
 {
     const std::size_t count = vertices.size() / 3;
     if (vertices.size() % 3 != 0)
-        return valueError(text::tr("vertices has %1 numbers; give three coordinates a vertex", vertices.size()));
+        return valueError(base::tr("vertices has %1 numbers; give three coordinates a vertex", vertices.size()));
     if (triangles.size() % 3 != 0)
-        return valueError(text::tr("triangles has %1 numbers; give three vertex numbers a triangle", triangles.size()));
+        return valueError(base::tr("triangles has %1 numbers; give three vertex numbers a triangle", triangles.size()));
     if (triangles.empty())
-        return valueError(text::tr("the mesh has no triangle; give three vertex numbers a triangle"));
+        return valueError(base::tr("the mesh has no triangle; give three vertex numbers a triangle"));
     const auto wrong = std::find_if(vertices.begin(), vertices.end(), [](double v) { return !std::isfinite(v); });
     if (wrong != vertices.end())
-        return valueError(text::tr("vertex %1 has the coordinate %2; give finite numbers",
-                                   std::size_t(wrong - vertices.begin()) / 3, text::shortestText(*wrong)));
+        return valueError(base::tr("vertex %1 has the coordinate %2; give finite numbers",
+                                   std::size_t(wrong - vertices.begin()) / 3, base::shortestText(*wrong)));
     const auto outside =
         std::find_if(triangles.begin(), triangles.end(), [count](std::uint32_t index) { return index >= count; });
     if (outside != triangles.end())
-        return valueError(text::tr("triangle %1 has the vertex %2; there are %3 vertices, from 0",
+        return valueError(base::tr("triangle %1 has the vertex %2; there are %3 vertices, from 0",
                                    std::size_t(outside - triangles.begin()) / 3, *outside, count));
     std::vector<glm::dvec3> positions(count);
     geometry::Box box;
@@ -157,7 +157,7 @@ Result<std::monostate> Scene::save(const std::filesystem::path &file) const
         }
         if (object.file.empty())
             return valueError(object.name + ": "
-                              + text::tr("the mesh comes from arrays; write it to a model file first"));
+                              + base::tr("the mesh comes from arrays; write it to a model file first"));
         scene.objects.push_back(scene_file::sceneFileObject(object, file));
     }
     const auto written = scene_file::writeSceneFile(file, scene);
@@ -239,7 +239,7 @@ void Picker::operator()(const double *px, const double *py, Hit *hits, std::size
                         unsigned threads) const
 {
     constexpr std::size_t kTask = 1024; // a few milliseconds
-    threads::inParallelRanges(
+    base::inParallelRanges(
         count, kTask, {},
         [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)

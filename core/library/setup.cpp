@@ -1,5 +1,7 @@
 #include "unprojector/setup.h"
 
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/cameras/camera_matrices.h"
 #include "core/cameras/foreign_camera.h"
 #include "core/geometry/api_conventions.h"
@@ -8,8 +10,6 @@
 #include "core/matrices/matrix_findings.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -95,7 +95,7 @@ Result<geometry::Api> apiOf(std::string_view key)
     std::string known;
     for (const std::string &each : conventionKeys())
         known += (known.empty() ? "" : ", ") + each;
-    return valueError(text::tr("there are no conventions \"%1\"; known: %2", std::string(key), known));
+    return valueError(base::tr("there are no conventions \"%1\"; known: %2", std::string(key), known));
 }
 
 void addFindings(const char *name, const glm::dmat4 &matrix, matrices::MatrixRole role,
@@ -162,7 +162,7 @@ std::optional<Error> refusal(const std::vector<Named> &numbers)
     for (const Named &number : numbers) {
         if (!std::isfinite(number.value))
             return valueError(
-                text::tr("%1 is %2; give a finite number", number.name, text::shortestText(number.value)));
+                base::tr("%1 is %2; give a finite number", number.name, base::shortestText(number.value)));
     }
     return std::nullopt;
 }
@@ -173,12 +173,12 @@ std::optional<Error> refusal(const char *name, const glm::dmat4 &matrix)
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) {
             if (!std::isfinite(matrix[column][row]))
-                return valueError(text::tr("%1[%2, %3] is %4; give a finite number", name, row, column,
-                                           text::shortestText(matrix[column][row])));
+                return valueError(base::tr("%1[%2, %3] is %4; give a finite number", name, row, column,
+                                           base::shortestText(matrix[column][row])));
         }
     }
     if (geometry::isSingular(matrix))
-        return valueError(text::tr("%1 has no inverse; check whether it was copied completely", name));
+        return valueError(base::tr("%1 has no inverse; check whether it was copied completely", name));
     return std::nullopt;
 }
 
@@ -189,35 +189,35 @@ std::optional<Error> refusal(const Window &window)
     if (window.width <= kMost && window.height <= kMost)
         return refusal(numbersOf(window));
     return valueError(
-        text::tr("the window has %1x%2 pixels; give at most %3 a side", window.width, window.height, kMost));
+        base::tr("the window has %1x%2 pixels; give at most %3 a side", window.width, window.height, kMost));
 }
 
 std::string pointText(const glm::dvec3 &p)
 {
-    return '(' + text::shortestText(p.x) + ", " + text::shortestText(p.y) + ", " + text::shortestText(p.z) + ')';
+    return '(' + base::shortestText(p.x) + ", " + base::shortestText(p.y) + ", " + base::shortestText(p.z) + ')';
 }
 
 std::string edgesText(double left, double right, double bottom, double top)
 {
-    return " left " + text::shortestText(left) + " right " + text::shortestText(right) + " bottom "
-           + text::shortestText(bottom) + " top " + text::shortestText(top);
+    return " left " + base::shortestText(left) + " right " + base::shortestText(right) + " bottom "
+           + base::shortestText(bottom) + " top " + base::shortestText(top);
 }
 
 std::string clipText(double nearDistance, double farDistance)
 {
-    return " near " + text::shortestText(nearDistance) + " far " + text::shortestText(farDistance);
+    return " near " + base::shortestText(nearDistance) + " far " + base::shortestText(farDistance);
 }
 
 std::string projectionText(const Projection &projection)
 {
     return std::visit(Overloaded{[](const Perspective &p) {
-                                     return "perspective fovy " + text::shortestText(p.verticalFovDegrees)
+                                     return "perspective fovy " + base::shortestText(p.verticalFovDegrees)
                                             + clipText(p.nearDistance, p.farDistance);
                                  },
                                  [](const Frustum &f) {
                                      return "frustum" + edgesText(f.left, f.right, f.bottom, f.top)
                                             + clipText(f.nearDistance, f.farDistance)
-                                            + (f.skew == 0.0 ? "" : " skew " + text::shortestText(f.skew));
+                                            + (f.skew == 0.0 ? "" : " skew " + base::shortestText(f.skew));
                                  },
                                  [](const Ortho &o) {
                                      return "ortho" + edgesText(o.left, o.right, o.bottom, o.top)
@@ -226,8 +226,8 @@ std::string projectionText(const Projection &projection)
                                  [](const Oblique &o) {
                                      return "oblique" + edgesText(o.box.left, o.box.right, o.box.bottom, o.box.top)
                                             + clipText(o.box.nearDistance, o.box.farDistance) + " theta "
-                                            + text::shortestText(o.thetaDegrees) + " phi "
-                                            + text::shortestText(o.phiDegrees);
+                                            + base::shortestText(o.thetaDegrees) + " phi "
+                                            + base::shortestText(o.phiDegrees);
                                  }},
                       projection);
 }
@@ -318,8 +318,8 @@ Result<Setup> Setup::fromOpenCv(const glm::dmat3 &cameraMatrix, const glm::dmat3
         return *error;
     for (const auto &[row, column, expected] : {std::array{1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {2, 2, 1}}) {
         if (cameraMatrix[column][row] != expected)
-            return valueError(text::tr("K[%1, %2] is %3; give [fx s cx; 0 fy cy; 0 0 1]", row, column,
-                                       text::shortestText(cameraMatrix[column][row])));
+            return valueError(base::tr("K[%1, %2] is %3; give [fx s cx; 0 fy cy; 0 0 1]", row, column,
+                                       base::shortestText(cameraMatrix[column][row])));
     }
     const double deviation = [&rotation] {
         double most = std::abs(glm::determinant(rotation) - 1.0);
@@ -332,8 +332,8 @@ Result<Setup> Setup::fromOpenCv(const glm::dmat3 &cameraMatrix, const glm::dmat3
     }();
     constexpr double kPrintedDigits = 1e-3;
     if (!(deviation <= kPrintedDigits))
-        return valueError(text::tr("R is no rotation: it deviates by %1; give the matrix of cv2.Rodrigues",
-                                   text::shortestText(deviation, 0.01 * deviation)));
+        return valueError(base::tr("R is no rotation: it deviates by %1; give the matrix of cv2.Rodrigues",
+                                   base::shortestText(deviation, 0.01 * deviation)));
     cameras::ForeignCamera camera;
     camera.program = "OpenCV";
     cameras::Intrinsics &intrinsics = camera.intrinsics.emplace();
@@ -463,11 +463,11 @@ std::string Setup::description() const
         line += "view matrix";
     line += ", " + std::to_string(width()) + 'x' + std::to_string(height());
     if (!(setup.viewport == geometry::wholeSurface(setup.surface)))
-        line += ", viewport " + text::shortestText(setup.viewport.x) + ' ' + text::shortestText(setup.viewport.y) + ' '
-                + text::shortestText(setup.viewport.width) + ' ' + text::shortestText(setup.viewport.height);
+        line += ", viewport " + base::shortestText(setup.viewport.x) + ' ' + base::shortestText(setup.viewport.y) + ' '
+                + base::shortestText(setup.viewport.width) + ' ' + base::shortestText(setup.viewport.height);
     if (!(setup.depthRange == geometry::DepthRange{}))
-        line += ", depth range " + text::shortestText(setup.depthRange.atNear) + " to "
-                + text::shortestText(setup.depthRange.atFar);
+        line += ", depth range " + base::shortestText(setup.depthRange.atNear) + " to "
+                + base::shortestText(setup.depthRange.atFar);
     return line;
 }
 

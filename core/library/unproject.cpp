@@ -1,9 +1,9 @@
 #include "unprojector/unproject.h"
 
+#include "core/base/number_text.h"
+#include "core/base/parallel.h"
+#include "core/base/translation.h"
 #include "core/library/internal.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
-#include "core/threads/parallel.h"
 #include "core/unproject/batch/click_batch.h"
 #include "core/unproject/certainty.h"
 
@@ -143,7 +143,7 @@ Result<Unprojection> Unprojection::of(const Setup &setup, const UnprojectOptions
     constexpr int kMostBits = 32;
     if (!buffer.isFloat && (buffer.bits < 1 || buffer.bits > kMostBits))
         return Error{Error::Kind::Value,
-                     text::tr("a depth buffer of %1 bits; give 1 to 32 bits, or a float buffer", buffer.bits)};
+                     base::tr("a depth buffer of %1 bits; give 1 to 32 bits, or a float buffer", buffer.bits)};
     const Result<Batch> batch = batchOf(SetupAccess::of(setup), options, options.space);
     if (!batch)
         return batch.error();
@@ -178,7 +178,7 @@ Result<glm::dvec3> Unprojection::uncertaintyAt(const glm::dvec2 &pixel, double d
     if (!hasUncertainty())
         return Error{
             Error::Kind::Value,
-            text::tr("the matrix is no perspective and no parallel projection: its points have no uncertainty")};
+            base::tr("the matrix is no perspective and no parallel projection: its points have no uncertainty")};
     glm::dvec3 ignored, result;
     m_data->block(&pixel.x, &pixel.y, &depth, &ignored.x, &result.x, 1);
     return result;
@@ -192,7 +192,7 @@ bool Unprojection::hasUncertainty() const
 void Unprojection::operator()(const double *px, const double *py, const double *depth, double *points,
                               std::size_t count, double *uncertainties, unsigned threads) const
 {
-    threads::inParallelRanges(
+    base::inParallelRanges(
         count, kTask, {},
         [&](std::size_t begin, std::size_t end) {
             for (; begin < end; begin += kBlock)
@@ -206,7 +206,7 @@ void Unprojection::operator()(const double *px, const double *py, const double *
 void Unprojection::operator()(const float *px, const float *py, const float *depth, double *points, std::size_t count,
                               double *uncertainties, unsigned threads) const
 {
-    threads::inParallelRanges(
+    base::inParallelRanges(
         count, kTask, {},
         [&](std::size_t begin, std::size_t end) {
             std::array<Block, 3> numbers;

@@ -1,9 +1,9 @@
 #include "core/maps/pixel_map.h"
 
+#include "core/base/translation.h"
 #include "core/maps/other_points.h"
 #include "core/maps/rows_in_parallel.h"
 #include "core/maps/uncertainty_row.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <bit>
@@ -274,7 +274,7 @@ bool needsRays(Quantity quantity)
 
 std::string noCloudsText()
 {
-    return text::tr("the points of clouds are left out; maps show surfaces");
+    return base::tr("the points of clouds are left out; maps show surfaces");
 }
 
 void RowPixels::read(const SurfaceImage &surfaces, int row)

@@ -63,7 +63,7 @@ struct Question {
     double cornerShiftPixels = unproject::kCornerShiftPixels;
 };
 
-/// The note that maps omit the points of point clouds, in the language of text::tr().
+/// The note that maps omit the points of point clouds, in the language of base::tr().
 std::string noCloudsText();
 
 /// A number for each pixel of a view, rows from the top; NaN where there is none.

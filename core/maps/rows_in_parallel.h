@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/base/parallel.h"
 #include "core/ray/box_tree.h"
-#include "core/threads/parallel.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -21,7 +21,7 @@ inline bool rowsInParallel(std::span<const int> rows, int widthPixels, const ray
     const auto atATime = static_cast<std::size_t>(std::max(1, kPixels / std::max(1, widthPixels)));
     struct Stopped {};
     try {
-        threads::inParallelRanges(
+        base::inParallelRanges(
             rows.size(), atATime,
             [&progress](double share) {
                 if (progress && !progress(share))

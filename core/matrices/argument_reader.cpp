@@ -1,6 +1,6 @@
 #include "core/matrices/argument_reader.h"
 
-#include "core/geometry/angle.h"
+#include "core/geometry/numbers.h"
 #include "core/matrices/call_syntax.h"
 
 #include <algorithm>

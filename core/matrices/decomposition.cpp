@@ -1,10 +1,10 @@
 #include "core/matrices/decomposition.h"
 
+#include "core/base/translation.h"
 #include "core/geometry/condition_number.h"
 #include "core/geometry/matrix_projection.h"
 #include "core/matrices/matrix_format.h"
 #include "core/matrices/printed_digits.h"
-#include "core/text/translation.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -138,7 +138,7 @@ std::optional<Decomposition> decomposed(const dmat4 &clipFromWorld)
 
 std::string decompositionText(const Decomposition &apart)
 {
-    return text::tr(apart.isBox ? "decomposed into projection and view, with a residual of %1 of its largest entry; an "
+    return base::tr(apart.isBox ? "decomposed into projection and view, with a residual of %1 of its largest entry; an "
                                   "orthographic eye may be anywhere along the view: it is put on the near plane"
                                 : "decomposed into projection and view, with a residual of %1 of its largest entry",
                     numberText(apart.residual, Digits::Double, 1));

@@ -31,7 +31,7 @@ struct Decomposition {
 std::optional<Decomposition> decomposed(const glm::dmat4 &clipFromWorld);
 
 /// Describes the decomposition, its residual, and where the eye of a box is set, in the language of
-/// text::tr().
+/// base::tr().
 std::string decompositionText(const Decomposition &apart);
 
 } // namespace unprojector::matrices

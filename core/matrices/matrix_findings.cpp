@@ -1,11 +1,11 @@
 #include "core/matrices/matrix_findings.h"
 
+#include "core/base/translation.h"
 #include "core/geometry/condition_number.h"
 #include "core/geometry/view_matrix.h"
 #include "core/matrices/decomposition.h"
 #include "core/matrices/matrix_format.h"
 #include "core/matrices/printed_digits.h"
-#include "core/text/translation.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -19,7 +19,7 @@
 
 namespace unprojector::matrices {
 using namespace geometry;
-using text::tr;
+using base::tr;
 namespace {
 
 using glm::dmat4;

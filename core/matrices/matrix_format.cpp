@@ -1,6 +1,6 @@
 #include "core/matrices/matrix_format.h"
 
-#include "core/text/number_text.h"
+#include "core/base/number_text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -20,7 +20,7 @@ std::string charsOf(Number value, int significant)
     char *const end = buffer + kNumberLength;
     const std::to_chars_result result =
         significant > 0 ? std::to_chars(buffer, end, value, std::chars_format::general, significant)
-        : text::isWrittenOut(static_cast<double>(value)) ? std::to_chars(buffer, end, value, std::chars_format::fixed)
+        : base::isWrittenOut(static_cast<double>(value)) ? std::to_chars(buffer, end, value, std::chars_format::fixed)
                                                          : std::to_chars(buffer, end, value);
     return {buffer, result.ptr};
 }

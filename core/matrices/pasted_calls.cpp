@@ -1,13 +1,13 @@
 #include "core/matrices/pasted_calls.h"
 
-#include "core/geometry/angle.h"
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
+#include "core/geometry/numbers.h"
 #include "core/geometry/projection.h"
 #include "core/matrices/argument_reader.h"
 #include "core/matrices/call_keywords.h"
 #include "core/matrices/call_matrices.h"
 #include "core/matrices/call_signature.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <cctype>
@@ -16,7 +16,7 @@
 
 namespace unprojector::matrices {
 using namespace geometry;
-using text::tr;
+using base::tr;
 
 namespace {
 
@@ -24,7 +24,7 @@ constexpr int kDigits = 5;
 
 std::string numberText(double value)
 {
-    return text::significantText(value, kDigits);
+    return base::significantText(value, kDigits);
 }
 
 std::string vectorText(const glm::dvec3 &v)

@@ -1,9 +1,9 @@
 #include "core/matrices/pasted_matrix.h"
 
+#include "core/base/translation.h"
 #include "core/geometry/condition_number.h"
+#include "core/geometry/error_text.h"
 #include "core/matrices/pasted_numbers.h"
-#include "core/text/error_text.h"
-#include "core/text/translation.h"
 
 #include <glm/matrix.hpp>
 
@@ -308,7 +308,7 @@ bool lacksInverse(const PastedMatrix &matrix)
 
 std::string inverseText(const PastedMatrix &matrix)
 {
-    return text::tr(lacksInverse(matrix) ? "by its name it is an inverse, but it is singular: it is used unchanged"
+    return base::tr(lacksInverse(matrix) ? "by its name it is an inverse, but it is singular: it is used unchanged"
                                          : "by its name it is an inverse: it is inverted");
 }
 
@@ -347,23 +347,23 @@ std::string callText(const PasteError &error)
 {
     switch (error.fault) {
     case CallFault::NoNumber:
-        return text::tr("%1: the argument '%2' is not a number. Put its value there", error.call, error.argument);
+        return base::tr("%1: the argument '%2' is not a number. Put its value there", error.call, error.argument);
     case CallFault::NoVector:
-        return text::tr("%1: the argument '%2' is not a vector of numbers. Put three numbers there", error.call,
+        return base::tr("%1: the argument '%2' is not a vector of numbers. Put three numbers there", error.call,
                         error.argument);
     case CallFault::Count:
-        return text::tr("%1: %2 arguments found, %3 are needed", error.call, error.found, error.wanted);
+        return base::tr("%1: %2 arguments found, %3 are needed", error.call, error.found, error.wanted);
     case CallFault::UnknownKeyword:
-        return text::tr("%1: the argument '%2' is not known. Use the names of the call's own arguments, or none",
+        return base::tr("%1: the argument '%2' is not known. Use the names of the call's own arguments, or none",
                         error.call, error.argument);
     case CallFault::RepeatedKeyword:
-        return text::tr("%1: the argument '%2' is given twice. Remove one of them", error.call, error.argument);
+        return base::tr("%1: the argument '%2' is given twice. Remove one of them", error.call, error.argument);
     case CallFault::Radians:
-        return text::tr("%1: the angle is in radians and must be smaller than pi. You entered %2", error.call,
+        return base::tr("%1: the angle is in radians and must be smaller than pi. You entered %2", error.call,
                         error.argument);
     case CallFault::Parameters: break;
     }
-    return error.call + ": " + text::errorText(error.parameters);
+    return error.call + ": " + geometry::errorText(error.parameters);
 }
 
 } // namespace
@@ -373,10 +373,10 @@ std::string reasonText(const PasteError &error)
     if (!error.call.empty())
         return callText(error);
     if (!error.word.empty())
-        return text::tr("\"%1\" is not a finite number", error.word);
-    return text::tr(error.found == 1 ? "%1 number found, %2 are needed" : "%1 numbers found, %2 are needed",
+        return base::tr("\"%1\" is not a finite number", error.word);
+    return base::tr(error.found == 1 ? "%1 number found, %2 are needed" : "%1 numbers found, %2 are needed",
                     error.found, error.wanted)
-           + (error.part == PastedPart::Viewport ? text::tr(": x y width height, or 16 of a matrix") : std::string());
+           + (error.part == PastedPart::Viewport ? base::tr(": x y width height, or 16 of a matrix") : std::string());
 }
 
 Result<PastedMatrix, PasteError> pastedMatrix(std::string_view text)

@@ -35,7 +35,7 @@ struct PastedMatrix {
     bool isInverse = false;                       ///< the name says that it is an inverse: projectionMatrixInverse
     std::optional<NumberOrder> order{};           ///< set if the numbers show the unusual order, see toldOrders
     std::optional<geometry::NdcDepth> ndcDepth{}; ///< of a projection, if the text determines it
-    std::string call{}; ///< how the call that made it was read, in the language of text::tr(), without a full stop
+    std::string call{}; ///< how the call that made it was read, in the language of base::tr(), without a full stop
     friend bool operator==(const PastedMatrix &, const PastedMatrix &) = default;
 };
 
@@ -52,7 +52,7 @@ glm::dmat4 meantMatrix(const PastedMatrix &matrix, NumberOrder order);
 
 /// Returns whether the matrix is singular although its name says it is an inverse.
 bool lacksInverse(const PastedMatrix &matrix);
-/// Describes the handling of a matrix that is named as an inverse, in the language of text::tr().
+/// Describes the handling of a matrix that is named as an inverse, in the language of base::tr().
 std::string inverseText(const PastedMatrix &matrix);
 
 struct ViewportAndDepths {
@@ -109,7 +109,7 @@ struct PasteError {
     std::string argument{}; ///< of the call, as written
     geometry::Error parameters{geometry::ErrorCode::NotFinite};
 };
-/// Describes the error in the language of text::tr(), without position and part.
+/// Describes the error in the language of base::tr(), without position and part.
 std::string reasonText(const PasteError &error);
 
 /// Reads one matrix. Skips brackets, commas, quotes and words, as well as subscripts (m[3], m(0,1),

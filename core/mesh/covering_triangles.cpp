@@ -1,6 +1,6 @@
 #include "core/mesh/covering_triangles.h"
 
-#include "core/threads/parallel.h"
+#include "core/base/parallel.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -93,7 +93,7 @@ bool CoveringTriangles::canCover(const Corner &a, const Corner &b, const Corner 
 
 void CoveringTriangles::placeVertices()
 {
-    threads::fillInParallel(m_placed, m_mesh.positions.size(), {}, [this](std::size_t begin, std::size_t end) {
+    base::fillInParallel(m_placed, m_mesh.positions.size(), {}, [this](std::size_t begin, std::size_t end) {
         for (std::size_t vertex = begin; vertex < end; ++vertex)
             m_placed[vertex] = cornerAt(m_mesh.positions[vertex]);
     });

@@ -1,8 +1,8 @@
 #include "core/mesh/curvature.h"
 
+#include "core/base/parallel.h"
 #include "core/mesh/position_hash.h"
 #include "core/mesh/soup_numbers.h"
-#include "core/threads/parallel.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -301,7 +301,7 @@ private:
     template <class Function>
     void forEachPlace(const Reporter &reporter, const Function &function) const
     {
-        threads::inParallelRanges(
+        base::inParallelRanges(
             m_surface.placeCount(), kPlacesAtOnce, [&](double share) { reporter.report(share); },
             [&](std::size_t begin, std::size_t end) {
                 for (std::size_t place = begin; place < end; ++place)

@@ -1,8 +1,8 @@
 #include "core/mesh/soup_numbers.h"
 
+#include "core/base/parallel.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/position_hash.h"
-#include "core/threads/parallel.h"
 
 #include <algorithm>
 #include <bit>
@@ -72,12 +72,12 @@ std::size_t numberPlaces(const Mesh &mesh, std::vector<std::uint32_t> &numbers)
 {
     const std::size_t vertices = mesh.positions.size();
     constexpr std::size_t kMostTasks = 16, kFewVertices = std::size_t{1} << 16;
-    const std::size_t cores = threads::coreCount();
+    const std::size_t cores = base::coreCount();
     const std::size_t tasks = vertices < kFewVertices ? 1 : std::min(cores, kMostTasks);
     numbers.resize(vertices);
     // Each task scans all vertices in order and takes the ones with its own hashes, so equal ones
     // belong to one task.
-    threads::inParallel(tasks, {}, [&](std::size_t task) {
+    base::inParallel(tasks, {}, [&](std::size_t task) {
         constexpr std::size_t kVerticesAtPlace = 6; // in most meshes
         FirstVertices first(mesh, vertices / kVerticesAtPlace / tasks);
         for (std::size_t vertex = 0; vertex < vertices; ++vertex) {

@@ -1,9 +1,9 @@
 #include "core/opening/models.h"
 
+#include "core/base/path_text.h"
+#include "core/base/translation.h"
 #include "core/examples/bundled_models.h"
-#include "core/files/path_text.h"
 #include "core/mesh/import/import_error_text.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <new>
@@ -69,7 +69,7 @@ ReadModel ModelFiles::read(const std::filesystem::path &file, const ImportProgre
 
 bool isMeantAsScene(const std::filesystem::path &file)
 {
-    const std::string name = files::utf8FromPath(file.filename()); // also of ".json", which has no extension
+    const std::string name = base::utf8FromPath(file.filename()); // also of ".json", which has no extension
     constexpr std::string_view kJson = ".json";
     const auto isSame = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
     const std::string end = name.size() < kJson.size() ? std::string() : name.substr(name.size() - kJson.size());
@@ -103,7 +103,7 @@ objectsOf(const SceneFile &scene, const std::filesystem::path &sceneFile,
             const auto &bundled = examples::bundledModels();
             const auto found = bundled.find(object.bundled);
             if (found == bundled.end())
-                return text::tr("there is no bundled model \"%1\"", object.bundled);
+                return base::tr("there is no bundled model \"%1\"", object.bundled);
             model = found->second;
         } else if (!model) {
             ReadModel of = read(file);

@@ -64,7 +64,7 @@ std::vector<std::filesystem::path> modelFiles(const scene_file::SceneFile &scene
 /// Returns a scene's objects with their models: the bundled ones by name, the others from `read`,
 /// which is called once per file.
 /// @param sceneFile  as above
-/// @return the error of the first model that cannot be read, in the language of text::tr()
+/// @return the error of the first model that cannot be read, in the language of base::tr()
 geometry::Result<std::vector<scene::SceneObject>, std::string>
 objectsOf(const scene_file::SceneFile &scene, const std::filesystem::path &sceneFile,
           const std::function<ReadModel(const std::filesystem::path &file)> &read);

@@ -1,11 +1,11 @@
 #include "core/opening/opened_scene.h"
 
-#include "core/files/path_text.h"
+#include "core/base/path_text.h"
+#include "core/geometry/error_text.h"
 #include "core/mesh/import/import_error_text.h"
 #include "core/scene/opening_view.h"
 #include "core/scene/reach.h"
 #include "core/scene_file/scene_error_text.h"
-#include "core/text/error_text.h"
 
 #include <map>
 #include <utility>
@@ -15,7 +15,7 @@ using namespace geometry;
 using namespace mesh;
 using namespace scene;
 using namespace scene_file;
-using namespace files;
+using namespace base;
 
 OpeningError openingError(const ImportError &error)
 {
@@ -89,7 +89,7 @@ std::optional<OpeningError> unreachable(const OpenedScene &opened)
     for (const SceneObject &object : opened.objects) {
         if (const Check valid = reachable(object); !valid)
             return OpeningError{OpeningError::Kind::Value,
-                                opened.name + ": " + object.name + ": " + text::errorText(valid.error())};
+                                opened.name + ": " + object.name + ": " + geometry::errorText(valid.error())};
     }
     return std::nullopt;
 }
@@ -141,7 +141,7 @@ Result<Setup, OpeningError> setupOf(const OpenedScene &opened, const std::option
     const Result<Setup> setup = scene::setupOf(scene, surface, groundUnder(boundsOf(scene)).box);
     if (setup)
         return *setup;
-    return OpeningError{OpeningError::Kind::Value, opened.name + ": " + text::errorText(setup.error())};
+    return OpeningError{OpeningError::Kind::Value, opened.name + ": " + geometry::errorText(setup.error())};
 }
 
 } // namespace unprojector::opening

@@ -21,7 +21,7 @@ struct OpeningError {
         NoFile ///< a file that does not exist
     };
     Kind kind = Kind::Value;
-    std::string message; ///< names the file; in the language of text::tr()
+    std::string message; ///< names the file; in the language of base::tr()
 };
 
 OpeningError openingError(const mesh::ImportError &error);

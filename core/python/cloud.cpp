@@ -223,7 +223,7 @@ Outcome computed(const Cloud &cloud, const Depths &depths, py::array &points, bo
     CloudCounts counts;
     const py::gil_scoped_release released;
     constexpr std::size_t kTask = 16; // rows
-    threads::inParallelRanges(
+    base::inParallelRanges(
         count, kTask, {},
         [&](std::size_t begin, std::size_t end) {
             std::vector<double> numbers;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/base/parallel.h"
 #include "core/python/bindings.h"
-#include "core/threads/parallel.h"
 
 #include "unprojector/unproject.h"
 
@@ -45,7 +45,7 @@ template <class Block>
 void inBlocks(std::size_t size, std::size_t task, std::size_t threads, const Block &block)
 {
     const py::gil_scoped_release released;
-    threads::inParallelRanges(
+    base::inParallelRanges(
         size, task, {},
         [&](std::size_t begin, std::size_t end) {
             for (; begin < end; begin += kBlock)

@@ -1,6 +1,6 @@
 #include "core/ray/box_tree.h"
 
-#include "core/threads/parallel.h"
+#include "core/base/parallel.h"
 
 #include <glm/common.hpp>
 
@@ -77,7 +77,7 @@ public:
             return BoxTree{};
         m_tree.m_nodes.resize(1);
         // Builds the upper levels here, and the parts below them on all cores.
-        const std::size_t enough = std::max<std::size_t>(4096, m_items.size() / (8 * threads::coreCount()));
+        const std::size_t enough = std::max<std::size_t>(4096, m_items.size() / (8 * base::coreCount()));
         grow(m_tree.m_nodes, {0, 0, m_items.size(), 0}, enough);
         m_branches.resize(m_parts.size());
         growParts();
@@ -207,7 +207,7 @@ private:
 
     void growParts()
     {
-        threads::inParallel(m_parts.size(), {}, [this](std::size_t i) {
+        base::inParallel(m_parts.size(), {}, [this](std::size_t i) {
             if (m_isCancelled)
                 return;
             Part part = m_parts[i];

@@ -1,6 +1,6 @@
 #include "core/ray/place_order.h"
 
-#include "core/threads/parallel.h"
+#include "core/base/parallel.h"
 
 #include <glm/common.hpp>
 
@@ -115,7 +115,7 @@ std::vector<std::uint32_t> placeOrder(std::uint32_t count, std::size_t group,
 {
     std::vector<Keyed> all(count);
     constexpr std::size_t kNumbersInTask = 1 << 14;
-    threads::inParallelRanges(count, kNumbersInTask, {}, [&](std::size_t first, std::size_t end) {
+    base::inParallelRanges(count, kNumbersInTask, {}, [&](std::size_t first, std::size_t end) {
         for (std::size_t i = first; i < end; ++i) {
             const auto number = static_cast<std::uint32_t>(i);
             all[i] = {keyOf(place(number) * 0.5f + 0.5f), number};
@@ -131,7 +131,7 @@ std::vector<std::uint32_t> placeOrder(std::uint32_t count, std::size_t group,
     std::vector<std::uint32_t> order(count);
     constexpr std::size_t kTogether = 256;
     static_assert(kNumbersInTask % kTogether == 0, "the order does not depend on the tasks");
-    threads::inParallelRanges(count, kNumbersInTask, {}, [&](std::size_t begin, std::size_t end) {
+    base::inParallelRanges(count, kNumbersInTask, {}, [&](std::size_t begin, std::size_t end) {
         std::vector<Placed> some;
         for (std::size_t first = begin; first < end; first += kTogether) {
             some.clear();

@@ -1,6 +1,6 @@
 #include "core/ray/placed_landmark.h"
 
-#include "core/text/json_number.h"
+#include "core/base/json_number.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -117,8 +117,8 @@ std::optional<LandmarkEdge> edgeOf(const Landmark &landmark)
     LandmarkEdge edge;
     if (object != found->end() && object->is_string())
         edge.object = object->get<std::string>();
-    if (behind != found->end() && text::isJsonNumber(*behind))
-        edge.behind = text::valueOfJsonNumber(*behind);
+    if (behind != found->end() && base::isJsonNumber(*behind))
+        edge.behind = base::valueOfJsonNumber(*behind);
     return edge;
 }
 

@@ -1,6 +1,6 @@
 #include "core/ray/ray_bundle.h"
 
-#include "core/geometry/double_double.h"
+#include "core/geometry/numbers.h"
 
 #include <glm/geometric.hpp>
 

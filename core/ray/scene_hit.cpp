@@ -1,6 +1,6 @@
 #include "core/ray/scene_hit.h"
 
-#include "core/geometry/double_double.h"
+#include "core/geometry/numbers.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

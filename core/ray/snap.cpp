@@ -1,6 +1,6 @@
 #include "core/ray/snap.h"
 
-#include "core/text/translation.h"
+#include "core/base/translation.h"
 
 #include <glm/geometric.hpp>
 
@@ -302,11 +302,11 @@ std::string nothingText(Snap snap)
 {
     switch (snap) {
     case Snap::Surface: break;
-    case Snap::Vertex: return text::tr("no vertex is visible within %1 pixels", int(kSnapPixels));
-    case Snap::Edge: return text::tr("no edge is visible within %1 pixels", int(kSnapPixels));
-    case Snap::Face: return text::tr("no face is visible within %1 pixels", int(kSnapPixels));
+    case Snap::Vertex: return base::tr("no vertex is visible within %1 pixels", int(kSnapPixels));
+    case Snap::Edge: return base::tr("no edge is visible within %1 pixels", int(kSnapPixels));
+    case Snap::Face: return base::tr("no face is visible within %1 pixels", int(kSnapPixels));
     }
-    return text::tr("no hit");
+    return base::tr("no hit");
 }
 
 } // namespace unprojector::ray

@@ -81,7 +81,7 @@ private:
     std::vector<Seen> m_seen; ///< nearest first, each triangle once
 };
 
-/// The reason why a click found nothing, in the language of text::tr().
+/// The reason why a click found nothing, in the language of base::tr().
 std::string nothingText(Snap snap);
 
 } // namespace unprojector::ray

@@ -1,6 +1,6 @@
 #include "core/ray/triangle_crossing.h"
 
-#include "core/geometry/double_double.h"
+#include "core/geometry/numbers.h"
 
 #include <glm/common.hpp>
 

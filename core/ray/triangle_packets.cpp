@@ -1,7 +1,7 @@
 #include "core/ray/triangle_packets.h"
 
+#include "core/base/parallel.h"
 #include "core/ray/place_order.h"
-#include "core/threads/parallel.h"
 
 #include <glm/common.hpp>
 
@@ -73,7 +73,7 @@ TrianglePackets::TrianglePackets(const Model &model, const ElementNumbers &numbe
         constexpr std::size_t kPacketsInTask = 1 << 11;
         const std::size_t count = m_packets.size() - start;
         auto &remainders = m_remainders.emplace_back(mesh.remainders.empty() ? 0 : count);
-        threads::inParallelRanges(count, kPacketsInTask, {}, [&](std::size_t begin, std::size_t end) {
+        base::inParallelRanges(count, kPacketsInTask, {}, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 Packet &packet = m_packets[start + i];
                 for (std::size_t k = 0; k < kSize; ++k) {

@@ -1,7 +1,7 @@
 #include "core/ray/unit_space.h"
 
-#include "core/geometry/double_double.h"
 #include "core/geometry/finite.h"
+#include "core/geometry/numbers.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,6 +1,6 @@
 #include "core/scene/measures.h"
 
-#include "core/geometry/double_double.h"
+#include "core/geometry/numbers.h"
 #include "core/mesh/soup_numbers.h"
 
 #include <glm/common.hpp>

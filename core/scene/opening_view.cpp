@@ -1,6 +1,6 @@
 #include "core/scene/opening_view.h"
 
-#include "core/geometry/angle.h"
+#include "core/geometry/numbers.h"
 
 #include <cmath>
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/json_value.h"
 #include "core/geometry/api_conventions.h"
 #include "core/geometry/framing.h"
 #include "core/geometry/given_point.h"
@@ -7,7 +8,6 @@
 #include "core/geometry/transform.h"
 #include "core/landmarks/landmark.h"
 #include "core/mesh/mesh.h"
-#include "core/text/json_value.h"
 
 #include <filesystem>
 #include <memory>
@@ -24,7 +24,7 @@ struct SceneObject {
     std::shared_ptr<const mesh::Model> model;
     std::vector<geometry::TransformStep> transform; ///< worldFromObject, step by step
     bool isHidden = false;                          ///< neither drawn nor clicked; all computations stay the same
-    text::JsonValue extra = {};                     ///< unknown keys of its file; null or an object
+    base::JsonValue extra = {};                     ///< unknown keys of its file; null or an object
 };
 
 /// The part of a window that the viewport takes.
@@ -55,7 +55,7 @@ constexpr std::size_t kMostClipPlanes = 6;
 struct ClipPlaneOff {
     std::size_t index = 0; ///< in the list of all planes, cutting or not
     glm::dvec4 plane{0.0};
-    text::JsonValue extra = {}; ///< as in SceneObject
+    base::JsonValue extra = {}; ///< as in SceneObject
     friend bool operator==(const ClipPlaneOff &, const ClipPlaneOff &) = default;
 };
 
@@ -104,7 +104,7 @@ using SceneCamera = Importable<geometry::LookAt, glm::dmat4>;
 struct FileKeys {
     bool hasViewport = false;    ///< also for the whole window
     bool hasConventions = false; ///< also for OpenGL
-    text::JsonValue extra;       ///< unknown keys, each at its position: {"author": "A", "window": {"title": "T"}}
+    base::JsonValue extra;       ///< unknown keys, each at its position: {"author": "A", "window": {"title": "T"}}
 };
 
 /// The settings that show the objects: everything but the objects and the landmarks.

@@ -1,7 +1,7 @@
 #include "core/scene_code/code_scene.h"
 
-#include "core/files/path_text.h"
-#include "core/text/identifier.h"
+#include "core/base/identifier.h"
+#include "core/base/path_text.h"
 
 #include <cmath>
 #include <vector>
@@ -9,7 +9,7 @@
 namespace unprojector::scene_code {
 using namespace geometry;
 using namespace scene_file;
-using namespace text;
+using namespace base;
 namespace {
 
 /// Removes outer underscores: C++ reserves names with two underscores in a row.
@@ -63,7 +63,7 @@ std::string ofEachObject(const SceneFile &scene, ObjectCode &code)
 std::string whatIs(const SceneFileObject &object)
 {
     const std::string model =
-        object.bundled.empty() ? files::utf8FromPath(object.file) : "the bundled model " + object.bundled;
+        object.bundled.empty() ? base::utf8FromPath(object.file) : "the bundled model " + object.bundled;
     return onOneLine('"' + object.name + "\", " + model + (object.isHidden ? ", hidden" : ""));
 }
 

@@ -1,6 +1,6 @@
 #include "core/scene_code/code_text.h"
 
-#include "core/text/number_text.h"
+#include "core/base/number_text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -11,7 +11,7 @@
 namespace unprojector::scene_code {
 using namespace geometry;
 using namespace scene_file;
-using namespace text;
+using namespace base;
 
 std::string literal(double value, NumberStyle style)
 {

@@ -1,6 +1,6 @@
+#include "core/base/number_text.h"
 #include "core/scene_code/code_text.h"
 #include "core/scene_code/dialects.h"
-#include "core/text/number_text.h"
 
 #include <glm/geometric.hpp>
 
@@ -10,7 +10,7 @@
 namespace unprojector::scene_code {
 using namespace geometry;
 using namespace scene_file;
-using namespace text;
+using namespace base;
 namespace {
 
 constexpr NumberStyle kStyle = NumberStyle::Float;

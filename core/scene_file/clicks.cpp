@@ -1,10 +1,10 @@
 #include "core/scene_file/clicks.h"
 
+#include "core/base/translation.h"
 #include "core/geometry/transform.h"
 #include "core/scene_file/json_text.h"
 #include "core/scene_file/scene_fields.h"
 #include "core/scene_file/strict_json.h"
-#include "core/text/translation.h"
 #include "core/unproject/object_from_world.h"
 
 #include <nlohmann/json.hpp>
@@ -172,14 +172,14 @@ Result<SceneFile, std::string> oneScene(const SceneOrClicks &given)
         return *scene;
     const auto &clicks = std::get<std::vector<Click>>(given);
     if (clicks.empty())
-        return text::tr("it has no click and so no scene; give a scene file");
+        return base::tr("it has no click and so no scene; give a scene file");
     const Result<std::string, SceneFileError> first = sceneText(clicks.front().scene);
     const bool isOne = std::all_of(clicks.begin() + 1, clicks.end(), [&first](const Click &click) {
         const Result<std::string, SceneFileError> other = sceneText(click.scene);
         return first && other && *first == *other;
     });
     if (!isOne)
-        return text::tr("its clicks have different scenes; give one click, or the scene of one");
+        return base::tr("its clicks have different scenes; give one click, or the scene of one");
     return clicks.front().scene;
 }
 

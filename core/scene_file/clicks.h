@@ -79,7 +79,7 @@ using SceneOrClicks = std::variant<SceneFile, std::vector<Click>>;
 geometry::Result<SceneOrClicks, SceneFileError> parseSceneOrClicks(std::string_view text, const std::string &name);
 
 /// The scene, or the one that all clicks share.
-/// @return why there is none, in the language of text::tr()
+/// @return why there is none, in the language of base::tr()
 geometry::Result<SceneFile, std::string> oneScene(const SceneOrClicks &given);
 
 } // namespace unprojector::scene_file

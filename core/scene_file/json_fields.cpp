@@ -1,6 +1,6 @@
 #include "core/scene_file/json_fields.h"
 
-#include "core/geometry/angle.h"
+#include "core/geometry/numbers.h"
 #include "core/scene_file/json_text.h"
 
 #include <cmath>

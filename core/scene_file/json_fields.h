@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/geometry/angle.h"
+#include "core/base/json_value.h"
+#include "core/geometry/numbers.h"
 #include "core/scene_file/json_node.h"
 #include "core/scene_file/json_values.h"
-#include "core/text/json_value.h"
 
 #include <algorithm>
 #include <concepts>
@@ -201,7 +201,7 @@ public:
         else
             how.read(node, value);
         if constexpr (KeepsUnknownKeys<T>)
-            value.extra = text::JsonValue(std::exchange(unknown, nullptr));
+            value.extra = base::JsonValue(std::exchange(unknown, nullptr));
         return unknown;
     }
 

@@ -1,7 +1,7 @@
 #include "core/scene_file/json_node.h"
 
+#include "core/base/json_number.h"
 #include "core/scene_file/strict_json.h"
-#include "core/text/json_number.h"
 
 #include <cmath>
 
@@ -18,7 +18,7 @@ JsonKind kindOf(const Json &json)
         return JsonKind::Null;
     if (json.is_boolean())
         return JsonKind::Boolean;
-    if (text::isJsonNumber(json))
+    if (base::isJsonNumber(json))
         return JsonKind::Number;
     if (json.is_string())
         return JsonKind::Text;
@@ -112,7 +112,7 @@ bool JsonNode::hasSize(std::size_t count, JsonKind expected) const
 
 double JsonNode::number() const
 {
-    return is(JsonKind::Number, JsonKind::Number) ? text::valueOfJsonNumber(*m_json) : 0.0;
+    return is(JsonKind::Number, JsonKind::Number) ? base::valueOfJsonNumber(*m_json) : 0.0;
 }
 
 double JsonNode::numberBetween(double lowest, double highest) const

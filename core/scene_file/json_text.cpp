@@ -1,6 +1,6 @@
 #include "core/scene_file/json_text.h"
 
-#include "core/text/json_number.h"
+#include "core/base/json_number.h"
 
 #include <nlohmann/json.hpp>
 
@@ -23,7 +23,7 @@ constexpr double kExact = 9007199254740992.0; // 2^53: all smaller whole numbers
 
 std::string leafText(const Json &leaf, Json::error_handler_t badText)
 {
-    return text::isJsonNumber(leaf) ? text::jsonNumberText(leaf) : leaf.dump(-1, ' ', false, badText);
+    return base::isJsonNumber(leaf) ? base::jsonNumberText(leaf) : leaf.dump(-1, ' ', false, badText);
 }
 
 /// Appends everything on one line; stops early beyond `limit` characters.

@@ -1,6 +1,6 @@
 #include "core/scene_file/json_values.h"
 
-#include "core/files/path_text.h"
+#include "core/base/path_text.h"
 #include "core/geometry/condition_number.h"
 #include "core/scene_file/strict_json.h"
 
@@ -12,7 +12,7 @@
 
 namespace unprojector::scene_file {
 using namespace geometry;
-using namespace files;
+using namespace base;
 namespace {
 
 using Json = nlohmann::ordered_json;

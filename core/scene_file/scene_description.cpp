@@ -1,4 +1,4 @@
-#include "core/files/path_text.h"
+#include "core/base/path_text.h"
 #include "core/geometry/drawable.h"
 #include "core/scene/given_matrices.h"
 #include "core/scene/reach.h"
@@ -118,7 +118,7 @@ std::filesystem::path objectFile(const SceneFileObject &object, const std::files
 Result<Scene, SceneFileError> sceneFromFile(const SceneFile &file, const std::filesystem::path &sceneFile,
                                             std::vector<SceneObject> objects)
 {
-    const std::string name = files::utf8FromPath(sceneFile.filename());
+    const std::string name = base::utf8FromPath(sceneFile.filename());
     if (const std::optional<SceneFileError> error = whyNotShown(file, name))
         return *error;
     const Setup setup = setupOf(file);

@@ -1,12 +1,12 @@
 #include "core/scene_file/scene_error_text.h"
 
-#include "core/text/error_text.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
+#include "core/geometry/error_text.h"
 
 namespace unprojector::scene_file {
 using namespace geometry;
-using namespace text;
+using namespace base;
 namespace {
 
 std::string bytesText(double bytes)

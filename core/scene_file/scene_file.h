@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/files/file_stamp.h"
+#include "core/base/file_stamp.h"
+#include "core/base/json_value.h"
 #include "core/landmarks/landmark.h"
 #include "core/scene/scene.h"
 #include "core/scene_file/scene_file_error.h"
-#include "core/text/json_value.h"
 #include "core/unproject/unprojector.h"
 
 #include <filesystem>
@@ -21,7 +21,7 @@ struct SceneFileObject {
     std::filesystem::path file; ///< as written: relative to the scene file, or absolute; empty for a bundled model
     std::string bundled;        ///< name of a bundled model, UTF-8; empty if there is a file
     std::vector<geometry::TransformStep> transform;
-    text::JsonValue extra; ///< unknown keys; null or an object
+    base::JsonValue extra; ///< unknown keys; null or an object
     bool isHidden = false; ///< "hidden": the window does not show it. Written only if true
 };
 
@@ -79,7 +79,7 @@ struct SceneFile {
 
     /// Unknown keys, each at its position: {"author": "A", "window": {"title": "T"}}; null or an
     /// object. Objects and planes that do not cut have their own.
-    text::JsonValue extra;
+    base::JsonValue extra;
 };
 
 /// The maximum number of bytes and depth of brackets of a scene file. This allows more than a
@@ -101,7 +101,7 @@ geometry::Result<SceneFile, SceneFileError> parseScene(std::string_view text, co
 /// @param change  the changed keys in objects as in the file; null removes a key (RFC 7396)
 /// @param name    of the change, for the error
 /// @return as parseScene
-geometry::Result<SceneFile, SceneFileError> changed(const SceneFile &scene, const text::JsonValue &change,
+geometry::Result<SceneFile, SceneFileError> changed(const SceneFile &scene, const base::JsonValue &change,
                                                     const std::string &name);
 
 /// The bytes of a scene file. Of a file that is too large, only enough to show that it is.
@@ -128,9 +128,9 @@ geometry::Result<std::string, SceneFileError> sceneText(const SceneFile &scene);
 ///         overwritten unseen
 /// @return the stamp of the new contents; the errors of sceneText; TooLarge if it could not be read
 ///         again; IsDirectory, IsOwnModel, ChangedMeanwhile, NotWritable
-geometry::Result<files::FileStamp, SceneFileError>
+geometry::Result<base::FileStamp, SceneFileError>
 writeSceneFile(const std::filesystem::path &file, const SceneFile &scene,
-               const std::optional<files::FileStamp> &onlyIf = std::nullopt);
+               const std::optional<base::FileStamp> &onlyIf = std::nullopt);
 
 /// The setup of a scene file, in a window of its own size. To show it, take it byParameters.
 geometry::Setup setupOf(const SceneFile &scene);

@@ -16,7 +16,7 @@ enum class SceneFileErrorCode {
     IsDirectory,
     NotAFile,         ///< a device, a pipe or a socket
     NotReadable,      ///< detail: the system's reason
-    NotWritable,      ///< detail: files::fileErrorText
+    NotWritable,      ///< detail: base::fileErrorText
     ChangedMeanwhile, ///< by another program, since its stamp was taken
     IsOwnModel,       ///< the target is the model of keyPath
     EmptyFile,        ///< nothing but blanks

@@ -1,7 +1,7 @@
-#include "core/files/path_text.h"
-#include "core/files/replace_file.h"
+#include "core/base/path_text.h"
+#include "core/base/replace_file.h"
+#include "core/base/system_error.h"
 #include "core/scene_file/scene_file.h"
-#include "core/text/system_error.h"
 
 #include <array>
 #include <cerrno>
@@ -10,7 +10,7 @@
 
 namespace unprojector::scene_file {
 using namespace geometry;
-using namespace files;
+using namespace base;
 namespace {
 
 SceneFileError failed(const std::filesystem::path &file, SceneFileErrorCode code, std::string detail = {})
@@ -50,7 +50,7 @@ Result<std::string, SceneFileError> readSceneText(const std::filesystem::path &f
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) && !isOwnDescriptor(file))
         return failed(file, SceneFileErrorCode::NotAFile);
     const auto notReadable = [&file] {
-        return failed(file, SceneFileErrorCode::NotReadable, errno != 0 ? text::systemErrorText(errno) : std::string());
+        return failed(file, SceneFileErrorCode::NotReadable, errno != 0 ? base::systemErrorText(errno) : std::string());
     };
     errno = 0;
     std::ifstream stream(file, std::ios::binary);

@@ -33,7 +33,7 @@ Result<SceneFile, SceneFileError> parseScene(std::string_view text, const std::s
     return readScene(parseStrictJson(text, mostBytes), name);
 }
 
-Result<SceneFile, SceneFileError> changed(const SceneFile &scene, const text::JsonValue &change,
+Result<SceneFile, SceneFileError> changed(const SceneFile &scene, const base::JsonValue &change,
                                           const std::string &name)
 {
     nlohmann::ordered_json document = FieldWriter::write(scene, Plain{}, nullptr);

@@ -1,9 +1,9 @@
 #include "core/scene_file/strict_json.h"
 
+#include "core/base/json_number.h"
+#include "core/base/json_syntax.h"
+#include "core/base/translation.h"
 #include "core/scene_file/scene_file.h"
-#include "core/text/json_number.h"
-#include "core/text/json_syntax.h"
-#include "core/text/translation.h"
 
 #include <nlohmann/json.hpp>
 
@@ -66,7 +66,7 @@ public:
     bool number_unsigned(Json::number_unsigned_t value) { return add(value) != nullptr; }
     bool number_float(Json::number_float_t value, const std::string &written)
     {
-        return add(text::readJsonNumber(value, written)) != nullptr;
+        return add(base::readJsonNumber(value, written)) != nullptr;
     }
     bool string(std::string &value) { return add(std::move(value)) != nullptr; }
     bool binary(Json::binary_t &) { return false; }
@@ -84,7 +84,7 @@ public:
     }
     bool parse_error(std::size_t position, const std::string &lastToken, const nlohmann::detail::exception &error)
     {
-        text::JsonMistake mistake = text::jsonMistake(m_text, position, lastToken, error.what());
+        base::JsonMistake mistake = base::jsonMistake(m_text, position, lastToken, error.what());
         // Numbers that overflow have a separate error.
         if (error.id == 406)
             return fail(SceneFileErrorCode::NumberTooLarge, mistake.at, lastToken);
@@ -212,12 +212,12 @@ Result<Json, SceneFileError> parseStrictJson(std::string_view text, std::size_t 
     }
     Builder builder(text);
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-        builder.failSyntax(0, text::tr("the file is UTF-16; save it as UTF-8"));
+        builder.failSyntax(0, base::tr("the file is UTF-16; save it as UTF-8"));
         return *builder.error();
     }
     // The library takes a zero byte for the end and would ignore the text after it.
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
-        builder.failSyntax(zero, text::tr("unexpected zero byte"));
+        builder.failSyntax(zero, base::tr("unexpected zero byte"));
         return *builder.error();
     }
     const bool parsed = Json::sax_parse(builder.begin(), builder.end(), &builder);

@@ -1,16 +1,16 @@
 #include "core/unproject/agreement.h"
 
-#include "core/text/error_text.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
+#include "core/geometry/error_text.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace unprojector::unproject {
 using namespace geometry;
-using text::significantText;
-using text::tr;
+using base::significantText;
+using base::tr;
 namespace {
 
 double largest(const Components<3> &v)
@@ -23,7 +23,7 @@ double largest(const Components<3> &v)
 std::string twoDigits(double value)
 {
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-    return text::shortestText(std::round(value / unit) * unit, 0.5 * unit);
+    return base::shortestText(std::round(value / unit) * unit, 0.5 * unit);
 }
 
 const Answers<WorldSpace> &worldOf(const Pick &pick)
@@ -71,9 +71,10 @@ std::string verdictText(const Pick &pick)
     const std::optional<Agreement> agreement = agreementOf(pick);
     if (!agreement) {
         if (!world[Method::Matrix] && world[Method::Formula])
-            return tr("Only the formula has an answer; the matrix: %1", text::errorText(world[Method::Matrix].error()));
+            return tr("Only the formula has an answer; the matrix: %1",
+                      geometry::errorText(world[Method::Matrix].error()));
         const Result<EyePoint> &eye = (pick.hit() ? pick.point.eye : pick.rayFar.eye)[Method::Formula];
-        return text::errorText(world[Method::Formula] ? eye.error() : world[Method::Formula].error());
+        return geometry::errorText(world[Method::Formula] ? eye.error() : world[Method::Formula].error());
     }
     if (agreement->ulps == 0.0)
         return tr("Formula and matrix agree to the last digit");

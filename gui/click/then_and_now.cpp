@@ -1,6 +1,6 @@
 #include "gui/click/then_and_now.h"
 
-#include "core/geometry/angle.h"
+#include "core/geometry/numbers.h"
 #include "core/geometry/setup.h"
 #include "gui/click/comparison_model.h"
 #include "gui/click/pick_rows.h"

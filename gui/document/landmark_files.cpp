@@ -1,6 +1,6 @@
 #include "gui/document/landmark_files.h"
 
-#include "core/files/path_text.h"
+#include "core/base/path_text.h"
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmark_files/measures_file.h"
 #include "core/landmark_files/sliders.h"
@@ -357,9 +357,9 @@ bool LandmarkFiles::exportTo(const std::filesystem::path &file, std::span<const 
                                     [](const SceneObject &object) { return !object.file.empty(); });
     if (model != m_document.objects().end()) {
         if (set.mesh.empty() && format == Format::MeshLab)
-            set.mesh = files::utf8FromPath(model->file.filename());
+            set.mesh = base::utf8FromPath(model->file.filename());
         if (set.name.empty() && (format == Format::Tps || format == Format::Nts))
-            set.name = files::utf8FromPath(model->file.stem());
+            set.name = base::utf8FromPath(model->file.stem());
     }
     const auto written = writeLandmarkFile(file, {&set, 1});
     if (!written) {

@@ -29,7 +29,7 @@ QString keyOf(const std::string &name)
 }
 
 /// Adds other programs' keys that only one of both has. Returns the ones left out.
-QStringList addKeys(text::JsonValue &kept, const text::JsonValue &added)
+QStringList addKeys(base::JsonValue &kept, const base::JsonValue &added)
 {
     nlohmann::ordered_json &to = kept.edit();
     const nlohmann::ordered_json &from = added.json();

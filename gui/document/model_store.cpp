@@ -1,7 +1,7 @@
 #include "gui/document/model_store.h"
 
+#include "core/base/parallel.h"
 #include "core/mesh/stand_in.h"
-#include "core/threads/parallel.h"
 
 #include <algorithm>
 
@@ -22,7 +22,7 @@ std::size_t sizeOf(const Model &model)
 
 } // namespace
 
-ModelStore::ModelStore(QObject *parent) : QObject(parent), m_background(threads::coreCount()) {}
+ModelStore::ModelStore(QObject *parent) : QObject(parent), m_background(base::coreCount()) {}
 
 void ModelStore::dropUnused()
 {

@@ -1,6 +1,6 @@
 #include "gui/document/overwriting.h"
 
-#include "core/files/replace_file.h"
+#include "core/base/replace_file.h"
 #include "core/mesh/import/named_files.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/session.h"
@@ -31,7 +31,7 @@ bool isOfAny(const std::vector<scene::SceneObject> &objects, const std::filesyst
         for (const mesh::Texture &texture : object.model->textures)
             read.insert(texture.file);
     }
-    const auto isIt = [&file](const std::filesystem::path &other) { return files::isSameFile(other, file); };
+    const auto isIt = [&file](const std::filesystem::path &other) { return base::isSameFile(other, file); };
     const auto isAmong = [&isIt](const auto &list) { return std::any_of(list.begin(), list.end(), isIt); };
     if (isAmong(models) || isAmong(read))
         return true;
@@ -47,7 +47,7 @@ bool isOfAny(const std::vector<scene::SceneObject> &objects, const std::filesyst
 QString overwritingText(const SceneDocument &document, const Session &session, const std::filesystem::path &file)
 {
     const std::vector<scene::SceneObject> &objects = document.objects();
-    const bool isScene = files::isSameFile(session.file(), file);
+    const bool isScene = base::isSameFile(session.file(), file);
     return isScene || isOfAny(objects, file)
                ? SceneFiles::tr("%1: the open scene uses this file and would destroy it. Choose another name.")
                      .arg(pathText(file))

@@ -1,6 +1,6 @@
 #include "gui/document/recovery_file.h"
 
-#include "core/files/system_file.h"
+#include "core/base/system_file.h"
 
 #include "gui/document/portable.h"
 
@@ -49,7 +49,7 @@ QString versionKey()
 }
 
 /// "1 1234 14695981039346656037"; as text, because JSON's numbers are doubles.
-QString stampText(const files::FileStamp &stamp)
+QString stampText(const base::FileStamp &stamp)
 {
     return QStringLiteral("%1 %2 %3").arg(stamp.exists ? 1 : 0).arg(stamp.size).arg(stamp.hash);
 }
@@ -64,12 +64,12 @@ QString textOf(const std::filesystem::path &path)
     return QString::fromStdU16String(path.u16string());
 }
 
-std::optional<files::FileStamp> stampFromText(const QString &text)
+std::optional<base::FileStamp> stampFromText(const QString &text)
 {
     const QStringList numbers = text.split(u' ');
     if (numbers.size() != 3)
         return std::nullopt;
-    return files::FileStamp{numbers[0] == QStringLiteral("1"), numbers[1].toULongLong(), numbers[2].toULongLong()};
+    return base::FileStamp{numbers[0] == QStringLiteral("1"), numbers[1].toULongLong(), numbers[2].toULongLong()};
 }
 
 QJsonObject seriesJson(const RecoverySeries &series)
@@ -88,7 +88,7 @@ std::optional<RecoverySeries> seriesFromJson(const QJsonObject &json)
     series.placing = json.value(QStringLiteral("placing")).toInt(1);
     series.placed = json.value(QStringLiteral("landmarks")).toInt();
     series.saved = json.value(QStringLiteral("savedLandmarks")).toInt();
-    const std::optional<files::FileStamp> stamp = stampFromText(json.value(QStringLiteral("stamp")).toString());
+    const std::optional<base::FileStamp> stamp = stampFromText(json.value(QStringLiteral("stamp")).toString());
     if (!stamp || !series.folder.is_absolute() || !series.scan.is_absolute())
         return std::nullopt;
     series.stamp = *stamp;
@@ -100,9 +100,9 @@ void keepAllToOwner(const QString &folder)
 {
     if (!QFileInfo(folder).isDir())
         return;
-    files::keepToOwner(pathOf(folder));
+    base::keepToOwner(pathOf(folder));
     for (const QFileInfo &file : QDir(folder).entryInfoList(QDir::Files | QDir::Hidden | QDir::NoSymLinks))
-        files::keepToOwner(pathOf(file.filePath()));
+        base::keepToOwner(pathOf(file.filePath()));
 }
 
 } // namespace
@@ -147,10 +147,10 @@ Result<std::unique_ptr<RecoveryFile>, QString> RecoveryFile::create(const QStrin
     std::filesystem::create_directories(pathOf(folder), error);
     if (error)
         return reasonText(error);
-    files::keepToOwner(pathOf(folder));
+    base::keepToOwner(pathOf(folder));
     std::unique_ptr<RecoveryFile> file(new RecoveryFile(folder, QUuid::createUuid().toString(QUuid::Id128)));
     if (file->m_lock.tryLock(0)) {
-        files::keepToOwner(pathOf(file->m_lock.fileName()));
+        base::keepToOwner(pathOf(file->m_lock.fileName()));
         return file;
     }
     // No other program has this name: the lock file could not be created.
@@ -173,7 +173,7 @@ std::vector<std::unique_ptr<RecoveryFile>> RecoveryFile::abandonedIn(const QStri
         std::unique_ptr<RecoveryFile> file(new RecoveryFile(folder, id));
         if (!file->m_lock.tryLock(0))
             continue;
-        files::keepToOwner(pathOf(file->m_lock.fileName()));
+        base::keepToOwner(pathOf(file->m_lock.fileName()));
         file->clearRests();
         if (!QFile::exists(file->path()))
             continue;

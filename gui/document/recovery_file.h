@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/files/file_stamp.h"
+#include "core/base/file_stamp.h"
 #include "core/scene_file/scene_file.h"
 
 #include <QDateTime>
@@ -24,18 +24,18 @@ struct RecoverySeries {
     std::filesystem::path folder; ///< absolute
     std::filesystem::path scan;   ///< absolute
     int placing = 1;
-    files::FileStamp stamp; ///< of the file with its landmarks at the last read or write
-    int placed = 0;         ///< number of placed landmarks
-    int saved = 0;          ///< number of placed landmarks in that file
+    base::FileStamp stamp; ///< of the file with its landmarks at the last read or write
+    int placed = 0;        ///< number of placed landmarks
+    int saved = 0;         ///< number of placed landmarks in that file
 };
 
 /// The description of the scene that a recovery file keeps.
 struct RecoveryInfo {
-    QString name;                               ///< as the window's title has it
-    std::filesystem::path sceneFile;            ///< absolute: the file it was opened from or saved to; empty: none
-    QDateTime time;                             ///< when it was kept
-    std::optional<files::FileStamp> stamp = {}; ///< of the scene file at the last read or write
-    std::optional<RecoverySeries> series = {};  ///< of a scan of a series
+    QString name;                              ///< as the window's title has it
+    std::filesystem::path sceneFile;           ///< absolute: the file it was opened from or saved to; empty: none
+    QDateTime time;                            ///< when it was kept
+    std::optional<base::FileStamp> stamp = {}; ///< of the scene file at the last read or write
+    std::optional<RecoverySeries> series = {}; ///< of a scan of a series
 
     /// The name, and the series of a scan.
     QString shownName() const;

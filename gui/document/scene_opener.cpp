@@ -1,6 +1,6 @@
 #include "gui/document/scene_opener.h"
 
-#include "core/files/path_text.h"
+#include "core/base/path_text.h"
 #include "core/scene_file/lost_keys.h"
 #include "core/scene_file/scene_error_text.h"
 #include "gui/document/landmark_objects.h"
@@ -115,14 +115,14 @@ Result<Opening, QString> SceneOpener::readScene(const std::filesystem::path &fil
     // Taken before reading, so that a change in between is detected.
     std::error_code error;
     if (std::filesystem::file_size(opening.origin.file, error) <= kMostSceneBytes && !error)
-        opening.origin.stamp = files::stampOf(opening.origin.file);
+        opening.origin.stamp = base::stampOf(opening.origin.file);
     const Result<std::string, SceneFileError> text = readSceneText(file);
     if (!text)
         return QString::fromStdString(sceneErrorText(text.error()));
-    Result<SceneFile, SceneFileError> scene = parseScene(*text, files::utf8FromPath(file));
+    Result<SceneFile, SceneFileError> scene = parseScene(*text, base::utf8FromPath(file));
     if (!scene)
         return QString::fromStdString(sceneErrorText(scene.error()));
-    if (const auto reason = whyNotShown(*scene, files::utf8FromPath(file.filename())))
+    if (const auto reason = whyNotShown(*scene, base::utf8FromPath(file.filename())))
         return errorText(*reason);
     opening.contents = std::move(scene).value();
     const LostKeys lost = lostKeys(*text, opening.contents);

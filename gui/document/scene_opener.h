@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/files/file_stamp.h"
+#include "core/base/file_stamp.h"
 #include "core/opening/models.h"
 #include "core/scene_file/scene_file.h"
 #include "gui/document/background.h"
@@ -19,9 +19,9 @@ class RecoveryFile;
 
 /// The origin of a scene, and its title.
 struct SceneOrigin {
-    QString name;                               ///< as in a title
-    std::filesystem::path file = {};            ///< absolute; empty: none
-    std::optional<files::FileStamp> stamp = {}; ///< of the file at the last read or write by this program
+    QString name;                              ///< as in a title
+    std::filesystem::path file = {};           ///< absolute; empty: none
+    std::optional<base::FileStamp> stamp = {}; ///< of the file at the last read or write by this program
 };
 
 /// A request to open.

@@ -295,8 +295,8 @@ bool Session::saveScene(const std::filesystem::path &file)
         static_cast<void>(m_keeper->keepBeforeLeaving()); // the scene has them too
     const std::filesystem::path path = absolutePath(file);
     const SceneFile contents = sceneFileFrom(m_document.scene(), m_document.setup(), path);
-    const std::optional<files::FileStamp> onlyIf = path == m_origin.file ? m_origin.stamp : std::nullopt;
-    Result<files::FileStamp, SceneFileError> written = writeSceneFile(path, contents, onlyIf);
+    const std::optional<base::FileStamp> onlyIf = path == m_origin.file ? m_origin.stamp : std::nullopt;
+    Result<base::FileStamp, SceneFileError> written = writeSceneFile(path, contents, onlyIf);
     if (!written && written.error().code == SceneFileErrorCode::ChangedMeanwhile) {
         if (!m_questions.askOverwriteChanged(path))
             return false;

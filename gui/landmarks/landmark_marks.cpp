@@ -1,7 +1,7 @@
 #include "gui/landmarks/landmark_marks.h"
 
-#include "core/geometry/angle.h"
 #include "core/geometry/camera_motion.h"
+#include "core/geometry/numbers.h"
 #include "gui/document/picks.h"
 #include "gui/text/number_text.h"
 

@@ -1,6 +1,6 @@
 #include "gui/landmarks/landmark_templates.h"
 
-#include "core/files/path_text.h"
+#include "core/base/path_text.h"
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmarks/name_key.h"
 #include "core/landmarks/point_template.h"
@@ -72,7 +72,7 @@ std::filesystem::path LandmarkTemplates::pictureFor(const QString &name) const
 {
     const std::string wanted = name.toStdString();
     const std::string_view picture = landmarks::pictureFor(wanted, m_chosen);
-    return picture.empty() ? std::filesystem::path() : m_folder / files::pathFromUtf8(picture);
+    return picture.empty() ? std::filesystem::path() : m_folder / base::pathFromUtf8(picture);
 }
 
 landmarks::LandmarkSet LandmarkTemplates::templateOf(const std::vector<landmarks::Landmark> &names,
@@ -87,7 +87,7 @@ landmarks::LandmarkSet LandmarkTemplates::templateOf(const std::vector<landmarks
         if (const std::filesystem::path picture = pictureFor(called); !picture.empty()) {
             std::error_code error; // on an error the absolute path is used
             const std::filesystem::path relative = std::filesystem::proximate(picture, folder, error);
-            named.extra.edit() = {{landmarks::kPictureColumn, files::utf8FromPath(error ? picture : relative)}};
+            named.extra.edit() = {{landmarks::kPictureColumn, base::utf8FromPath(error ? picture : relative)}};
         }
         set.landmarks.push_back(std::move(named));
     }

@@ -1,6 +1,6 @@
 #include "gui/landmarks/landmarks_model.h"
 
-#include "core/text/expression.h"
+#include "core/base/expression.h"
 #include "gui/document/object_names.h"
 #include "gui/document/scene_document.h"
 #include "gui/text/error_text.h"
@@ -232,7 +232,7 @@ bool LandmarksModel::setCoordinate(std::size_t index, int axis, const QString &t
     if (const std::optional<std::vector<double>> all = typedNumbers(typed, 3)) {
         to = WorldPoint(all->at(0), all->at(1), all->at(2));
     } else {
-        const Result<double, text::ExpressionError> value = text::evaluate(typed.toStdString());
+        const base::Expected<double, base::ExpressionError> value = base::evaluate(typed.toStdString());
         if (!value) {
             emit refused(errorText(value.error(), typed));
             return false;

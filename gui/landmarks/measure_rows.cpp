@@ -1,6 +1,6 @@
 #include "gui/landmarks/measure_rows.h"
 
-#include "core/geometry/angle.h"
+#include "core/geometry/numbers.h"
 #include "core/landmarks/measure.h"
 #include "core/landmarks/symmetry.h"
 #include "gui/text/landmark_text.h"

@@ -1,6 +1,6 @@
 #include "gui/landmarks/measures_view.h"
 
-#include "core/files/replace_file.h"
+#include "core/base/replace_file.h"
 #include "core/landmark_files/measures_file.h"
 #include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
@@ -406,9 +406,9 @@ void MeasuresView::saveProtocol()
             .file;
     if (file.empty())
         return;
-    if (const files::Written written = files::replaceFile(file, landmark_files::measuresText(protocol())); !written)
-        emit warned(QStringLiteral("%1: %2").arg(pathText(file),
-                                                 QString::fromStdString(files::fileErrorText(written.error()))));
+    if (const base::Written written = base::replaceFile(file, landmark_files::measuresText(protocol())); !written)
+        emit warned(
+            QStringLiteral("%1: %2").arg(pathText(file), QString::fromStdString(base::fileErrorText(written.error()))));
 }
 
 void MeasuresView::selectLandmarksOf(std::size_t row)

@@ -1,6 +1,6 @@
 #include "gui/landmarks/protocol_rows.h"
 
-#include "core/geometry/angle.h"
+#include "core/geometry/numbers.h"
 #include "core/landmarks/protocol.h"
 #include "gui/text/landmark_text.h"
 

@@ -1,6 +1,6 @@
 #include "gui/landmarks/scan.h"
 
-#include "core/files/path_text.h"
+#include "core/base/path_text.h"
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmark_files/landmark_folder.h"
 #include "core/landmarks/name_key.h"
@@ -97,7 +97,7 @@ void readKept(Scan &scan, int placing)
 
 SceneObject asInItsFile(const std::filesystem::path &file, const SceneObject &shown)
 {
-    return {files::utf8FromPath(file.filename()), file, shown.model, {}};
+    return {base::utf8FromPath(file.filename()), file, shown.model, {}};
 }
 
 bool isStill(const Landmark &now, const Landmark &was)

@@ -1,6 +1,6 @@
 #include "gui/landmarks/scan_series.h"
 
-#include "core/files/path_text.h"
+#include "core/base/path_text.h"
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmark_files/landmark_folder.h"
 #include "core/landmarks/point_template.h"

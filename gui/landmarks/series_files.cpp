@@ -1,8 +1,8 @@
 #include "gui/landmarks/series_files.h"
 
+#include "core/base/system_error.h"
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmark_files/landmark_folder.h"
-#include "core/text/system_error.h"
 #include "gui/landmarks/landmark_templates.h"
 #include "gui/text/error_text.h"
 
@@ -44,7 +44,7 @@ SeriesFiles::Done SeriesFiles::backUp(const std::filesystem::path &file)
         std::filesystem::copy_file(file, backup, std::filesystem::copy_options::overwrite_existing, error);
         if (error)
             return Texts::tr("%1 has no backup: %2.")
-                .arg(pathText(file.filename()), QString::fromStdString(text::systemErrorText(error)));
+                .arg(pathText(file.filename()), QString::fromStdString(base::systemErrorText(error)));
     }
     m_backedUp.insert(file); // a new file has no earlier state in this run
     return std::monostate{};

@@ -1,6 +1,6 @@
 #include "gui/landmarks/series_protocol.h"
 
-#include "core/files/replace_file.h"
+#include "core/base/replace_file.h"
 #include "core/landmark_files/measures_file.h"
 #include "gui/document/object_names.h"
 #include "gui/text/error_text.h"
@@ -23,7 +23,7 @@ struct Texts {
 QString SeriesProtocol::open(const std::filesystem::path &folder, const std::vector<landmarks::KeptMeasure> &ofScene)
 {
     m_file = folder / landmark_files::kSeriesMeasures;
-    m_stamp = files::stampOf(m_file);
+    m_stamp = base::stampOf(m_file);
     m_isDamaged = m_isUnsaved = false;
     m_measures.clear();
     std::error_code error;
@@ -66,14 +66,14 @@ QString SeriesProtocol::write()
     if (m_isDamaged)
         return Texts::tr("%1 could not be read and is not overwritten. Repair it or move it away to keep the measures.")
             .arg(pathText(m_file));
-    if (std::filesystem::exists(m_file, error) && !files::isAsAt(m_stamp, m_file))
+    if (std::filesystem::exists(m_file, error) && !base::isAsAt(m_stamp, m_file))
         return Texts::tr("Another window or program has changed %1 since it was read. It is not overwritten; move it "
                          "away to keep the measures.")
             .arg(pathText(m_file));
-    if (const files::Written written = files::replaceFile(m_file, landmark_files::measuresText(m_measures)); !written)
+    if (const base::Written written = base::replaceFile(m_file, landmark_files::measuresText(m_measures)); !written)
         return QStringLiteral("%1: %2").arg(pathText(m_file),
-                                            QString::fromStdString(files::fileErrorText(written.error())));
-    m_stamp = files::stampOf(m_file);
+                                            QString::fromStdString(base::fileErrorText(written.error())));
+    m_stamp = base::stampOf(m_file);
     m_isUnsaved = false;
     return {};
 }

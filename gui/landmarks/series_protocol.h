@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/files/file_stamp.h"
+#include "core/base/file_stamp.h"
 #include "core/landmarks/landmark.h"
 #include "gui/landmarks/scan.h"
 
@@ -35,7 +35,7 @@ private:
 
     std::filesystem::path m_file; ///< empty: no series is open
     std::vector<landmarks::KeptMeasure> m_measures;
-    files::FileStamp m_stamp;
+    base::FileStamp m_stamp;
     bool m_isDamaged = false;
     bool m_isNew = false;     ///< the scene's measures, not written yet
     bool m_isUnsaved = false; ///< after a failure

@@ -1,8 +1,8 @@
 #include "gui/landmarks/series_table.h"
 
+#include "core/base/path_text.h"
+#include "core/base/replace_file.h"
 #include "core/curves/measured_sets.h"
-#include "core/files/path_text.h"
-#include "core/files/replace_file.h"
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmark_files/landmark_folder.h"
 #include "core/landmark_files/measures_file.h"
@@ -38,7 +38,7 @@ std::string nameIn(const std::vector<Scan> &scans, const Scan &scan)
 {
     const auto count = std::count_if(scans.begin(), scans.end(),
                                      [&scan](const Scan &other) { return other.file.stem() == scan.file.stem(); });
-    return files::utf8FromPath(count > 1 ? scan.file.filename() : scan.file.stem());
+    return base::utf8FromPath(count > 1 ? scan.file.filename() : scan.file.stem());
 }
 
 /// A scan with the landmarks of one placing as saved; nothing if it has none.
@@ -148,11 +148,11 @@ QStringList leftOut(const std::vector<Scan> &scans)
 bool holds(const std::vector<Scan> &scans, const std::filesystem::path &file)
 {
     return std::any_of(scans.begin(), scans.end(), [&file](const Scan &scan) {
-        bool isIt = files::isSameFile(scan.file, file)
-                    || files::isSameFile(scan.file.parent_path() / kSeriesMeasures, file)
-                    || files::isSameFile(seriesTemplate(scan.file.parent_path()), file);
+        bool isIt = base::isSameFile(scan.file, file)
+                    || base::isSameFile(scan.file.parent_path() / kSeriesMeasures, file)
+                    || base::isSameFile(seriesTemplate(scan.file.parent_path()), file);
         for (int placing = 1; placing <= kMostPlacings && !isIt; ++placing)
-            isIt = files::isSameFile(landmarksBeside(scan.file, placing), file);
+            isIt = base::isSameFile(landmarksBeside(scan.file, placing), file);
         return isIt;
     });
 }
@@ -161,15 +161,15 @@ bool holds(const std::vector<Scan> &scans, const std::filesystem::path &file)
 /// @return why it was not written; empty: no error
 QString writtenTo(const std::filesystem::path &file, const std::string &text)
 {
-    const files::Written written = files::replaceFile(file, text);
+    const base::Written written = base::replaceFile(file, text);
     return written ? QString()
                    : QStringLiteral("%1: %2").arg(pathText(file),
-                                                  QString::fromStdString(files::fileErrorText(written.error())));
+                                                  QString::fromStdString(base::fileErrorText(written.error())));
 }
 
 QString reasonOf(LandmarkFileError error, const std::filesystem::path &file)
 {
-    error.file = files::utf8FromPath(file);
+    error.file = base::utf8FromPath(file);
     return QString::fromStdString(errorText(error));
 }
 
@@ -226,7 +226,7 @@ SeriesRepeats repeatsIn(const std::vector<Scan> &scans)
                 continue;
             most = std::max(most, placing);
             specimen.placings.push_back(std::move(*set));
-            specimen.files.push_back(files::utf8FromPath(landmarksBeside(scan.file, placing).filename()));
+            specimen.files.push_back(base::utf8FromPath(landmarksBeside(scan.file, placing).filename()));
         }
         if (specimen.placings.size() > 1)
             ++repeated;

@@ -34,7 +34,7 @@ void ShownScan::begin(const std::filesystem::path &scan, const std::filesystem::
 {
     m_scan = scan;
     m_dropped.reset();
-    m_stamp = files::stampOf(landmarkFile);
+    m_stamp = base::stampOf(landmarkFile);
     const auto &objects = m_document.objects();
     const auto object = std::find_if(objects.begin(), objects.end(), [&scan](const SceneObject &each) {
         return each.file.filename() == scan.filename();
@@ -145,7 +145,7 @@ ShownScan::Kept ShownScan::keep(const std::filesystem::path &landmarkFile, bool 
 ShownScan::Kept ShownScan::write(Scan &scan, const std::filesystem::path &landmarkFile, bool isWanted)
 {
     std::error_code error;
-    if (std::filesystem::exists(landmarkFile, error) && !files::isAsAt(m_stamp, landmarkFile)) {
+    if (std::filesystem::exists(landmarkFile, error) && !base::isAsAt(m_stamp, landmarkFile)) {
         emit failed(tr("Another window or program has changed %1 since it was read. It is not overwritten; move it "
                        "away to keep the shown landmarks.")
                         .arg(pathText(landmarkFile)));
@@ -164,7 +164,7 @@ ShownScan::Kept ShownScan::write(Scan &scan, const std::filesystem::path &landma
     }
     scan.isKept = true;
     m_saved = scan.points;
-    m_stamp = files::stampOf(landmarkFile);
+    m_stamp = base::stampOf(landmarkFile);
     if (!written->empty())
         emit warned(landmarkNotesText(pathText(landmarkFile.filename()), *written));
     emit noticed(

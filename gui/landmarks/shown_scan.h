@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/files/file_stamp.h"
+#include "core/base/file_stamp.h"
 #include "core/landmarks/landmark.h"
 #include "core/scene/scene.h"
 #include "gui/landmarks/scan.h"
@@ -57,9 +57,9 @@ public:
 
     const landmarks::LandmarkSet &saved() const { return m_saved; }
     /// The state of the landmark file at the last read or write.
-    const files::FileStamp &stamp() const { return m_stamp; }
+    const base::FileStamp &stamp() const { return m_stamp; }
     /// Sets the state in which the landmark file may be replaced.
-    void setStamp(const files::FileStamp &stamp) { m_stamp = stamp; }
+    void setStamp(const base::FileStamp &stamp) { m_stamp = stamp; }
     /// Returns whether the scene has only this scan, as in its file, and its landmarks.
     bool isAlone() const;
 
@@ -84,7 +84,7 @@ private:
     std::filesystem::path m_scan;
     scene::SceneObject m_object;    ///< the scan, as it was last in the scene
     landmarks::LandmarkSet m_saved; ///< as last read or written
-    files::FileStamp m_stamp;
+    base::FileStamp m_stamp;
     std::optional<landmarks::LandmarkSet> m_dropped; ///< landmarks that the user chose not to save
 };
 

@@ -1,6 +1,6 @@
 #include "gui/lessons/answer_block.h"
 
-#include "core/text/expression.h"
+#include "core/base/expression.h"
 #include "gui/lessons/answer_text.h"
 #include "gui/lessons/lesson_player.h"
 #include "gui/lessons/lesson_text.h"
@@ -115,7 +115,7 @@ QString AnswerBlock::question() const
 void AnswerBlock::check()
 {
     const QString given = m_answer->text();
-    const auto value = text::evaluate(given.toStdString());
+    const auto value = base::evaluate(given.toStdString());
     if (!value) {
         say(errorText(value.error(), given));
         return;

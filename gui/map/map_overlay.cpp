@@ -1,6 +1,6 @@
 #include "gui/map/map_overlay.h"
 
-#include "core/files/replace_file.h"
+#include "core/base/replace_file.h"
 #include "gui/document/picks.h"
 #include "gui/map/map_panel.h"
 #include "gui/text/error_text.h"
@@ -196,11 +196,11 @@ QString MapOverlay::exportTo(const std::filesystem::path &file) const
     } else {
         return tr("%1: maps are written as .png or .pfm. End the name with one of these.").arg(pathText(file));
     }
-    const files::Written written =
-        files::replaceFile(file, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+    const base::Written written =
+        base::replaceFile(file, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
     return written ? QString()
                    : QStringLiteral("%1: %2").arg(pathText(file),
-                                                  QString::fromStdString(files::fileErrorText(written.error())));
+                                                  QString::fromStdString(base::fileErrorText(written.error())));
 }
 
 } // namespace unprojector::gui

@@ -1,8 +1,8 @@
 #include "gui/outside/observer_view.h"
 
-#include "core/geometry/angle.h"
 #include "core/geometry/camera_motion.h"
 #include "core/geometry/framing.h"
+#include "core/geometry/numbers.h"
 #include "gui/document/given_points.h"
 #include "gui/document/picks.h"
 #include "gui/text/error_text.h"

@@ -28,7 +28,7 @@ constexpr const char *kLetters = "ABCD";
 struct Line {
     glm::dvec4 plane{0.0};
     bool isOn = true;
-    text::JsonValue extra = {}; ///< as in ClipPlaneOff
+    base::JsonValue extra = {}; ///< as in ClipPlaneOff
 };
 using Lines = std::vector<Line>;
 

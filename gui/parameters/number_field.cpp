@@ -53,11 +53,11 @@ NumberField::NumberField(const QString &name, const QString &help, QWidget *pare
     });
 }
 
-Result<double, text::ExpressionError> NumberField::typed() const
+base::Expected<double, base::ExpressionError> NumberField::typed() const
 {
     if (!isTyping())
         return m_value;
-    return text::evaluate(text().toStdString());
+    return base::evaluate(text().toStdString());
 }
 
 void NumberField::setValue(double value)
@@ -70,7 +70,7 @@ void NumberField::setValue(double value)
 void NumberField::accept(double value)
 {
     const auto isSaid = [&] {
-        const Result<double, text::ExpressionError> said = text::evaluate(text().toStdString());
+        const base::Expected<double, base::ExpressionError> said = base::evaluate(text().toStdString());
         return said && *said == value;
     };
     m_value = value;
@@ -165,7 +165,7 @@ QString NumberField::shownText() const
 
 void NumberField::stepBy(double steps)
 {
-    const Result<double, text::ExpressionError> from = typed();
+    const base::Expected<double, base::ExpressionError> from = typed();
     if (!from) {
         commit(); // shows the error
         return;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/text/expression.h"
+#include "core/base/expression.h"
 
 #include <QLineEdit>
 
@@ -38,7 +38,7 @@ public:
     /// Returns whether there is a text other than the document's value, rejected or unfinished.
     bool isTyping() const { return text() != m_shown; }
     /// The parsed text, or the document's exact value if no text is pending.
-    geometry::Result<double, text::ExpressionError> typed() const;
+    base::Expected<double, base::ExpressionError> typed() const;
     /// Commits pending text.
     void commit();
     /// Returns whether there is a text that is neither accepted nor rejected yet.

@@ -262,7 +262,7 @@ std::vector<ParameterGroup::FieldPointer> ParameterGroup::refusedBut(const Field
 void ParameterGroup::apply(const FieldPointer &field)
 {
     setReason({});
-    const Result<double, text::ExpressionError> typed = field->widget->typed();
+    const base::Expected<double, base::ExpressionError> typed = field->widget->typed();
     const std::vector<FieldPointer> refused = refusedBut(field);
     const std::optional<double> current = field->binding.read(m_document.scene());
     if (!current) {
@@ -315,9 +315,9 @@ QString ParameterGroup::refusalOf(const Field &field) const
 {
     if (!field.binding.read(m_document.scene()))
         return {}; // its number no longer exists
-    const Result<double, text::ExpressionError> typed = field.widget->typed();
+    const base::Expected<double, base::ExpressionError> typed = field.widget->typed();
     if (!typed)
-        return typed.error().code == text::ExpressionErrorCode::Empty
+        return typed.error().code == base::ExpressionErrorCode::Empty
                    ? tr("%1 is empty; type a number.").arg(field.binding.name)
                    : errorText(typed.error(), field.widget->text());
     if (field.binding.refusal) {

@@ -1,5 +1,5 @@
 #include "gui/parameters/projection_group.h"
-#include "core/geometry/angle.h"
+#include "core/geometry/numbers.h"
 
 #include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"

@@ -1,6 +1,6 @@
 #include "gui/pipeline/matrix_text.h"
 
-#include "core/geometry/angle.h"
+#include "core/geometry/numbers.h"
 #include "gui/text/number_text.h"
 #include "gui/text/sentences.h"
 

@@ -1,9 +1,9 @@
 #include "gui/pipeline/paste_camera_dialog.h"
 
+#include "core/base/utf8.h"
 #include "core/cameras/seen_objects.h"
+#include "core/geometry/error_text.h"
 #include "core/matrices/matrix_format.h"
-#include "core/text/error_text.h"
-#include "core/text/utf8.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"
 #include "gui/pipeline/foreign_camera_box.h"
@@ -43,7 +43,7 @@ constexpr std::array kRoles{MatrixRole::Projection, MatrixRole::View, MatrixRole
 
 QString notACamera(const Error &error)
 {
-    return PasteCameraDialog::tr("Not a camera: %1").arg(ended(text::errorText(error)));
+    return PasteCameraDialog::tr("Not a camera: %1").arg(ended(geometry::errorText(error)));
 }
 
 } // namespace
@@ -187,7 +187,7 @@ void PasteCameraDialog::readFiles(const std::vector<std::filesystem::path> &file
             m_ok->setEnabled(false);
             return;
         }
-        texts.push_back({pathText(path.filename()).toStdString(), text::utf8FromFile(file.readAll().toStdString())});
+        texts.push_back({pathText(path.filename()).toStdString(), base::utf8FromFile(file.readAll().toStdString())});
     }
     m_kind->setChoice(0);
     m_files = withEarlier(std::move(texts));

@@ -1,7 +1,7 @@
 #include "gui/pipeline/pipeline_model.h"
 
+#include "core/base/expression.h"
 #include "core/geometry/matrix_projection.h"
-#include "core/text/expression.h"
 #include "gui/document/given_points.h"
 #include "gui/document/object_names.h"
 #include "gui/document/picks.h"
@@ -135,7 +135,7 @@ void PipelineModel::take(Space space, int coordinate, const QString &typed)
     if (all) {
         values = *all;
     } else {
-        const Result<double, text::ExpressionError> value = text::evaluate(typed.toStdString());
+        const base::Expected<double, base::ExpressionError> value = base::evaluate(typed.toStdString());
         if (!value) {
             emit refused(errorText(value.error(), typed));
             return;

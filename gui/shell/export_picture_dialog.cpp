@@ -1,6 +1,6 @@
 #include "gui/shell/export_picture_dialog.h"
 
-#include "core/files/replace_file.h"
+#include "core/base/replace_file.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/session.h"
 #include "gui/text/error_text.h"
@@ -193,9 +193,8 @@ QString writePicture(SceneView &view, const PictureOptions &options, const std::
         return ExportPictureDialog::tr("OpenGL has no memory for an image of %1 × %2 pixels. Choose a smaller size.")
             .arg(options.surface.widthPixels)
             .arg(options.surface.heightPixels);
-    const files::Written written =
-        files::replaceFile(file, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
-    return written ? QString() : pathText(file) + ": " + QString::fromStdString(files::fileErrorText(written.error()));
+    const base::Written written = base::replaceFile(file, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    return written ? QString() : pathText(file) + ": " + QString::fromStdString(base::fileErrorText(written.error()));
 }
 
 void exportPicture(Window &window)

@@ -1,6 +1,6 @@
 #include "gui/shell/program.h"
 
-#include "core/threads/parallel.h"
+#include "core/base/parallel.h"
 #include "gui/document/portable.h"
 #include "gui/shell/language_menu.h"
 #include "gui/shell/main_window.h"
@@ -128,7 +128,7 @@ std::optional<int> Program::readOptions()
         return failed(tr("There is no display. Set DISPLAY, or run under xvfb-run."));
     // Qt and OpenGL drivers wait for ever for threads that do not start.
     constexpr std::size_t kThreadsOfAWindow = 16;
-    if (!threads::canStartThreads(kThreadsOfAWindow))
+    if (!base::canStartThreads(kThreadsOfAWindow))
         return failed(tr("The system cannot start %1 more threads. Close other programs, then try again.")
                           .arg(kThreadsOfAWindow));
     m_noWindow = tr("No window can be opened (%1). Set DISPLAY to a display that answers, or run under xvfb-run.");

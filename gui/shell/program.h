@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/files/standard_streams.h"
+#include "core/base/standard_streams.h"
 #include "gui/shell/start_options.h"
 
 #include <QApplication>
@@ -29,7 +29,7 @@ private:
 
     int &m_argc;
     char **m_argv;
-    std::optional<files::ParentConsole> m_console{std::in_place};
+    std::optional<base::ParentConsole> m_console{std::in_place};
     StartOptions m_options;
     QString m_noWindow; ///< sentence with %1 for Qt's reason
     std::optional<QApplication> m_application;

@@ -1,6 +1,6 @@
 #include "gui/shell/scene_code_window.h"
 
-#include "core/files/replace_file.h"
+#include "core/base/replace_file.h"
 #include "gui/document/overwriting.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/session.h"
@@ -148,10 +148,10 @@ QString SceneCodeWindow::exportTo(const std::filesystem::path &file)
     m_said->clear();
     if (QString refusal = overwritingText(m_document, m_session, file); !refusal.isEmpty())
         return refusal;
-    const files::Written written = files::replaceFile(file, code().toStdString());
+    const base::Written written = base::replaceFile(file, code().toStdString());
     if (!written)
         return QStringLiteral("%1: %2").arg(pathText(file),
-                                            QString::fromStdString(files::fileErrorText(written.error())));
+                                            QString::fromStdString(base::fileErrorText(written.error())));
     m_said->setText(tr("Saved: %1").arg(pathText(file.filename())));
     m_said->setToolTip(plainToolTip(pathText(file)));
     return {};

@@ -1,6 +1,6 @@
 #include "gui/shell/screenshot_run.h"
 
-#include "core/files/replace_file.h"
+#include "core/base/replace_file.h"
 #include "core/scene_file/clicks.h"
 #include "core/scene_file/scene_error_text.h"
 #include "gui/document/overwriting.h"
@@ -51,7 +51,7 @@ ScreenshotRun::~ScreenshotRun() = default;
 void ScreenshotRun::start()
 {
     const std::filesystem::path picture(m_options.picture->toStdU16String());
-    const auto isPicture = [&](const std::filesystem::path &file) { return files::isSameFile(picture, file); };
+    const auto isPicture = [&](const std::filesystem::path &file) { return base::isSameFile(picture, file); };
     if (std::any_of(m_options.files.begin(), m_options.files.end(), isPicture)) {
         fail(tr("%1 is also opened and would be overwritten; give the image another name.").arg(*m_options.picture));
         return;
@@ -101,10 +101,9 @@ QString ScreenshotRun::savePicture()
     const std::filesystem::path file(m_options.picture->toStdU16String());
     if (QString refusal = overwritingText(m_window->document(), m_window->session(), file); !refusal.isEmpty())
         return refusal;
-    const files::Written written =
-        files::replaceFile(file, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    const base::Written written = base::replaceFile(file, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
     return written ? QString()
-                   : *m_options.picture + ": " + QString::fromStdString(files::fileErrorText(written.error()));
+                   : *m_options.picture + ": " + QString::fromStdString(base::fileErrorText(written.error()));
 }
 
 void ScreenshotRun::pressAndSave()

@@ -1,6 +1,6 @@
 #include "gui/shell/series_pictures.h"
 
-#include "core/files/replace_file.h"
+#include "core/base/replace_file.h"
 #include "core/geometry/camera_motion.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/overwriting.h"
@@ -134,9 +134,8 @@ QString SeriesPictures::write(const QImage &picture, const QString &name) const
     QBuffer buffer(&bytes);
     if (picture.isNull() || !picture.save(&buffer, "png"))
         return tr("There is no memory for the image %1.").arg(name);
-    const files::Written written =
-        files::replaceFile(file, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
-    return written ? QString() : pathText(file) + ": " + QString::fromStdString(files::fileErrorText(written.error()));
+    const base::Written written = base::replaceFile(file, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    return written ? QString() : pathText(file) + ": " + QString::fromStdString(base::fileErrorText(written.error()));
 }
 
 void SeriesPictures::finish()

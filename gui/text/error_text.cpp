@@ -1,8 +1,8 @@
 #include "gui/text/error_text.h"
 
+#include "core/geometry/error_text.h"
 #include "core/mesh/import/import_error_text.h"
 #include "core/scene_file/scene_error_text.h"
-#include "core/text/error_text.h"
 #include "gui/text/sentences.h"
 
 #include <QCoreApplication>
@@ -51,7 +51,7 @@ QString openableFileFilter()
 QString errorText(const Error &error)
 {
     static const QRegularExpression size(QStringLiteral("(?<=\\d) x (?=[-\\d])"));
-    return sentence(text::errorText(error)).replace(size, QStringLiteral(" × "));
+    return sentence(geometry::errorText(error)).replace(size, QStringLiteral(" × "));
 }
 
 QString errorText(const scene_file::SceneFileError &error)
@@ -59,7 +59,7 @@ QString errorText(const scene_file::SceneFileError &error)
     return ended(sceneErrorText(error));
 }
 
-QString errorText(const text::ExpressionError &error, const QString &typed)
+QString errorText(const base::ExpressionError &error, const QString &typed)
 {
     constexpr int kMostShownCharacters = 24;
     const std::string bytes = typed.toStdString();
@@ -69,7 +69,7 @@ QString errorText(const text::ExpressionError &error, const QString &typed)
         return text.size() > kMostShownCharacters ? text.left(kMostShownCharacters) + u'…' : text;
     };
     const QString all = shortened(typed.trimmed());
-    using Code = text::ExpressionErrorCode;
+    using Code = base::ExpressionErrorCode;
     switch (error.code) {
     case Code::Empty: return Errors::tr("The field is empty. Type a number.");
     case Code::MissingNumber:

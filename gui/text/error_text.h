@@ -1,9 +1,9 @@
 #pragma once
 
+#include "core/base/expression.h"
 #include "core/geometry/result.h"
 #include "core/mesh/import/mesh_import.h"
 #include "core/scene_file/scene_file_error.h"
-#include "core/text/expression.h"
 
 #include <QString>
 
@@ -15,7 +15,7 @@ QString errorText(const mesh::ImportError &error);
 /// Names the file and the position in it.
 QString errorText(const scene_file::SceneFileError &error);
 /// Explains why a typed text is not a number, with the position of the error.
-QString errorText(const text::ExpressionError &error, const QString &typed);
+QString errorText(const base::ExpressionError &error, const QString &typed);
 
 /// A path in readable form.
 QString pathText(const std::filesystem::path &path);

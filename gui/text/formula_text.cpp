@@ -1,6 +1,6 @@
 #include "gui/text/formula_text.h"
 
-#include "core/geometry/angle.h"
+#include "core/geometry/numbers.h"
 #include "core/unproject/closed_form.h"
 #include "gui/text/number_text.h"
 

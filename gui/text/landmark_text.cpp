@@ -1,6 +1,6 @@
 #include "gui/text/landmark_text.h"
 
-#include "core/geometry/angle.h"
+#include "core/geometry/numbers.h"
 #include "core/ray/placed_landmark.h"
 #include "gui/text/fitted_text.h"
 

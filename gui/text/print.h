@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/text/printable.h"
+#include "core/base/printable.h"
 
 #include <QByteArray>
 #include <QString>
@@ -17,7 +17,7 @@ namespace unprojector::gui {
 /// `unproject` writes there; control characters are escaped.
 inline QByteArray printed(const QString &text)
 {
-    const std::string shown = text::printableLines(text.toStdString());
+    const std::string shown = base::printableLines(text.toStdString());
 #ifdef Q_OS_WIN
     return QByteArray::fromStdString(shown);
 #else

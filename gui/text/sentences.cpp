@@ -1,6 +1,6 @@
 #include "gui/text/sentences.h"
 
-#include "core/text/translation.h"
+#include "core/base/translation.h"
 
 namespace unprojector::gui {
 
@@ -9,7 +9,7 @@ QString ended(const std::string &said)
     constexpr QStringView kEnds = u".!?…。！？";
     QString line = QString::fromStdString(said);
     if (!line.isEmpty() && !kEnds.contains(line.back()))
-        line += text::language() == text::Language::Chinese ? u'。' : u'.';
+        line += base::language() == base::Language::Chinese ? u'。' : u'.';
     return line;
 }
 

@@ -1,6 +1,6 @@
 #include "gui/text/translation.h"
 
-#include "core/text/translation.h"
+#include "core/base/translation.h"
 #include "gui/text/named_values.h"
 
 #include <QCoreApplication>
@@ -58,7 +58,7 @@ void Translation::install(const QLocale &locale)
 {
     QCoreApplication::installTranslator(&m_program);
     if (locale.language() == QLocale::Chinese)
-        text::setLanguage(text::Language::Chinese);
+        base::setLanguage(base::Language::Chinese);
     // Qt's own texts are in Qt's folder, or packed with the program. Some packagers put all modules
     // into one file, "qt".
     const auto loadsQt = [&](const QString &folder) {
@@ -72,7 +72,7 @@ void Translation::install(const QLocale &locale)
 
 Translation::~Translation()
 {
-    text::setLanguage(text::Language::English);
+    base::setLanguage(base::Language::English);
 }
 
 } // namespace unprojector::gui

@@ -1,8 +1,8 @@
 #include "gui/text/typed_numbers.h"
 
+#include "core/base/expression.h"
+#include "core/base/printable.h"
 #include "core/doctor/written_points.h"
-#include "core/text/expression.h"
-#include "core/text/printable.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>
@@ -39,7 +39,7 @@ std::optional<std::vector<double>> typedNumbers(const QString &text, std::size_t
         return std::nullopt;
     std::vector<double> values;
     for (QString &part : parts) {
-        const auto value = text::evaluate(part.remove(lastComma).remove(floatSuffix).toStdString());
+        const auto value = base::evaluate(part.remove(lastComma).remove(floatSuffix).toStdString());
         if (!value)
             return std::nullopt;
         values.push_back(*value);
@@ -70,7 +70,7 @@ std::optional<geometry::Surface> typedSize(QString text)
 QString typedBeginning(const QString &text)
 {
     constexpr std::size_t kMost = 40;
-    return QString::fromStdString(text::printableBeginning(text.toStdString(), kMost));
+    return QString::fromStdString(base::printableBeginning(text.toStdString(), kMost));
 }
 
 QString sizeFaultText(const QString &text)

@@ -1,6 +1,6 @@
 #include "gui/view/lifecycle_recorder.h"
 
-#include "core/geometry/angle.h"
+#include "core/geometry/numbers.h"
 #include "gui/document/scene_document.h"
 #include "gui/text/number_text.h"
 #include "gui/view/lifecycle_log.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/angle.h"
+#include "core/geometry/numbers.h"
 #include "gui/document/scene_document.h"
 #include "gui/view/view_keys.h"
 

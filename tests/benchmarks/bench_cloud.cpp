@@ -20,7 +20,7 @@
 using namespace unprojector;
 using namespace unprojector::clouds;
 using namespace unprojector::geometry;
-using namespace unprojector::text;
+using namespace unprojector::base;
 using namespace unprojector::unproject;
 
 namespace {

@@ -1,7 +1,7 @@
 // Identifiers for the matrices and the code of scenes with many objects: the time of each object is
 // the same in a scene of ten objects and of a hundred thousand.
 
-#include "core/text/identifier.h"
+#include "core/base/identifier.h"
 
 #include <benchmark/benchmark.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-using namespace unprojector::text;
+using namespace unprojector::base;
 
 namespace {
 

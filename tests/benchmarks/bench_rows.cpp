@@ -14,7 +14,7 @@
 using namespace unprojector;
 using namespace unprojector::cli;
 using namespace unprojector::geometry;
-using namespace unprojector::text;
+using namespace unprojector::base;
 using namespace unprojector::unproject;
 
 namespace {

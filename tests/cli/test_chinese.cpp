@@ -2,8 +2,8 @@
 
 #include "tests/support/test.h"
 
+#include "core/base/columns.h"
 #include "core/cli/terminal/language_choice.h"
-#include "core/text/columns.h"
 #include "tests/cli/command.h"
 
 #include <QRegularExpression>
@@ -73,7 +73,7 @@ private slots:
         QFETCH(bool, isChinese);
         const LanguageWishes given{wishes[0].toStdString(), wishes[1].toStdString(), wishes[2].toStdString(),
                                    wishes[3].toStdString(), wishes[4].toStdString()};
-        QCOMPARE(cli::chosenLanguage(given) == text::Language::Chinese, isChinese);
+        QCOMPARE(cli::chosenLanguage(given) == base::Language::Chinese, isChinese);
     }
 
     void helpIsChinese_data()
@@ -97,7 +97,7 @@ private slots:
                 continue;
             QVERIFY2(!hasEnglish(line), qPrintable(line));
             const bool isHead = line.startsWith(QStringLiteral("  ")) && !line.startsWith(QStringLiteral("   "));
-            QVERIFY2(isHead || text::columnsOf(line.toStdString()) <= 80, qPrintable(line));
+            QVERIFY2(isHead || base::columnsOf(line.toStdString()) <= 80, qPrintable(line));
         }
     }
 

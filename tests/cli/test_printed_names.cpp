@@ -5,7 +5,7 @@
 
 #include "tests/cli/command.h"
 
-#include "core/text/printable.h"
+#include "core/base/printable.h"
 
 #include <QJsonDocument>
 
@@ -24,7 +24,7 @@ QByteArray sceneWith(const QByteArray &object)
 
 bool isPrintable(const QByteArray &text)
 {
-    return unprojector::text::printableLines(text.toStdString()) == text.toStdString();
+    return unprojector::base::printableLines(text.toStdString()) == text.toStdString();
 }
 
 } // namespace

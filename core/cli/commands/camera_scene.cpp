@@ -1,12 +1,12 @@
 #include "core/cli/commands/camera_scene.h"
 
+#include "core/base/path_text.h"
+#include "core/base/translation.h"
 #include "core/cameras/lens.h"
 #include "core/cli/commands/opened_scene.h"
 #include "core/cli/commands/size_text.h"
-#include "core/files/path_text.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
-#include "core/text/translation.h"
 
 #include <utility>
 
@@ -14,12 +14,12 @@ namespace unprojector::cli {
 using namespace cameras;
 using namespace geometry;
 using namespace scene_file;
-using text::tr;
+using base::tr;
 
 std::optional<Box> addObjects(const SceneOptions &options, InputFiles &inputs, SceneFile &scene)
 {
     Box bounds;
-    const std::filesystem::path sceneFile = files::pathFromUtf8(options.output == "-" ? "scene.json" : options.output);
+    const std::filesystem::path sceneFile = base::pathFromUtf8(options.output == "-" ? "scene.json" : options.output);
     for (const std::string &file : options.objects) {
         const std::optional<OpenedScene> opened = openScene(file);
         if (!opened)

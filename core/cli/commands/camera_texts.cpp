@@ -1,8 +1,8 @@
 #include "core/cli/commands/camera_texts.h"
 
-#include "core/files/path_text.h"
-#include "core/text/translation.h"
-#include "core/text/utf8.h"
+#include "core/base/path_text.h"
+#include "core/base/translation.h"
+#include "core/base/utf8.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -10,8 +10,7 @@
 #include <utility>
 
 namespace unprojector::cli {
-using namespace files;
-using text::tr;
+using namespace base;
 namespace {
 
 bool isFile(const std::string &word)
@@ -39,7 +38,7 @@ std::optional<cameras::NamedText> textOf(const std::string &file)
                                     : tr("%1: longer than 256 MiB; give the file of one camera", source.name()));
         return std::nullopt;
     }
-    text.text = text::utf8FromFile(std::move(text.text));
+    text.text = base::utf8FromFile(std::move(text.text));
     return text;
 }
 

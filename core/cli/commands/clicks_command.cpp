@@ -1,15 +1,15 @@
 #include "core/cli/commands/clicks_command.h"
 
+#include "core/base/translation.h"
 #include "core/cli/rows/byte_stream.h"
-#include "core/text/error_text.h"
-#include "core/text/translation.h"
+#include "core/geometry/error_text.h"
 #include "core/unproject/object_from_world.h"
 
 namespace unprojector::cli {
 using namespace geometry;
 using namespace scene_file;
 using namespace unproject;
-using namespace text;
+using namespace base;
 namespace {
 
 /// A click's point by one method in the requested space.

@@ -1,5 +1,7 @@
 #include "core/cli/commands/cloud_command.h"
 
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/cli/commands/size_text.h"
 #include "core/cli/rows/byte_stream.h"
 #include "core/cli/rows/depth_image.h"
@@ -7,10 +9,8 @@
 #include "core/cli/terminal/progress_bar.h"
 #include "core/clouds/depth_cloud.h"
 #include "core/clouds/organized_cloud.h"
+#include "core/geometry/error_text.h"
 #include "core/images/byte_order.h"
-#include "core/text/error_text.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -30,7 +30,7 @@ using namespace clouds;
 using namespace geometry;
 using namespace scene_file;
 using namespace unproject;
-using namespace text;
+using namespace base;
 namespace {
 
 /// Converts numbers to PLY's binary_little_endian.

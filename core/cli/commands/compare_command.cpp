@@ -1,14 +1,14 @@
 #include "core/cli/commands/compare_command.h"
 
+#include "core/base/columns.h"
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/cli/rows/byte_stream.h"
 #include "core/cli/rows/distribution.h"
 #include "core/cli/rows/scene_input.h"
 #include "core/cli/terminal/progress_bar.h"
+#include "core/geometry/error_text.h"
 #include "core/geometry/unit_in_last_place.h"
-#include "core/text/columns.h"
-#include "core/text/error_text.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
 #include "core/unproject/exact_unprojection.h"
 #include "core/unproject/unprojector.h"
 
@@ -24,7 +24,7 @@ namespace unprojector::cli {
 using namespace geometry;
 using namespace scene_file;
 using namespace unproject;
-using namespace text;
+using namespace base;
 namespace {
 
 constexpr double kShare = 0.9999;

@@ -1,5 +1,8 @@
 #include "core/cli/commands/doctor_command.h"
 
+#include "core/base/number_text.h"
+#include "core/base/path_text.h"
+#include "core/base/translation.h"
 #include "core/cameras/lens.h"
 #include "core/cli/commands/doctor_texts.h"
 #include "core/cli/commands/lens_option.h"
@@ -12,12 +15,9 @@
 #include "core/doctor/program.h"
 #include "core/doctor/report_text.h"
 #include "core/doctor/written_points.h"
-#include "core/files/path_text.h"
+#include "core/geometry/error_text.h"
 #include "core/opening/models.h"
 #include "core/ray/mesh_point.h"
-#include "core/text/error_text.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ using namespace scene;
 using namespace scene_file;
 using namespace unproject;
 using namespace doctor;
-using namespace text;
+using namespace base;
 namespace {
 
 /// A case, and the files of its scene.
@@ -49,7 +49,7 @@ bool areModelsThere(const std::string &file)
     const std::optional<SceneFile> scene = file == "-" ? std::nullopt : readScene(file);
     if (!scene)
         return false;
-    const std::vector<std::filesystem::path> models = opening::modelFiles(*scene, files::pathFromUtf8(file));
+    const std::vector<std::filesystem::path> models = opening::modelFiles(*scene, base::pathFromUtf8(file));
     return std::all_of(models.begin(), models.end(), [](const std::filesystem::path &model) {
         std::error_code ignored;
         return std::filesystem::exists(model, ignored);

@@ -1,10 +1,10 @@
 #include "core/cli/commands/doctor_texts.h"
 
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/doctor/mistake_texts.h"
 #include "core/doctor/remedies.h"
 #include "core/scene_file/json_text.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
 
 #include <nlohmann/json.hpp>
 
@@ -14,7 +14,7 @@
 namespace unprojector::cli {
 using namespace doctor;
 using namespace scene_file;
-using namespace text;
+using namespace base;
 namespace {
 
 using Json = nlohmann::ordered_json;

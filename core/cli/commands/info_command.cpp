@@ -1,14 +1,14 @@
 #include "core/cli/commands/info_command.h"
 
+#include "core/base/columns.h"
+#include "core/base/number_text.h"
+#include "core/base/printable.h"
+#include "core/base/translation.h"
 #include "core/cli/commands/opened_scene.h"
 #include "core/cli/rows/byte_stream.h"
 #include "core/cli/rows/csv_line.h"
 #include "core/mesh/import/note_text.h"
 #include "core/scene/measures.h"
-#include "core/text/columns.h"
-#include "core/text/number_text.h"
-#include "core/text/printable.h"
-#include "core/text/translation.h"
 
 #include <cmath>
 #include <optional>
@@ -18,7 +18,7 @@
 namespace unprojector::cli {
 using namespace mesh;
 using namespace scene;
-using namespace text;
+using namespace base;
 namespace {
 
 /// A number as JSON, which has no infinity.

@@ -1,11 +1,11 @@
 #include "core/cli/commands/landmark_streams.h"
 
-#include "core/files/path_text.h"
-#include "core/files/replace_file.h"
-#include "core/files/system_file.h"
+#include "core/base/path_text.h"
+#include "core/base/replace_file.h"
+#include "core/base/system_file.h"
+#include "core/base/translation.h"
 #include "core/landmark_files/landmark_folder.h"
 #include "core/landmark_files/measures_file.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -17,13 +17,12 @@
 namespace unprojector::cli {
 using namespace landmarks;
 using namespace landmark_files;
-using namespace files;
+using namespace base;
 using geometry::Result;
-using text::tr;
 
-text::CellTexts textsOf(const LandmarksOptions &options)
+base::CellTexts textsOf(const LandmarksOptions &options)
 {
-    return options.isSpreadsheetSafe ? text::CellTexts::SpreadsheetSafe : text::CellTexts::AsTheyAre;
+    return options.isSpreadsheetSafe ? base::CellTexts::SpreadsheetSafe : base::CellTexts::AsTheyAre;
 }
 
 void tell(const std::string &name, const std::vector<LandmarkNote> &notes)

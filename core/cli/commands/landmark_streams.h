@@ -12,7 +12,7 @@
 
 namespace unprojector::cli {
 
-text::CellTexts textsOf(const LandmarksOptions &options);
+base::CellTexts textsOf(const LandmarksOptions &options);
 
 /// Prints the notes of a file on stderr.
 void tell(const std::string &name, const std::vector<landmark_files::LandmarkNote> &notes);

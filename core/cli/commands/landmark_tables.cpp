@@ -1,14 +1,14 @@
 #include "core/cli/commands/landmark_tables.h"
 
+#include "core/base/path_text.h"
+#include "core/base/translation.h"
 #include "core/cli/commands/landmark_streams.h"
 #include "core/curves/measured_sets.h"
-#include "core/files/path_text.h"
 #include "core/landmark_files/landmark_folder.h"
 #include "core/landmark_files/measures_file.h"
 #include "core/landmark_files/repeats_table.h"
 #include "core/landmark_files/specimen_table.h"
 #include "core/landmarks/protocol.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -22,9 +22,8 @@
 namespace unprojector::cli {
 using namespace landmarks;
 using namespace landmark_files;
-using namespace files;
+using namespace base;
 using geometry::Result;
-using text::tr;
 namespace {
 
 /// Reads a folder. Prints reports on stderr, also why there is nothing in it.

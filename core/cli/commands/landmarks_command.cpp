@@ -1,5 +1,7 @@
 #include "core/cli/commands/landmarks_command.h"
 
+#include "core/base/path_text.h"
+#include "core/base/translation.h"
 #include "core/cli/commands/landmark_streams.h"
 #include "core/cli/commands/landmark_tables.h"
 #include "core/cli/commands/opened_scene.h"
@@ -7,14 +9,12 @@
 #include "core/cli/terminal/progress_bar.h"
 #include "core/curves/curve_line.h"
 #include "core/curves/surface_mesh.h"
-#include "core/files/path_text.h"
 #include "core/landmark_files/landmark_folder.h"
 #include "core/landmark_files/sliders.h"
 #include "core/landmark_files/specimen_table.h"
 #include "core/mesh/import/import_error_text.h"
 #include "core/mesh/import/mesh_import.h"
 #include "core/ray/tie_landmark.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -29,9 +29,8 @@ namespace unprojector::cli {
 using namespace landmarks;
 using namespace mesh;
 using namespace landmark_files;
-using namespace files;
+using namespace base;
 using geometry::Result;
-using text::tr;
 namespace {
 
 /// "0.0123": three digits suffice for a distance.

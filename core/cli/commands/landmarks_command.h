@@ -20,7 +20,7 @@ struct LandmarksOptions {
     std::string errors;                             ///< the table of the error of measurement; empty: none
     std::string measures;                           ///< protocol whose measures the table of a folder has; empty: none
     std::optional<landmark_files::TableForm> table; ///< form of the table; empty: by the suffix
-    bool isSpreadsheetSafe = false;                 ///< see text::CellTexts
+    bool isSpreadsheetSafe = false;                 ///< see base::CellTexts
 };
 
 /// Runs `unproject landmarks`: converts landmark files, makes a table of a folder, or measures the

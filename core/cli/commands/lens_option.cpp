@@ -1,12 +1,12 @@
 #include "core/cli/commands/lens_option.h"
 
+#include "core/base/number_text.h"
+#include "core/base/text_scanner.h"
+#include "core/base/translation.h"
 #include "core/cameras/lens.h"
 #include "core/cli/commands/camera_texts.h"
 #include "core/geometry/api_conventions.h"
-#include "core/text/error_text.h"
-#include "core/text/number_text.h"
-#include "core/text/text_scanner.h"
-#include "core/text/translation.h"
+#include "core/geometry/error_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@
 namespace unprojector::cli {
 using namespace cameras;
 using namespace geometry;
-using namespace text;
+using namespace base;
 namespace {
 
 /// The numbers between commas; nothing if something else is there.

@@ -1,11 +1,11 @@
 #include "core/cli/commands/map_command.h"
 
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/cli/commands/opened_scene.h"
 #include "core/cli/rows/byte_stream.h"
 #include "core/cli/terminal/progress_bar.h"
-#include "core/text/error_text.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
+#include "core/geometry/error_text.h"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@ using namespace geometry;
 using namespace scene;
 using namespace unproject;
 using namespace maps;
-using namespace text;
+using namespace base;
 namespace {
 
 /// 256 MB: the command keeps all numbers of a map until it is written, because it reports their

@@ -1,10 +1,10 @@
 #include "core/cli/commands/matrices_command.h"
 
+#include "core/base/identifier.h"
+#include "core/base/translation.h"
 #include "core/cli/rows/byte_stream.h"
 #include "core/cli/rows/scene_input.h"
-#include "core/text/error_text.h"
-#include "core/text/identifier.h"
-#include "core/text/translation.h"
+#include "core/geometry/error_text.h"
 
 #include <cmath>
 #include <vector>
@@ -13,7 +13,7 @@ namespace unprojector::cli {
 using namespace geometry;
 using namespace matrices;
 using namespace scene_file;
-using namespace text;
+using namespace base;
 namespace {
 
 struct NamedMatrix {

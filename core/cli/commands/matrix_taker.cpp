@@ -1,7 +1,7 @@
 #include "core/cli/commands/matrix_taker.h"
 
+#include "core/base/translation.h"
 #include "core/cli/rows/byte_stream.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 namespace unprojector::cli {
 using namespace geometry;
 using namespace matrices;
-using text::tr;
+using base::tr;
 namespace {
 
 /// The remedy for a finding, by an option or by hand.

@@ -1,9 +1,9 @@
 #include "core/cli/commands/opened_scene.h"
 
+#include "core/base/path_text.h"
 #include "core/cli/commands/size_text.h"
 #include "core/cli/rows/scene_input.h"
-#include "core/files/path_text.h"
-#include "core/text/error_text.h"
+#include "core/geometry/error_text.h"
 
 #include <filesystem>
 #include <utility>
@@ -11,8 +11,7 @@
 namespace unprojector::cli {
 using namespace geometry;
 using namespace scene_file;
-using namespace files;
-using namespace text;
+using namespace base;
 namespace {
 
 /// The value, or nothing with the error on stderr.

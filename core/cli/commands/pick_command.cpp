@@ -1,13 +1,13 @@
 #include "core/cli/commands/pick_command.h"
 
+#include "core/base/parallel.h"
+#include "core/base/translation.h"
 #include "core/cli/commands/opened_scene.h"
 #include "core/cli/commands/pick_texts.h"
 #include "core/cli/rows/block_pipeline.h"
 #include "core/cli/rows/number_table.h"
 #include "core/cli/rows/row_layout.h"
-#include "core/text/error_text.h"
-#include "core/text/translation.h"
-#include "core/threads/parallel.h"
+#include "core/geometry/error_text.h"
 
 #include <atomic>
 #include <charconv>
@@ -18,7 +18,7 @@ namespace unprojector::cli {
 using namespace geometry;
 using namespace unproject;
 using namespace ray;
-using namespace text;
+using namespace base;
 namespace {
 
 const ColumnNames kPositionColumns{"px", "py", ""};
@@ -136,7 +136,7 @@ ExitCode pickRows(const PickOptions &options, const OpenedScene &opened, const S
         RowWriter(options.format, task.layout.names(), header).header();
         sink.write(header);
     }
-    const unsigned threads = options.threads > 0 ? options.threads : threads::coreCount();
+    const unsigned threads = options.threads > 0 ? options.threads : base::coreCount();
     ExitCode code = runBlocks(blocks, source, sink, threads, [&] { return BlockWorker(Worker(task)); });
     if (outside > 0 && code == ExitCode::Done)
         code = ExitCode::SomeRowsBad;

@@ -1,13 +1,13 @@
 #include "core/cli/commands/pick_texts.h"
 
+#include "core/base/columns.h"
+#include "core/base/number_text.h"
+#include "core/base/printable.h"
+#include "core/base/translation.h"
 #include "core/ray/snap.h"
 #include "core/scene/measures.h"
 #include "core/scene_file/json_text.h"
 #include "core/scene_file/ray_on_mesh.h"
-#include "core/text/columns.h"
-#include "core/text/number_text.h"
-#include "core/text/printable.h"
-#include "core/text/translation.h"
 
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
@@ -21,7 +21,7 @@ using namespace geometry;
 using namespace ray;
 using namespace scene;
 using namespace scene_file;
-using namespace text;
+using namespace base;
 namespace {
 
 std::string spaced(const glm::dvec3 &v, const glm::dvec3 &off = glm::dvec3(0.0))

@@ -1,11 +1,11 @@
 #include "core/cli/commands/points_command.h"
 
+#include "core/base/translation.h"
 #include "core/cameras/lens.h"
 #include "core/cli/commands/clicks_command.h"
 #include "core/cli/commands/lens_option.h"
 #include "core/cli/rows/row_layout.h"
-#include "core/text/error_text.h"
-#include "core/text/translation.h"
+#include "core/geometry/error_text.h"
 #include "core/unproject/batch/click_batch.h"
 
 #include <glm/geometric.hpp>
@@ -19,7 +19,7 @@ namespace unprojector::cli {
 using namespace geometry;
 using namespace scene_file;
 using namespace unproject;
-using namespace text;
+using namespace base;
 namespace {
 
 /// The reason why a method does not apply to the scene, and the remedy.

@@ -1,10 +1,10 @@
 #include "core/cli/commands/project_command.h"
 
+#include "core/base/translation.h"
 #include "core/cameras/lens.h"
 #include "core/cli/commands/lens_option.h"
 #include "core/cli/rows/row_layout.h"
-#include "core/text/error_text.h"
-#include "core/text/translation.h"
+#include "core/geometry/error_text.h"
 #include "core/unproject/pixel_projection.h"
 
 #include <glm/geometric.hpp>
@@ -17,7 +17,7 @@ namespace unprojector::cli {
 using namespace geometry;
 using namespace scene_file;
 using namespace unproject;
-using namespace text;
+using namespace base;
 namespace {
 
 const std::vector<std::string> kResults{"eye_x",    "eye_y",    "eye_z",    "clip_x", "clip_y",   "clip_z",

@@ -1,5 +1,6 @@
 #include "core/cli/commands/scene_command.h"
 
+#include "core/base/translation.h"
 #include "core/cli/commands/camera_scene.h"
 #include "core/cli/commands/camera_texts.h"
 #include "core/cli/commands/matrix_taker.h"
@@ -11,7 +12,6 @@
 #include "core/matrices/pasted_calls.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -25,7 +25,7 @@ namespace unprojector::cli {
 using namespace geometry;
 using namespace matrices;
 using namespace scene_file;
-using text::tr;
+using base::tr;
 namespace {
 
 std::string pasteErrorText(const PasteError &error, const std::string &name)

@@ -1,12 +1,12 @@
 #include "core/cli/commands/size_text.h"
 
+#include "core/base/translation.h"
 #include "core/cli/rows/byte_stream.h"
-#include "core/text/translation.h"
 
 #include <charconv>
 
 namespace unprojector::cli {
-using text::tr;
+using base::tr;
 
 std::optional<SizeGiven> sizeGiven(const std::string &option, const std::string &text)
 {

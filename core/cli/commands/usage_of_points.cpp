@@ -20,7 +20,7 @@
 namespace unprojector::cli {
 using namespace clouds;
 using namespace unproject;
-using text::tr;
+using base::tr;
 namespace {
 
 /// The options of commands that take rows.

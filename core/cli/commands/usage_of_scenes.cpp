@@ -20,7 +20,7 @@ using namespace geometry;
 using landmark_files::TableForm;
 using namespace matrices;
 using namespace unproject;
-using text::tr;
+using base::tr;
 namespace {
 
 CLI::Option *addConventions(CLI::App &command, std::optional<Api> &target, const std::string &description)
@@ -77,7 +77,7 @@ void addCameraOptions(CLI::App &command, SceneOptions &options)
 std::string conventionNames()
 {
     // Chinese help is wrapped on display.
-    const std::size_t mostInLine = text::language() == text::Language::English ? 80 : std::string::npos;
+    const std::size_t mostInLine = base::language() == base::Language::English ? 80 : std::string::npos;
     std::string names, line;
     for (const maps::NamedConvention &convention : maps::namedConventions()) {
         if (line.size() + convention.key.size() > mostInLine) {

@@ -4,7 +4,7 @@
 #include <system_error>
 
 namespace unprojector::cli {
-using text::tr;
+using base::tr;
 
 std::function<std::string(const std::string &)> wholeNumber(int highest)
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/text/translation.h"
+#include "core/base/translation.h"
 
 #include <CLI/CLI.hpp>
 
@@ -10,7 +10,7 @@
 
 namespace unprojector::cli {
 
-// Options shared by several commands. Descriptions are in the language of text::tr().
+// Options shared by several commands. Descriptions are in the language of base::tr().
 
 /// Adds an option with a fixed set of words.
 /// @param target  holds the default
@@ -30,7 +30,7 @@ CLI::Option *addChoice(CLI::App &command, const std::string &name, Choice &targe
         ->type_name("WORD")
         ->default_str(usual)
         ->check([choices, names](const std::string &given) {
-            return choices.contains(given) ? std::string() : text::tr("\"%1\" is not one of %2", given, names);
+            return choices.contains(given) ? std::string() : base::tr("\"%1\" is not one of %2", given, names);
         });
 }
 
@@ -41,7 +41,7 @@ std::function<std::string(const std::string &)> wholeNumber(int highest);
 template <class Count>
 void addCount(CLI::App &command, const std::string &name, Count &target, int highest, const std::string &description)
 {
-    command.add_option(name, target, text::tr("%1, 1 to %2", description, highest))
+    command.add_option(name, target, base::tr("%1, 1 to %2", description, highest))
         ->type_name("N")
         ->default_str(std::to_string(target))
         ->check(wholeNumber(highest));

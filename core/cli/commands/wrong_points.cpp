@@ -1,8 +1,8 @@
 #include "core/cli/commands/wrong_points.h"
 
+#include "core/base/translation.h"
 #include "core/cli/rows/byte_stream.h"
 #include "core/doctor/written_points.h"
-#include "core/text/translation.h"
 
 #include <array>
 #include <cstddef>
@@ -11,7 +11,7 @@
 namespace unprojector::cli {
 using namespace geometry;
 using namespace doctor;
-using text::tr;
+using base::tr;
 namespace {
 
 std::optional<std::string> allOf(ByteSource &source)

@@ -1,7 +1,7 @@
 #include "core/cli/rows/block_pipeline.h"
 
+#include "core/base/translation.h"
 #include "core/cli/terminal/progress_bar.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <condition_variable>
@@ -12,7 +12,7 @@
 #include <vector>
 
 namespace unprojector::cli {
-using text::tr;
+using base::tr;
 namespace {
 
 class Pipeline {

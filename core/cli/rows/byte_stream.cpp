@@ -1,11 +1,11 @@
 #include "core/cli/rows/byte_stream.h"
 
+#include "core/base/path_text.h"
+#include "core/base/printable.h"
+#include "core/base/system_error.h"
+#include "core/base/translation.h"
 #include "core/cli/terminal/progress_bar.h"
-#include "core/files/path_text.h"
 #include "core/mesh/import/named_files.h"
-#include "core/text/printable.h"
-#include "core/text/system_error.h"
-#include "core/text/translation.h"
 
 #include <cerrno>
 #include <csignal>
@@ -16,9 +16,7 @@
 #include <utility>
 
 namespace unprojector::cli {
-using namespace files;
-using geometry::Result;
-using text::tr;
+using namespace base;
 namespace {
 
 /// Opens a file. Output is appended to what others have written there.
@@ -41,7 +39,7 @@ std::filesystem::path namedPath(const std::string &file, const char *standardStr
 
 void complain(std::string_view line)
 {
-    std::string text = text::printableLine(line);
+    std::string text = base::printableLine(line);
     text += '\n';
     withoutProgressBar([&text] { std::fwrite(text.data(), 1, text.size(), stderr); });
 }
@@ -67,7 +65,7 @@ ByteSource::ByteSource(const std::string &file) : m_name(file == "-" ? "stdin" :
     errno = 0;
     m_file.reset(opened(file, false));
     if (!m_file)
-        complain(tr("%1: cannot be read: %2", file, text::systemErrorText(errno)));
+        complain(tr("%1: cannot be read: %2", file, base::systemErrorText(errno)));
 }
 
 std::size_t ByteSource::read(char *buffer, std::size_t size)
@@ -126,11 +124,11 @@ ByteSink::ByteSink(const std::string &file, const InputFiles &inputs) : m_name(f
         errno = 0;
         m_stream.reset(opened(file, true));
         if (!m_stream)
-            complain(tr("%1: cannot be written: %2", file, text::systemErrorText(errno)));
+            complain(tr("%1: cannot be written: %2", file, base::systemErrorText(errno)));
         return;
     }
     const InterruptionsWait untilItIsGuarded;
-    Result<ReplacingFile, FileError> replacing = ReplacingFile::open(path);
+    Expected<ReplacingFile, FileError> replacing = ReplacingFile::open(path);
     if (!replacing) {
         complain(file + ": " + fileErrorText(replacing.error()));
         return;
@@ -156,7 +154,7 @@ void ByteSink::write(std::string_view bytes)
 
 void ByteSink::print(std::string_view text)
 {
-    write(text::printableLines(text));
+    write(base::printableLines(text));
 }
 
 void ByteSink::flush()
@@ -184,7 +182,7 @@ void ByteSink::failStream()
 #endif
     m_state = isReaderGone ? State::ReaderGone : State::Failed;
     if (!isReaderGone)
-        complain(tr("%1: cannot be written: %2", m_name, text::systemErrorText(error)));
+        complain(tr("%1: cannot be written: %2", m_name, base::systemErrorText(error)));
 }
 
 void ByteSink::check(const Written &written)

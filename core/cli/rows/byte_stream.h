@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/base/replace_file.h"
 #include "core/cli/terminal/console.h"
 #include "core/cli/terminal/exit_code.h"
-#include "core/files/replace_file.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace unprojector::cli {
 
-/// Prints a line on stderr, formatted by text::printableLine. A progress bar is erased first.
+/// Prints a line on stderr, formatted by base::printableLine. A progress bar is erased first.
 void complain(std::string_view line);
 
 /// The files that a run reads, or that the scene it reads names, in UTF-8; "-" stands for stdin. No
@@ -67,7 +67,7 @@ public:
 
     bool isOpen() const { return m_stream != nullptr || m_file; }
     void write(std::string_view bytes);
-    /// Writes a text for people, formatted by text::printableLines.
+    /// Writes a text for people, formatted by base::printableLines.
     void print(std::string_view text);
     void flush();
     /// Completes the output after the last byte. Only now does the file replace an existing one;
@@ -83,11 +83,11 @@ private:
         void operator()(std::FILE *file) const;
     };
     void failStream();
-    void check(const files::Written &written);
+    void check(const base::Written &written);
 
     std::unique_ptr<std::FILE, Close> m_stream;
     std::optional<RemovedWhenInterrupted> m_guard; ///< guard of the new file while it exists
-    std::optional<files::ReplacingFile> m_file;    ///< where there is no stream
+    std::optional<base::ReplacingFile> m_file;     ///< where there is no stream
     std::string m_name;
     State m_state = State::Open;
 };

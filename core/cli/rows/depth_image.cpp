@@ -1,13 +1,13 @@
 #include "core/cli/rows/depth_image.h"
 
-#include "core/text/translation.h"
+#include "core/base/translation.h"
 
 #include <utility>
 
 namespace unprojector::cli {
 using namespace images;
+using base::tr;
 using geometry::Result;
-using text::tr;
 namespace {
 
 /// Reads an image by one of the readers, and prints what it reports.

@@ -1,8 +1,8 @@
 #include "core/cli/rows/number_table.h"
 
+#include "core/base/printable.h"
+#include "core/base/translation.h"
 #include "core/cli/rows/csv_line.h"
-#include "core/text/printable.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <charconv>
@@ -10,14 +10,14 @@
 #include <optional>
 
 namespace unprojector::cli {
-using text::tr;
+using base::tr;
 namespace {
 
 /// A cell shortened for a message, on one line.
 std::string shown(std::string_view cell)
 {
     constexpr std::size_t kMost = 40;
-    return tr("\"%1\"", text::printableBeginning(trimmed(cell), kMost));
+    return tr("\"%1\"", base::printableBeginning(trimmed(cell), kMost));
 }
 
 /// The number of a cell; empty, with the reason, if there is none.

@@ -1,13 +1,13 @@
 #include "core/cli/rows/row_stream.h"
 
-#include "core/text/translation.h"
+#include "core/base/translation.h"
 
 #include <optional>
 
 namespace unprojector::cli {
 using namespace scene_file;
 using namespace unproject;
-using text::tr;
+using base::tr;
 
 RowStream::RowStream(const SceneFile &scene, const BatchSpace &spaceInIt, const RowOptions &options)
     : setup(setupOf(scene)), space(spaceInIt), inputs(filesOf(scene, options.scene)), source(options.input)

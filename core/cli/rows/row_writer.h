@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/base/csv.h"
+#include "core/base/number_text.h"
 #include "core/cli/rows/csv_line.h"
-#include "core/text/csv.h"
-#include "core/text/number_text.h"
 
 #include <cmath>
 #include <string>
@@ -13,14 +13,14 @@ namespace unprojector::cli {
 
 enum class RowFormat {
     Csv,
-    SafeCsv, ///< with texts as in text::CellTexts::SpreadsheetSafe
+    SafeCsv, ///< with texts as in base::CellTexts::SpreadsheetSafe
     Jsonl
 };
 
 /// A cell as passedCell returns it, behind an apostrophe where its text is a formula.
 inline std::string safeCell(std::string cell)
 {
-    if (text::isFormula(unquoted(cell)))
+    if (base::isFormula(unquoted(cell)))
         cell.insert(cell.find_first_not_of(" \t\""), 1, '\'');
     return cell;
 }
@@ -48,7 +48,7 @@ public:
     void number(double value)
     {
         startCell();
-        text::appendNumber(m_output, value);
+        base::appendNumber(m_output, value);
     }
 
     /// Writes a number; an empty cell for NaN and infinity.
@@ -75,7 +75,7 @@ public:
             m_output += jsonOfText(text);
             return;
         }
-        const std::string_view apostrophe = m_format == RowFormat::SafeCsv && text::isFormula(text) ? "'" : "";
+        const std::string_view apostrophe = m_format == RowFormat::SafeCsv && base::isFormula(text) ? "'" : "";
         if (text.find_first_of(",\"\r\n") == std::string_view::npos && trimmed(text).size() == text.size()) {
             m_output.append(apostrophe).append(text);
             return;

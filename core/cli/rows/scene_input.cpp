@@ -1,11 +1,11 @@
 #include "core/cli/rows/scene_input.h"
 
-#include "core/files/path_text.h"
+#include "core/base/path_text.h"
+#include "core/base/translation.h"
 #include "core/mesh/import/file_contents.h"
 #include "core/opening/models.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -18,9 +18,8 @@ namespace unprojector::cli {
 using namespace geometry;
 using namespace unproject;
 using namespace scene_file;
-using namespace files;
+using namespace base;
 using namespace mesh;
-using text::tr;
 
 namespace {
 

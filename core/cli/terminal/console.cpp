@@ -12,7 +12,7 @@
 #include <sys/stat.h>
 
 #ifdef _WIN32
-#include "core/files/windows_api.h"
+#include "core/base/windows_api.h"
 
 #include <fcntl.h>
 #include <io.h>

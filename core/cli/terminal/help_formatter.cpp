@@ -1,14 +1,14 @@
 #include "core/cli/terminal/help_formatter.h"
 
-#include "core/text/columns.h"
-#include "core/text/translation.h"
+#include "core/base/columns.h"
+#include "core/base/translation.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <utility>
 
 namespace unprojector::cli {
-using namespace text;
+using namespace base;
 namespace {
 
 constexpr std::size_t kColumns = 80;

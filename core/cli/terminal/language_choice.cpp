@@ -8,7 +8,7 @@
 #include <string_view>
 
 namespace unprojector::cli {
-using text::Language;
+using base::Language;
 namespace {
 
 /// The word in small letters, with _ for -, as in "zh_hans_cn".

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/text/translation.h"
+#include "core/base/translation.h"
 
 #include <string>
 
@@ -27,6 +27,6 @@ LanguageWishes languageWishes();
 ///   it.
 ///
 /// Source: GNU gettext manual, "Setting the POSIX Locale"; POSIX, Base Definitions, 8.2.
-text::Language chosenLanguage(const LanguageWishes &wishes);
+base::Language chosenLanguage(const LanguageWishes &wishes);
 
 } // namespace unprojector::cli

@@ -1,8 +1,8 @@
 #include "core/cli/terminal/progress_bar.h"
 
+#include "core/base/columns.h"
+#include "core/base/translation.h"
 #include "core/cli/terminal/console.h"
-#include "core/text/columns.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -13,9 +13,9 @@
 #include <utility>
 
 namespace unprojector::cli {
-using text::columnsOf;
-using text::firstColumns;
-using text::tr;
+using base::columnsOf;
+using base::firstColumns;
+using base::tr;
 namespace {
 
 using namespace std::chrono_literals;

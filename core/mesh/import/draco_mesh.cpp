@@ -1,7 +1,7 @@
 #include "core/mesh/import/draco_mesh.h"
 
+#include "core/base/translation.h"
 #include "core/mesh/import/mesh_reader.h"
-#include "core/text/translation.h"
 
 #include <draco/compression/decode.h>
 #include <draco/compression/point_cloud/point_cloud_decoder.h>
@@ -13,7 +13,7 @@
 #include <string>
 
 namespace unprojector::mesh::reader {
-using text::tr;
+using base::tr;
 
 namespace {
 
@@ -121,9 +121,9 @@ DracoMesh unpackedDraco(std::span<const std::uint8_t> bytes, std::span<const Dra
                         const DracoCounts &expected)
 {
     constexpr const char *kTriangles =
-        text::marked("the Draco data of a mesh have %1 triangles, and the file declares %2");
+        base::marked("the Draco data of a mesh have %1 triangles, and the file declares %2");
     constexpr const char *kVertices =
-        text::marked("the Draco data of a mesh have %1 vertices, and the file declares %2");
+        base::marked("the Draco data of a mesh have %1 vertices, and the file declares %2");
     const DracoCounts declared = declaredCounts(bytes);
     requireCount(declared.triangles, expected.triangles, kTriangles);
     if (declared.vertices > expected.vertices)

@@ -1,15 +1,15 @@
 #include "core/mesh/import/file_bytes.h"
 
-#include "core/text/system_error.h"
-#include "core/text/translation.h"
-#include "core/threads/parallel.h"
+#include "core/base/parallel.h"
+#include "core/base/system_error.h"
+#include "core/base/translation.h"
 
 #include <fstream>
 #include <functional>
 #include <system_error>
 
 namespace unprojector::mesh::reader {
-using text::tr;
+using base::tr;
 
 namespace {
 
@@ -23,7 +23,7 @@ FileBytes::FileBytes(const std::filesystem::path &file, ProgressReporter *progre
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(file, error);
     if (error)
-        throw Failure(ImportErrorCode::NotReadable, text::systemErrorText(error));
+        throw Failure(ImportErrorCode::NotReadable, base::systemErrorText(error));
     // A pipe or a device has no size and may never end.
     if (!std::filesystem::is_regular_file(status))
         throw Failure(ImportErrorCode::NotReadable, tr("it is a pipe or a device"));
@@ -36,7 +36,7 @@ FileBytes::FileBytes(const std::filesystem::path &file, ProgressReporter *progre
     std::function<void(double)> report;
     if (progress)
         report = [progress](double share) { progress->report(share); };
-    threads::inParallelRanges(m_size, kBytesInTask, report, [&](std::size_t begin, std::size_t end) {
+    base::inParallelRanges(m_size, kBytesInTask, report, [&](std::size_t begin, std::size_t end) {
         std::ifstream stream;
         stream.rdbuf()->pubsetbuf(nullptr, 0); // unbuffered: bytes are read directly to their destination
         stream.open(file, std::ios::binary);

@@ -1,6 +1,6 @@
 #include "core/mesh/import/file_contents.h"
 
-#include "core/text/translation.h"
+#include "core/base/translation.h"
 
 #include <algorithm>
 
@@ -40,11 +40,11 @@ std::string_view suffixByContents(std::string_view start)
 std::string adviceByContents(std::string_view start, std::string_view suffix)
 {
     if (start.starts_with("\x1f\x8b") || start.starts_with("PK\x03\x04") || start.starts_with("7z\xbc\xaf"))
-        return text::tr("its contents are compressed: unpack it first");
+        return base::tr("its contents are compressed: unpack it first");
     const std::string_view known = suffixByContents(start);
     if (known.empty() || known == suffix)
         return {};
-    return text::tr("its contents look like %1: give it the suffix .%1", known);
+    return base::tr("its contents look like %1: give it the suffix .%1", known);
 }
 
 } // namespace unprojector::mesh::reader

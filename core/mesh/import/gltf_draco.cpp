@@ -1,16 +1,16 @@
 #include "core/mesh/import/gltf_draco.h"
 
+#include "core/base/translation.h"
 #include "core/mesh/import/draco_mesh.h"
 #include "core/mesh/import/gltf_corners.h"
 #include "core/mesh/import/gltf_extensions.h"
-#include "core/text/translation.h"
 
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace unprojector::mesh::reader {
-using text::tr;
+using base::tr;
 
 namespace {
 

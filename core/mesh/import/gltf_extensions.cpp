@@ -1,8 +1,8 @@
 #include "core/mesh/import/gltf_extensions.h"
 
+#include "core/base/translation.h"
 #include "core/mesh/import/draco_mesh.h"
 #include "core/mesh/import/meshopt_view.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <iterator>
@@ -10,7 +10,7 @@
 #include <string>
 
 namespace unprojector::mesh::reader {
-using text::tr;
+using base::tr;
 
 namespace {
 

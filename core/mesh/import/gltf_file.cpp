@@ -1,9 +1,9 @@
 #include "core/mesh/import/gltf_file.h"
 
+#include "core/base/json_syntax.h"
+#include "core/base/translation.h"
 #include "core/mesh/import/gltf_extensions.h"
 #include "core/mesh/import/meshopt_view.h"
-#include "core/text/json_syntax.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -13,7 +13,7 @@
 #include <string>
 
 namespace unprojector::mesh::reader {
-using text::tr;
+using base::tr;
 
 namespace {
 
@@ -170,7 +170,7 @@ struct JsonCheck : nlohmann::json_sax<Json> {
     bool parse_error(std::size_t position, const std::string &lastToken,
                      const nlohmann::detail::exception &error) override
     {
-        mistake = text::jsonMistake(text, position, lastToken, error.what());
+        mistake = base::jsonMistake(text, position, lastToken, error.what());
         return false;
     }
     bool open() { return ++depth <= kDeepestJson; }
@@ -187,7 +187,7 @@ struct JsonCheck : nlohmann::json_sax<Json> {
 
     std::string_view text;
     const char *reached; ///< the parser's next character
-    std::optional<text::JsonMistake> mistake;
+    std::optional<base::JsonMistake> mistake;
     std::optional<std::size_t> twice; ///< position of a duplicate key
     std::vector<Object> objects;      ///< open objects
     /// The number of open objects at the current isUnread() value.

@@ -1,9 +1,9 @@
 #include "core/mesh/import/gltf_instances.h"
 
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 #include "core/mesh/import/gltf_nodes.h"
 #include "core/mesh/import/gltf_values.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -11,7 +11,7 @@
 
 namespace unprojector::mesh::reader {
 using namespace geometry;
-using text::tr;
+using base::tr;
 
 namespace {
 
@@ -77,7 +77,7 @@ std::vector<PreciseMatrix> nodeFromInstances(GltfFile &file, const Json &node)
             placement.scale = scales->vectorAt(i);
         if (!placement.isRotationUnit())
             failMalformed(tr("the rotation of instance %1 has the length %2; it must be 1", i,
-                             text::shortestText(glm::length(placement.rotation))));
+                             base::shortestText(glm::length(placement.rotation))));
         instances.push_back(placement.matrix());
     }
     return instances;

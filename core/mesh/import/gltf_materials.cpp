@@ -1,13 +1,13 @@
 #include "core/mesh/import/gltf_materials.h"
 
-#include "core/text/translation.h"
+#include "core/base/translation.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 namespace unprojector::mesh::reader {
-using text::tr;
+using base::tr;
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include "core/mesh/import/gltf_nodes.h"
 
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -12,7 +12,7 @@
 
 namespace unprojector::mesh::reader {
 using namespace geometry;
-using text::tr;
+using base::tr;
 
 namespace {
 
@@ -88,7 +88,7 @@ std::string wrongLastRow(const glm::dmat4 &matrix)
     bool isRight = true;
     for (int i = 0; i < 4; ++i) {
         isRight = isRight && std::abs(row[i] - (i == 3 ? 1.0 : 0.0)) <= kRounding;
-        text += (i > 0 ? " " : "") + text::shortestText(row[i]);
+        text += (i > 0 ? " " : "") + base::shortestText(row[i]);
     }
     return isRight ? std::string() : text;
 }
@@ -124,7 +124,7 @@ PreciseMatrix GltfNodes::parentFromNode(std::size_t number) const
         placement.scale = vector(scaled);
     if (!placement.isRotationUnit())
         failMalformed(tr("the rotation of node %1 has the length %2; it must be 1", nameOf(number, node),
-                         text::shortestText(glm::length(placement.rotation))));
+                         base::shortestText(glm::length(placement.rotation))));
     if (matrix == glm::dmat4(1.0))
         return placement.matrix();
     if (const char *other = placement.firstThatMoves())

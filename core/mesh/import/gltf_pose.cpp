@@ -1,7 +1,7 @@
 #include "core/mesh/import/gltf_pose.h"
 
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -12,7 +12,7 @@
 
 namespace unprojector::mesh::reader {
 using namespace geometry;
-using text::tr;
+using base::tr;
 
 namespace {
 
@@ -146,7 +146,7 @@ glm::dmat4 GltfPose::blended(std::size_t vertex) const
                 continue;
             if (!(weight > 0.0) || std::isinf(weight))
                 failMalformed(tr("vertex %1 of a mesh has the joint weight %2; it must be 0 or greater", vertex,
-                                 text::shortestText(weight)));
+                                 base::shortestText(weight)));
             sum += weight * jointOf(set, k);
             total += weight;
         }

@@ -1,6 +1,6 @@
 #include "core/mesh/import/gltf_values.h"
 
-#include "core/text/translation.h"
+#include "core/base/translation.h"
 
 #include <algorithm>
 #include <bit>
@@ -9,7 +9,7 @@
 #include <utility>
 
 namespace unprojector::mesh::reader {
-using text::tr;
+using base::tr;
 
 namespace {
 

@@ -1,14 +1,14 @@
 #include "core/mesh/import/import_error_text.h"
 
-#include "core/files/path_text.h"
-#include "core/text/translation.h"
+#include "core/base/path_text.h"
+#include "core/base/translation.h"
 
 namespace unprojector::mesh {
-using text::tr;
+using base::tr;
 
 std::string importErrorText(const ImportError &error)
 {
-    return files::utf8FromPath(error.file) + ": " + reasonText(error);
+    return base::utf8FromPath(error.file) + ": " + reasonText(error);
 }
 
 std::string reasonText(const ImportError &error)

@@ -1,15 +1,15 @@
 #include "core/mesh/import/mesh_import.h"
 
+#include "core/base/number_text.h"
+#include "core/base/parallel.h"
+#include "core/base/system_error.h"
+#include "core/base/translation.h"
+#include "core/base/utf8.h"
 #include "core/geometry/finite.h"
 #include "core/mesh/import/file_bytes.h"
 #include "core/mesh/import/file_contents.h"
 #include "core/mesh/import/mesh_normals.h"
 #include "core/mesh/import/mesh_reader.h"
-#include "core/text/number_text.h"
-#include "core/text/system_error.h"
-#include "core/text/translation.h"
-#include "core/text/utf8.h"
-#include "core/threads/parallel.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -28,10 +28,8 @@
 #include <system_error>
 
 namespace unprojector::mesh {
-using namespace files;
-using namespace threads;
+using namespace base;
 using namespace geometry;
-using text::tr;
 
 namespace reader {
 
@@ -138,7 +136,7 @@ void noteWhatIsNotSeen(Model &model)
     const glm::dvec3 size = model.bounds.highest - model.bounds.lowest;
     const double largest = std::max({size.x, size.y, size.z});
     if (largest > 0.0 && largest < kLeastDrawn)
-        model.notes.push_back({ModelNote::Kind::TooSmallToDraw, 0, text::shortestText(largest)});
+        model.notes.push_back({ModelNote::Kind::TooSmallToDraw, 0, base::shortestText(largest)});
 }
 
 /// Keeps usable normals, and computes missing ones if that pays off.
@@ -280,7 +278,7 @@ Model import(const std::filesystem::path &file, ProgressReporter &progress)
     if (status.type() == std::filesystem::file_type::directory)
         throw Failure(ImportErrorCode::IsDirectory);
     if (error) // links in a circle, for example: nothing is known of the contents
-        throw Failure(ImportErrorCode::NotReadable, text::systemErrorText(error));
+        throw Failure(ImportErrorCode::NotReadable, base::systemErrorText(error));
     const std::string suffix = lowerCaseSuffix(file);
     const Reader reader = readerFor(suffix);
     if (!reader)
@@ -325,7 +323,7 @@ std::span<const std::uint8_t> withoutByteOrderMark(std::span<const std::uint8_t>
     const bool isLittle = begins({0xff, 0xfe});
     if (!isLittle && !begins({0xfe, 0xff}))
         return bytes;
-    converted = text::utf8FromUtf16(bytes.subspan(2), isLittle ? std::endian::little : std::endian::big);
+    converted = base::utf8FromUtf16(bytes.subspan(2), isLittle ? std::endian::little : std::endian::big);
     return {reinterpret_cast<const std::uint8_t *>(converted.data()), converted.size()};
 }
 
@@ -372,7 +370,7 @@ Result<std::shared_ptr<Model>, ImportError> importModel(const std::filesystem::p
         error.code = ImportErrorCode::OutOfMemory;
     } catch (const std::system_error &failure) {
         error.code = ImportErrorCode::NotReadable;
-        error.detail = text::systemErrorText(failure.code());
+        error.detail = base::systemErrorText(failure.code());
     } catch (const std::exception &) {
         error.detail = tr("its reader failed, which is an error of this program");
     }

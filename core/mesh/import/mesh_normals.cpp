@@ -1,7 +1,7 @@
 #include "core/mesh/import/mesh_normals.h"
 
+#include "core/base/parallel.h"
 #include "core/mesh/position_hash.h"
-#include "core/threads/parallel.h"
 
 #include <glm/geometric.hpp>
 
@@ -15,7 +15,7 @@
 
 namespace unprojector::mesh {
 using namespace geometry;
-using namespace threads;
+using namespace base;
 
 namespace {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/files/path_text.h"
+#include "core/base/path_text.h"
 #include "core/mesh/import/mesh_import.h"
 #include "core/mesh/mesh.h"
 

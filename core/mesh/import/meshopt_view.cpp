@@ -1,13 +1,13 @@
 #include "core/mesh/import/meshopt_view.h"
 
-#include "core/text/translation.h"
+#include "core/base/translation.h"
 
 #include <meshoptimizer.h>
 
 #include <string>
 
 namespace unprojector::mesh::reader {
-using text::tr;
+using base::tr;
 
 namespace {
 

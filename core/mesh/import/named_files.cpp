@@ -1,10 +1,10 @@
 #include "core/mesh/import/named_files.h"
 
+#include "core/base/text_scanner.h"
 #include "core/mesh/import/file_bytes.h"
 #include "core/mesh/import/gltf_file.h"
 #include "core/mesh/import/mesh_reader.h"
 #include "core/mesh/import/obj_materials.h"
-#include "core/text/text_scanner.h"
 
 #include <exception>
 #include <set>
@@ -13,8 +13,7 @@
 #include <utility>
 
 namespace unprojector::mesh {
-using namespace files;
-using text::TextScanner;
+using namespace base;
 namespace reader {
 namespace {
 

@@ -1,9 +1,9 @@
 #include "core/mesh/import/note_text.h"
 
-#include "core/text/translation.h"
+#include "core/base/translation.h"
 
 namespace unprojector::mesh {
-using text::tr;
+using base::tr;
 namespace {
 
 std::string printable(const std::string &text)

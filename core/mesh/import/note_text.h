@@ -7,7 +7,7 @@
 namespace unprojector::mesh {
 
 /// Describes an import note in one line, without a capital and a full stop. UTF-8, in the language
-/// of text::tr():
+/// of base::tr():
 ///
 ///   3 lines and points are not shown
 ///   the picture "skin.png" is not there or cannot be read: its surfaces are shown without it

@@ -1,10 +1,10 @@
 #include "core/mesh/import/obj_chunk.h"
 
+#include "core/base/text_scanner.h"
+#include "core/base/translation.h"
 #include "core/geometry/finite.h"
 #include "core/mesh/import/line_ranges.h"
 #include "core/mesh/import/obj_cursor.h"
-#include "core/text/text_scanner.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +13,9 @@
 
 namespace unprojector::mesh::reader {
 using namespace geometry;
-using text::marked;
-using text::quoted;
-using text::tr;
+using base::marked;
+using base::quoted;
+using base::tr;
 
 namespace {
 

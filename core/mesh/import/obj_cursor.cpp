@@ -1,6 +1,6 @@
 #include "core/mesh/import/obj_cursor.h"
 
-#include "core/text/text_scanner.h"
+#include "core/base/text_scanner.h"
 
 #include <charconv>
 #include <limits>
@@ -8,7 +8,7 @@
 #include <system_error>
 
 namespace unprojector::mesh::reader {
-using text::doubleFromWord;
+using base::doubleFromWord;
 
 namespace {
 

@@ -1,15 +1,12 @@
 #include "core/mesh/import/obj_materials.h"
 
+#include "core/base/text_scanner.h"
 #include "core/mesh/import/file_bytes.h"
-#include "core/text/text_scanner.h"
 
 #include <algorithm>
 
 namespace unprojector::mesh::reader {
-using namespace files;
-using text::doubleFromWord;
-using text::floatFromWord;
-using text::TextScanner;
+using namespace base;
 
 namespace {
 

@@ -1,9 +1,9 @@
 #include "core/mesh/import/ply_body.h"
 
+#include "core/base/number_text.h"
+#include "core/base/parallel.h"
+#include "core/base/translation.h"
 #include "core/mesh/import/line_ranges.h"
-#include "core/text/number_text.h"
-#include "core/text/translation.h"
-#include "core/threads/parallel.h"
 
 #include <algorithm>
 #include <bit>
@@ -13,12 +13,7 @@
 #include <vector>
 
 namespace unprojector::mesh::reader {
-using namespace threads;
-using text::doubleFromWord;
-using text::integerFromWord;
-using text::quoted;
-using text::TextScanner;
-using text::tr;
+using namespace base;
 
 namespace {
 
@@ -143,7 +138,7 @@ double PlyBody::asciiValue(PlyType type)
         const auto [least, most] = integerRange(type);
         if (!(number >= least && number <= most) || number != std::floor(number))
             failAtLine(tr("%1 is not a whole number from %2 to %3, which the header declares for %4",
-                          quoted(ahead.nextWordInLine()), text::shortestText(least), text::shortestText(most),
+                          quoted(ahead.nextWordInLine()), base::shortestText(least), base::shortestText(most),
                           where()));
     }
     return number;
@@ -153,7 +148,7 @@ std::int64_t PlyBody::corner(PlyType type)
 {
     const double number = value(type);
     if (number != std::floor(number))
-        failMalformed(tr("%1 refers to vertex %2, which is not a whole number", where(), text::shortestText(number)));
+        failMalformed(tr("%1 refers to vertex %2, which is not a whole number", where(), base::shortestText(number)));
     return number >= -1.0 && number <= 4294967295.0 ? static_cast<std::int64_t>(number) : -2;
 }
 

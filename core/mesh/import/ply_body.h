@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/base/text_scanner.h"
 #include "core/mesh/import/mesh_reader.h"
 #include "core/mesh/import/ply_header.h"
-#include "core/text/text_scanner.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -69,7 +69,7 @@ private:
     PlyFormat m_format;
     std::span<const std::uint8_t> m_bytes;
     std::size_t m_at;
-    text::TextScanner m_scanner;
+    base::TextScanner m_scanner;
     bool m_isPart = false; ///< read in parallel with others: it reports nothing
     const PlyElement *m_element = nullptr;
     std::size_t m_number = 0;

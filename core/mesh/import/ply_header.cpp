@@ -1,17 +1,17 @@
 #include "core/mesh/import/ply_header.h"
 
+#include "core/base/text_scanner.h"
+#include "core/base/translation.h"
 #include "core/mesh/import/mesh_reader.h"
-#include "core/text/text_scanner.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <optional>
 
 namespace unprojector::mesh::reader {
-using text::integerFromWord;
-using text::quoted;
-using text::TextScanner;
-using text::tr;
+using base::integerFromWord;
+using base::quoted;
+using base::TextScanner;
+using base::tr;
 
 namespace {
 

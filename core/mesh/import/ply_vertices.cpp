@@ -1,7 +1,7 @@
 #include "core/mesh/import/ply_vertices.h"
 
-#include "core/text/translation.h"
-#include "core/threads/parallel.h"
+#include "core/base/parallel.h"
+#include "core/base/translation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,8 @@
 #include <string_view>
 
 namespace unprojector::mesh::reader {
-using namespace threads;
+using namespace base;
 using namespace geometry;
-using text::tr;
 
 namespace {
 

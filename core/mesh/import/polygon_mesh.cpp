@@ -1,15 +1,15 @@
 #include "core/mesh/import/polygon_mesh.h"
 
+#include "core/base/translation.h"
 #include "core/mesh/import/material.h"
 #include "core/mesh/import/mesh_normals.h"
 #include "core/mesh/import/mesh_reader.h"
-#include "core/text/translation.h"
 
 #include <string>
 
 namespace unprojector::mesh::reader {
-using text::marked;
-using text::tr;
+using base::marked;
+using base::tr;
 
 void PolygonMesh::failAt(std::int64_t vertex, const char *what, std::size_t number) const
 {

@@ -1,3 +1,5 @@
+#include "core/base/parallel.h"
+#include "core/base/translation.h"
 #include "core/geometry/finite.h"
 #include "core/mesh/import/gltf_corners.h"
 #include "core/mesh/import/gltf_draco.h"
@@ -8,8 +10,6 @@
 #include "core/mesh/import/gltf_nodes.h"
 #include "core/mesh/import/gltf_pose.h"
 #include "core/mesh/import/gltf_values.h"
-#include "core/text/translation.h"
-#include "core/threads/parallel.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -32,8 +32,7 @@
 
 namespace unprojector::mesh::reader {
 using namespace geometry;
-using namespace threads;
-using text::tr;
+using namespace base;
 
 namespace {
 

@@ -1,11 +1,11 @@
+#include "core/base/parallel.h"
+#include "core/base/translation.h"
 #include "core/geometry/finite.h"
 #include "core/mesh/import/mesh_reader.h"
 #include "core/mesh/import/obj_chunk.h"
 #include "core/mesh/import/obj_materials.h"
 #include "core/mesh/import/obj_vertices.h"
 #include "core/mesh/import/polygon_triangulation.h"
-#include "core/text/translation.h"
-#include "core/threads/parallel.h"
 
 #include <algorithm>
 #include <deque>
@@ -19,8 +19,7 @@
 
 namespace unprojector::mesh::reader {
 using namespace geometry;
-using namespace threads;
-using text::tr;
+using namespace base;
 
 namespace {
 

@@ -1,7 +1,7 @@
+#include "core/base/text_scanner.h"
+#include "core/base/translation.h"
 #include "core/mesh/import/mesh_reader.h"
 #include "core/mesh/import/polygon_mesh.h"
-#include "core/text/text_scanner.h"
-#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -13,13 +13,13 @@
 
 namespace unprojector::mesh::reader {
 using namespace geometry;
-using text::doubleFromWord;
-using text::floatFromWord;
-using text::integerFromWord;
-using text::marked;
-using text::quoted;
-using text::TextScanner;
-using text::tr;
+using base::doubleFromWord;
+using base::floatFromWord;
+using base::integerFromWord;
+using base::marked;
+using base::quoted;
+using base::TextScanner;
+using base::tr;
 
 namespace {
 

@@ -1,10 +1,10 @@
+#include "core/base/parallel.h"
+#include "core/base/translation.h"
 #include "core/mesh/import/mesh_reader.h"
 #include "core/mesh/import/ply_body.h"
 #include "core/mesh/import/ply_header.h"
 #include "core/mesh/import/ply_vertices.h"
 #include "core/mesh/import/polygon_mesh.h"
-#include "core/text/translation.h"
-#include "core/threads/parallel.h"
 
 #include <algorithm>
 #include <atomic>
@@ -13,8 +13,7 @@
 #include <string>
 
 namespace unprojector::mesh::reader {
-using namespace threads;
-using text::tr;
+using namespace base;
 
 namespace {
 

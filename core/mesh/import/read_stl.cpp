@@ -1,11 +1,11 @@
+#include "core/base/parallel.h"
+#include "core/base/text_scanner.h"
+#include "core/base/translation.h"
 #include "core/geometry/finite.h"
 #include "core/mesh/import/line_ranges.h"
 #include "core/mesh/import/mesh_normals.h"
 #include "core/mesh/import/mesh_reader.h"
 #include "core/mesh/soup_numbers.h"
-#include "core/text/text_scanner.h"
-#include "core/text/translation.h"
-#include "core/threads/parallel.h"
 
 #include <glm/common.hpp>
 
@@ -19,12 +19,8 @@
 #include <optional>
 
 namespace unprojector::mesh::reader {
-using namespace threads;
+using namespace base;
 using namespace geometry;
-using text::doubleFromWord;
-using text::quoted;
-using text::TextScanner;
-using text::tr;
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 namespace unprojector::mesh::reader {
-using namespace files;
+using namespace base;
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include "core/unproject/batch/line_constants.h"
 
-#include "core/geometry/double_double.h"
 #include "core/geometry/finite.h"
+#include "core/geometry/numbers.h"
 #include "core/geometry/view_matrix.h"
 
 #include <glm/matrix.hpp>

@@ -1,8 +1,8 @@
 #include "gui/view/painters/mesh_painter.h"
 
+#include "core/base/parallel.h"
 #include "core/geometry/view_volume.h"
 #include "core/scene/point_size.h"
-#include "core/threads/parallel.h"
 #include "gui/view/painters/mesh_attributes.h"
 #include "gui/view/painters/shader.h"
 
@@ -367,7 +367,7 @@ void MeshPainter::setShadingValues(unsigned traits, const FrameContents &content
 void MeshPainter::drawCovering(const CoveringTriangles &covering, bool hasEdges, std::size_t begin, std::size_t end)
 {
     std::vector<std::vector<std::uint32_t>> parts((end - begin + kGatheredInTask - 1) / kGatheredInTask);
-    threads::inParallel(parts.size(), {}, [&](std::size_t number) {
+    base::inParallel(parts.size(), {}, [&](std::size_t number) {
         const std::size_t first = begin + number * kGatheredInTask;
         covering.append(first, std::min(end, first + kGatheredInTask), parts[number]);
     });

@@ -3,8 +3,8 @@
 
 #include "tests/support/test.h"
 
-#include "core/geometry/angle.h"
 #include "core/geometry/camera.h"
+#include "core/geometry/numbers.h"
 #include "core/geometry/projection.h"
 #include "core/geometry/viewport.h"
 #include "core/scene/reach.h"

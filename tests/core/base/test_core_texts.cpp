@@ -2,10 +2,10 @@
 // Chinese is right.
 #include "tests/support/test.h"
 
-#include "core/text/columns.h"
-#include "core/text/error_text.h"
-#include "core/text/printable.h"
-#include "core/text/translation.h"
+#include "core/base/columns.h"
+#include "core/base/printable.h"
+#include "core/base/translation.h"
+#include "core/geometry/error_text.h"
 
 #include <QDirIterator>
 #include <QFile>
@@ -19,7 +19,7 @@
 #include <thread>
 
 using namespace unprojector;
-using namespace unprojector::text;
+using namespace unprojector::base;
 using namespace unprojector::geometry;
 
 namespace {
@@ -229,12 +229,12 @@ private slots:
             QVERIFY2(!word.match(text).hasMatch(), qPrintable(text));
             QVERIFY2(withContext.match(text).hasMatch(), qPrintable(text));
         }
-        QCOMPARE(text::tr("right|verdict"), std::string("right"));
-        QCOMPARE(text::tr("%1 %2|sentences", "a|b", "c"), std::string("a|b c"));
+        QCOMPARE(base::tr("right|verdict"), std::string("right"));
+        QCOMPARE(base::tr("%1 %2|sentences", "a|b", "c"), std::string("a|b c"));
         setLanguage(Language::Chinese);
-        QCOMPARE(text::tr("right|verdict"), std::string("正确"));
-        QCOMPARE(text::tr("right|side of a face"), std::string("right"));
-        QCOMPARE(text::tr("%1 %2|sentences", "甲。", "乙。"), std::string("甲。乙。"));
+        QCOMPARE(base::tr("right|verdict"), std::string("正确"));
+        QCOMPARE(base::tr("right|side of a face"), std::string("right"));
+        QCOMPARE(base::tr("%1 %2|sentences", "甲。", "乙。"), std::string("甲。乙。"));
         setLanguage(Language::English);
     }
 
@@ -258,25 +258,25 @@ private slots:
 
     void textsAreSaidInTheLanguageThatIsSet()
     {
-        QCOMPARE(text::tr("Usage"), std::string("Usage"));
+        QCOMPARE(base::tr("Usage"), std::string("Usage"));
         setLanguage(Language::Chinese);
-        QCOMPARE(text::tr("Usage"), std::string("用法"));
+        QCOMPARE(base::tr("Usage"), std::string("用法"));
         {
             const InEnglish english;
-            QCOMPARE(text::tr("Usage"), std::string("Usage"));
+            QCOMPARE(base::tr("Usage"), std::string("Usage"));
             std::string said;
-            std::thread([&said] { said = text::tr("Usage"); }).join();
+            std::thread([&said] { said = base::tr("Usage"); }).join();
             QCOMPARE(said, std::string("用法"));
         }
-        QCOMPARE(text::tr("Usage"), std::string("用法"));
+        QCOMPARE(base::tr("Usage"), std::string("用法"));
         const std::string unknown = "said by nobody";
-        QCOMPARE(text::tr(unknown), unknown);
+        QCOMPARE(base::tr(unknown), unknown);
         setLanguage(Language::English);
     }
 
     void valuesStandInTheirPlaces()
     {
-        QCOMPARE(text::tr("99 % of %2 are %1", "%2", 7), std::string("99 % of 7 are %2"));
+        QCOMPARE(base::tr("99 % of %2 are %1", "%2", 7), std::string("99 % of 7 are %2"));
         QCOMPARE(filled("%1%3", {"a"}), std::string("a%3"));
         QCOMPARE(filled("%", {"a"}), std::string("%"));
         QCOMPARE(filled("缺少 %1；%2 个 %3", {"宽度", "3", "像素"}), std::string("缺少宽度；3 个像素"));
@@ -377,7 +377,7 @@ private slots:
         QFETCH(int, indent);
         QFETCH(QString, wrapped);
         QCOMPARE(QString::fromStdString(
-                     unprojector::text::wrapped(text.toStdString(), std::size_t(columns), std::size_t(indent))),
+                     unprojector::base::wrapped(text.toStdString(), std::size_t(columns), std::size_t(indent))),
                  wrapped);
     }
 };

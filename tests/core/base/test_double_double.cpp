@@ -2,7 +2,7 @@
 
 #include "tests/support/test.h"
 
-#include "core/geometry/double_double.h"
+#include "core/geometry/numbers.h"
 #include "core/geometry/unit_in_last_place.h"
 #include "tests/support/oracle.h"
 

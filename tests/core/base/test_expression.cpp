@@ -3,14 +3,14 @@
 
 #include "tests/support/test.h"
 
-#include "core/text/expression.h"
+#include "core/base/expression.h"
 
 #include <cmath>
 #include <random>
 #include <string>
 
 using namespace unprojector;
-using namespace unprojector::text;
+using namespace unprojector::base;
 using Code = ExpressionErrorCode;
 
 Q_DECLARE_METATYPE(Code)

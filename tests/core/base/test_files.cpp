@@ -2,7 +2,7 @@
 // system's reason if it fails.
 #include "tests/support/test.h"
 
-#include "core/files/replace_file.h"
+#include "core/base/replace_file.h"
 #include "tests/core/base/file_folder.h"
 
 #include <QDir>
@@ -19,7 +19,7 @@
 #include <unistd.h>
 #endif
 
-using namespace unprojector::files;
+using namespace unprojector::base;
 using namespace written_files;
 
 namespace {

@@ -1,7 +1,7 @@
 // Temporary files during writing: only the user may read them, and none stays behind for ever.
 #include "tests/support/test.h"
 
-#include "core/files/replace_file.h"
+#include "core/base/replace_file.h"
 #include "tests/core/base/file_folder.h"
 
 #include <QDir>
@@ -18,7 +18,7 @@
 #include <sys/stat.h>
 #endif
 
-using namespace unprojector::files;
+using namespace unprojector::base;
 using namespace written_files;
 
 class TestFreshFiles : public QObject {

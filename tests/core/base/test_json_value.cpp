@@ -1,10 +1,10 @@
 #include "tests/support/test.h"
 
-#include "core/text/json_value.h"
+#include "core/base/json_value.h"
 
 #include <nlohmann/json.hpp>
 
-using unprojector::text::JsonValue;
+using unprojector::base::JsonValue;
 using Json = nlohmann::ordered_json;
 
 class TestJsonValue : public QObject {

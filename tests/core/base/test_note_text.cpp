@@ -2,8 +2,8 @@
 
 #include "tests/support/test.h"
 
+#include "core/base/translation.h"
 #include "core/mesh/import/note_text.h"
-#include "core/text/translation.h"
 
 #include <QRegularExpression>
 
@@ -117,10 +117,10 @@ private slots:
         QFETCH(int, kind);
         QFETCH(int, count);
         QFETCH(QByteArray, detail);
-        text::setLanguage(text::Language::Chinese);
+        base::setLanguage(base::Language::Chinese);
         const QString text = QString::fromStdString(
             noteText({static_cast<ModelNote::Kind>(kind), static_cast<std::size_t>(count), detail.toStdString()}));
-        text::setLanguage(text::Language::English);
+        base::setLanguage(base::Language::English);
         static const QRegularExpression words(QStringLiteral("\\b[a-z]{2,}[,;:]? [a-z]{2,}\\b"));
         QVERIFY2(!words.match(text).hasMatch(), qPrintable(text));
         QVERIFY2(count < 2 || text.contains(QString::number(count)) || text.contains(QString::number(count - 1)),

@@ -1,12 +1,12 @@
 // Work on several threads at once.
 #include "tests/support/test.h"
 
-#include "core/threads/parallel.h"
+#include "core/base/parallel.h"
 
 #include <cstddef>
 #include <vector>
 
-using namespace unprojector::threads;
+using namespace unprojector::base;
 
 namespace {
 

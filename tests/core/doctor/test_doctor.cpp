@@ -3,13 +3,13 @@
 // the oracle.
 #include "tests/support/test.h"
 
+#include "core/base/translation.h"
 #include "core/doctor/diagnosis.h"
 #include "core/doctor/mistake_texts.h"
 #include "core/doctor/mistakes.h"
 #include "core/doctor/remedies.h"
 #include "core/doctor/verdict_texts.h"
 #include "core/geometry/transform.h"
-#include "core/text/translation.h"
 #include "core/unproject/exact_unprojection.h"
 #include "core/unproject/unprojector.h"
 #include "tests/core/doctor/doctor_oracle.h"
@@ -571,11 +571,11 @@ private slots:
         }
         QVERIFY(ways.size() > 50);
         QCOMPARE(mistakeName("y-not-flipped+no-w-divide"), std::string("y not flipped + not divided by w"));
-        QCOMPARE(waysText({{text::marked("ratio %1"), "1.5"}, {text::marked("x only")}}),
+        QCOMPARE(waysText({{base::marked("ratio %1"), "1.5"}, {base::marked("x only")}}),
                  std::string("ratio 1.5; x only"));
         QCOMPARE(waysText({{nullptr, "16:9"}}), std::string("16:9"));
 
-        text::setLanguage(text::Language::Chinese);
+        base::setLanguage(base::Language::Chinese);
         for (const std::string &id : mistakeIds()) {
             const Remedy &remedy = remedyOf(id);
             QVERIFY2(mistakeName(id) != remedy.name && !hasEnglish(mistakeName(id)), id.c_str());
@@ -583,11 +583,11 @@ private slots:
         }
         for (const VariantName &way : ways) {
             const std::string said = waysText({way});
-            QVERIFY2(way.words == nullptr || (text::tr(way.words) != way.words && !hasEnglish(said)), said.c_str());
+            QVERIFY2(way.words == nullptr || (base::tr(way.words) != way.words && !hasEnglish(said)), said.c_str());
         }
-        QCOMPARE(waysText({{text::marked("ratio %1"), "1.5"}, {text::marked("x only")}}),
+        QCOMPARE(waysText({{base::marked("ratio %1"), "1.5"}, {base::marked("x only")}}),
                  std::string("像素比 1.5；只有 x"));
-        text::setLanguage(text::Language::English);
+        base::setLanguage(base::Language::English);
     }
 
     void badInputIsRefused()

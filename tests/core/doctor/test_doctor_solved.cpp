@@ -2,11 +2,11 @@
 
 #include "tests/support/test.h"
 
+#include "core/base/translation.h"
 #include "core/doctor/diagnosis.h"
 #include "core/doctor/mistake_texts.h"
 #include "core/doctor/verdict_texts.h"
 #include "core/doctor/written_value.h"
-#include "core/text/translation.h"
 #include "tests/core/doctor/doctor_lines.h"
 #include "tests/support/doctor_bar.h"
 #include "tests/support/wrong_values.h"

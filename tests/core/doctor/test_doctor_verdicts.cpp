@@ -2,12 +2,12 @@
 // are computed apart from this program, as in test_doctor, or by the oracle.
 #include "tests/support/test.h"
 
+#include "core/base/translation.h"
 #include "core/doctor/diagnosis.h"
 #include "core/doctor/mesh_vertices.h"
 #include "core/doctor/mistake_texts.h"
 #include "core/doctor/verdict_texts.h"
 #include "core/geometry/transform.h"
-#include "core/text/translation.h"
 #include "tests/core/doctor/doctor_oracle.h"
 #include "tests/support/mesh_model.h"
 
@@ -411,17 +411,17 @@ private slots:
             candidate.shared = shared;
             const std::string english = alikeSentence(candidate);
             QVERIFY(english.find("cannot be separated") != std::string::npos);
-            text::setLanguage(text::Language::Chinese);
+            base::setLanguage(base::Language::Chinese);
             const std::string chinese = alikeSentence(candidate);
-            text::setLanguage(text::Language::English);
+            base::setLanguage(base::Language::English);
             QVERIFY2(chinese != english && chinese.find("told") == std::string::npos, chinese.c_str());
         }
         for (const Kind kind : {Kind::Eye, Kind::ViewTranslation, Kind::CameraCentre, Kind::WorldOrigin,
                                 Kind::ObjectOrigin, Kind::Vertex}) {
             const std::vector<KnownPoint> one{{kind, glm::dvec3(0.0), "cube", 5}};
-            text::setLanguage(text::Language::Chinese);
+            base::setLanguage(base::Language::Chinese);
             const std::string chinese = knownPointSentence(one);
-            text::setLanguage(text::Language::English);
+            base::setLanguage(base::Language::English);
             QVERIFY2(chinese.find("the ") == std::string::npos && chinese.find("Usually") == std::string::npos,
                      chinese.c_str());
         }

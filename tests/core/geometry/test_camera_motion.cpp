@@ -3,8 +3,8 @@
 
 #include "tests/support/test.h"
 
-#include "core/geometry/angle.h"
 #include "core/geometry/camera_motion.h"
+#include "core/geometry/numbers.h"
 #include "tests/support/is_near.h"
 
 #include <glm/geometric.hpp>

@@ -2,9 +2,9 @@
 
 #include "tests/support/test.h"
 
-#include "core/geometry/angle.h"
 #include "core/geometry/camera_motion.h"
 #include "core/geometry/framing.h"
+#include "core/geometry/numbers.h"
 #include "core/scene/scene.h"
 
 #include <glm/geometric.hpp>

@@ -3,8 +3,8 @@
 
 #include "tests/support/test.h"
 
-#include "core/geometry/angle.h"
 #include "core/geometry/framing.h"
+#include "core/geometry/numbers.h"
 #include "core/geometry/observer_camera.h"
 #include "core/geometry/view_volume.h"
 #include "tests/support/is_near.h"

@@ -377,7 +377,7 @@ private slots:
     {
         QFETCH(Format, format);
         LandmarkSet set{
-            "skull 7", "skull.ply", "mm", Axes::Lps, {}, {}, {}, 1, text::JsonValue(Json{{"more", {1, 2}}})};
+            "skull 7", "skull.ply", "mm", Axes::Lps, {}, {}, {}, 1, base::JsonValue(Json{{"more", {1, 2}}})};
         Landmark full{"N",
                       WorldPoint(1, 9999, 3),
                       Absence::NotPlaced,
@@ -387,7 +387,7 @@ private slots:
                       "worn",
                       glm::u8vec3(1, 2, 3),
                       true,
-                      text::JsonValue(Json{{"sex", "f"}, {"code", "007"}})};
+                      base::JsonValue(Json{{"sex", "f"}, {"code", "007"}})};
         Landmark missing;
         missing.name = "gone";
         set.landmarks = {full, missing};

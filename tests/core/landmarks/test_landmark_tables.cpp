@@ -89,8 +89,8 @@ private slots:
         set.landmarks[0].name = set.landmarks[0].note = set.landmarks[0].object = name.toStdString();
         set.landmarks[0].world = WorldPoint(-1, 2, 3);
         set.landmarks[0].extra.edit()["=" + name.toStdString()] = "kept";
-        for (const auto &[texts, cell] : {std::pair(unprojector::text::CellTexts::AsTheyAre, plain),
-                                          std::pair(unprojector::text::CellTexts::SpreadsheetSafe, safe)}) {
+        for (const auto &[texts, cell] : {std::pair(unprojector::base::CellTexts::AsTheyAre, plain),
+                                          std::pair(unprojector::base::CellTexts::SpreadsheetSafe, safe)}) {
             const auto csv = landmarksText({&set, 1}, Format::Csv, texts);
             QVERIFY(csv);
             QCOMPARE(QByteArray::fromStdString(csv->text).split('\n')[1],

@@ -369,7 +369,7 @@ private slots:
         QVERIFY2(why.contains("projection.near"), why.constData());
         // A missing member cannot be set: a result without a change must not pass for the answer.
         const auto unknown = settingsWith(
-            scene, setup, text::JsonValue(nlohmann::ordered_json::parse(R"({"projection": {"left": 1}})")));
+            scene, setup, base::JsonValue(nlohmann::ordered_json::parse(R"({"projection": {"left": 1}})")));
         QVERIFY(!unknown);
         QCOMPARE(QByteArray::fromStdString(unknown.error().text), QByteArray("set: there is no projection.left"));
     }

@@ -176,7 +176,7 @@ private slots:
                         Scene scene = opened;
                         scene.givenPoint = before;
                         const Surface surface{800, 600, 1.0};
-                        const text::JsonValue &change = step.changes.at(to);
+                        const base::JsonValue &change = step.changes.at(to);
                         const auto changed = settingsWith(scene, *setupOf(scene, surface, {}), change);
                         QVERIFY2(changed, changed ? "" : changed.error().text.c_str());
                         static_cast<SceneSettings &>(scene) = *changed;

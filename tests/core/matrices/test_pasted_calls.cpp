@@ -3,7 +3,7 @@
 
 #include "tests/support/test.h"
 
-#include "core/geometry/angle.h"
+#include "core/geometry/numbers.h"
 #include "core/matrices/matrix_paste.h"
 #include "core/matrices/pasted_calls.h"
 

@@ -3,9 +3,9 @@
 
 #include "tests/support/test.h"
 
+#include "core/geometry/error_text.h"
 #include "core/geometry/matrix_projection.h"
 #include "core/geometry/view_matrix.h"
-#include "core/text/error_text.h"
 #include "tests/support/core_scene.h"
 
 #include <glm/matrix.hpp>
@@ -147,7 +147,7 @@ private slots:
             notOne += exactView[3][3] != 1.0;
             const glm::dmat4 view = printed(exactView, format.constData(), digits);
             const Result<double> off = axesOff(view);
-            QVERIFY2(off, off ? "" : text::errorText(off.error()).c_str());
+            QVERIFY2(off, off ? "" : geometry::errorText(off.error()).c_str());
 
             const glm::dmat4 m = clipFromEye(oracle::coreProjection(scene.projection)).value();
             const oracle::Oracle exact(columns(view), columns(m), scene.target, false);
@@ -210,7 +210,7 @@ private slots:
         const Result<double> off = axesOff(view);
         QVERIFY(!off);
         QVERIFY(off.error().code == ErrorCode::ViewNotRigid);
-        QCOMPARE(QByteArray::fromStdString(text::errorText(off.error())),
+        QCOMPARE(QByteArray::fromStdString(geometry::errorText(off.error())),
                  "the view matrix is not rotation + translation: " + text);
         QVERIFY(!worldFromEye(view, EyePoint(1, 2, -3)));
     }
@@ -242,7 +242,7 @@ private slots:
             }
             const glm::dmat4 twice = inverted(inverted(m, Arithmetic(arithmetic)), Arithmetic(arithmetic));
             const Result<RecognisedProjection> found = recognised({twice, NdcDepth::MinusOneToOne});
-            QVERIFY2(found, found ? "" : text::errorText(found.error()).c_str());
+            QVERIFY2(found, found ? "" : geometry::errorText(found.error()).c_str());
             const auto *frustum = std::get_if<Frustum>(&found->parameters);
             QVERIFY(frustum);
             const double tolerance = single ? 1e-3 : 1e-11;

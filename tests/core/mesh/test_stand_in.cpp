@@ -3,7 +3,7 @@
 #include "tests/support/test.h"
 
 #include "core/examples/solids.h"
-#include "core/geometry/angle.h"
+#include "core/geometry/numbers.h"
 #include "core/mesh/stand_in.h"
 #include "tests/support/mesh_model.h"
 

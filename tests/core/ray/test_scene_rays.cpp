@@ -2,7 +2,7 @@
 
 #include "tests/support/test.h"
 
-#include "core/geometry/angle.h"
+#include "core/geometry/numbers.h"
 #include "core/geometry/view_matrix.h"
 #include "core/ray/scene_rays.h"
 #include "tests/core/ray/ray_meshes.h"

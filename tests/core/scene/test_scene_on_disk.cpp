@@ -15,7 +15,7 @@
 #endif
 
 using namespace unprojector::scene_file;
-using namespace unprojector::files;
+using namespace unprojector::base;
 using namespace scene_texts;
 
 namespace {

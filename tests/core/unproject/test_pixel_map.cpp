@@ -1,7 +1,7 @@
 // Maps: a number for each pixel, which equals the one of a click there.
 #include "tests/support/test.h"
 
-#include "core/geometry/angle.h"
+#include "core/geometry/numbers.h"
 #include "core/maps/pixel_map.h"
 #include "core/ray/drawn_surface.h"
 #include "core/unproject/pick.h"

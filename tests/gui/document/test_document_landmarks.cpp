@@ -588,7 +588,7 @@ private slots:
         QVERIFY(std::abs(ray::edgeOf(read->sets[0].landmarks[0])->behind - edge->behind) < 1e-9);
         QVERIFY(document.sceneLandmarks().move(0, inside));
         QVERIFY(!ray::edgeOf(document.landmarks()[0]));
-        QVERIFY(document.landmarks()[0].extra == text::JsonValue());
+        QVERIFY(document.landmarks()[0].extra == base::JsonValue());
     }
 
     void aDepthWithoutAMeshIsFree()

@@ -3,8 +3,8 @@
 #include "tests/support/test.h"
 
 #include "core/examples/bundled_scene.h"
-#include "core/geometry/angle.h"
 #include "core/geometry/drawable.h"
+#include "core/geometry/numbers.h"
 #include "core/geometry/view_volume.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/picks.h"

@@ -3,7 +3,7 @@
 
 #include "tests/support/test.h"
 
-#include "core/geometry/angle.h"
+#include "core/geometry/numbers.h"
 #include "gui/parameters/digit_step.h"
 #include "gui/parameters/number_field.h"
 #include "tests/support/patience.h"

@@ -5,7 +5,7 @@
 #include "tests/gui/document_edits.h"
 #include "tests/gui/pipeline/pipeline_figures.h"
 
-#include "core/text/expression.h"
+#include "core/base/expression.h"
 #include "gui/document/camera_looks.h"
 #include "gui/pipeline/entry_derivation.h"
 #include "gui/pipeline/pipeline_panel.h"
@@ -32,7 +32,7 @@ QString derivation(const SceneDocument &document, const PipelineModel &model, Sp
 double valueOf(QString terms)
 {
     terms.replace(u'·', u'*');
-    const auto value = text::evaluate(terms.toStdString());
+    const auto value = base::evaluate(terms.toStdString());
     return value ? *value : std::nan("");
 }
 
