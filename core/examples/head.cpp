@@ -1,4 +1,4 @@
-#include "core/examples/head.h"
+#include "core/examples/solids.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

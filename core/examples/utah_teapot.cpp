@@ -1,6 +1,9 @@
-#include "core/examples/utah_teapot.h"
+#include "core/base/resource.h"
+#include "core/examples/solids.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <nlohmann/json.hpp>
 
 #include <cassert>
 #include <cstddef>
@@ -9,104 +12,6 @@ namespace unprojector::examples {
 using namespace mesh;
 
 namespace {
-
-// The published list is redundant: six bands are rotated around the axis by quarters, and the spout
-// and the handle are mirror images of their own halves. This is the rest.
-
-/// One ring of control points. A quarter of it runs (radius, 0), (radius, bend), (bend, radius),
-/// (0, radius).
-struct Ring {
-    double radius;
-    double height;
-    double bend;
-};
-
-/// One cross-section of half a tube: control points on two sides of the mirror plane's width.
-struct Section {
-    double innerX, innerHeight;
-    double outerX, outerHeight;
-    double halfWidth;
-};
-
-using Band = std::array<Ring, 4>;
-using Half = std::array<Section, 4>;
-
-constexpr Band kRim{{{1.4, 2.4, 0.784}, {1.3375, 2.53125, 0.749}, {1.4375, 2.53125, 0.805}, {1.5, 2.4, 0.84}}};
-constexpr Band kUpperBody{{{1.5, 2.4, 0.84}, {1.75, 1.875, 0.98}, {2.0, 1.35, 1.12}, {2.0, 0.9, 1.12}}};
-constexpr Band kLowerBody{{{2.0, 0.9, 1.12}, {2.0, 0.45, 1.12}, {1.5, 0.225, 0.84}, {1.5, 0.15, 0.84}}};
-constexpr Band kKnob{{{0.0, 3.15, 0.0}, {0.8, 3.15, 0.45}, {0.0, 2.85, 0.0}, {0.2, 2.7, 0.112}}};
-constexpr Band kLid{{{0.2, 2.7, 0.112}, {0.4, 2.55, 0.224}, {1.3, 2.55, 0.728}, {1.3, 2.4, 0.728}}};
-constexpr Band kBottom{{{0.0, 0.0, 0.0}, {1.425, 0.0, 0.798}, {1.5, 0.075, 0.84}, {1.5, 0.15, 0.84}}};
-
-constexpr Half kUpperHandle{{{-1.6, 2.025, -1.5, 2.25, 0.3},
-                             {-2.3, 2.025, -2.5, 2.25, 0.3},
-                             {-2.7, 2.025, -3.0, 2.25, 0.3},
-                             {-2.7, 1.8, -3.0, 1.8, 0.3}}};
-constexpr Half kLowerHandle{{{-2.7, 1.8, -3.0, 1.8, 0.3},
-                             {-2.7, 1.575, -3.0, 1.35, 0.3},
-                             {-2.5, 1.125, -2.65, 0.9375, 0.3},
-                             {-2.0, 0.9, -1.9, 0.6, 0.3}}};
-constexpr Half kSpout{{{1.7, 1.425, 1.7, 0.6, 0.66},
-                       {2.6, 1.425, 3.1, 0.825, 0.66},
-                       {2.3, 2.1, 2.4, 2.025, 0.25},
-                       {2.7, 2.4, 3.3, 2.4, 0.25}}};
-constexpr Half kSpoutMouth{{{2.7, 2.4, 3.3, 2.4, 0.25},
-                            {2.8, 2.475, 3.525, 2.49375, 0.25},
-                            {2.9, 2.475, 3.45, 2.5125, 0.15},
-                            {2.8, 2.4, 3.2, 2.4, 0.15}}};
-
-/// Rotates a quarter turn from +x to +z.
-glm::dvec3 turned(const glm::dvec3 &point)
-{
-    return {-point.z, point.y, point.x};
-}
-
-glm::dvec3 mirrored(const glm::dvec3 &point)
-{
-    return {point.x, point.y, -point.z};
-}
-
-/// Adds four patches around the axis. The bands run downwards and outwards, so that turning from +x
-/// to +z makes the normals point out. The bottom runs outwards and up and must turn the other way.
-void addBand(std::vector<BezierPatch> &patches, const Band &band, bool backwards = false)
-{
-    BezierPatch patch;
-    for (std::size_t v = 0; v < 4; ++v) {
-        const auto [radius, height, bend] = band[v];
-        patch[v] = {{{radius, height, 0.0}, {radius, height, bend}, {bend, height, radius}, {0.0, height, radius}}};
-    }
-    for (int quarter = 0; quarter < 4; ++quarter) {
-        BezierPatch &added = patches.emplace_back(patch);
-        for (auto &row : patch) {
-            for (auto &point : row)
-                point = turned(point);
-        }
-        if (!backwards)
-            continue;
-        for (auto &row : added) {
-            for (auto &point : row)
-                point = mirrored(point);
-        }
-    }
-}
-
-/// Adds half a tube with z > 0, and its mirror image.
-void addTube(std::vector<BezierPatch> &patches, const Half &half)
-{
-    BezierPatch front;
-    BezierPatch back;
-    for (std::size_t v = 0; v < 4; ++v) {
-        const Section &s = half[v];
-        front[v] = {{{s.innerX, s.innerHeight, 0.0},
-                     {s.innerX, s.innerHeight, s.halfWidth},
-                     {s.outerX, s.outerHeight, s.halfWidth},
-                     {s.outerX, s.outerHeight, 0.0}}};
-        for (std::size_t u = 0; u < 4; ++u)
-            back[v][u] = mirrored(front[v][3 - u]);
-    }
-    patches.push_back(front);
-    patches.push_back(back);
-}
 
 /// The cubic Bernstein polynomials at t, exact at 0 and 1, where patches that share an edge must
 /// agree.
@@ -176,18 +81,14 @@ void addPatch(Mesh &mesh, const BezierPatch &patch, int divisions)
 
 std::vector<BezierPatch> utahTeapotPatches()
 {
+    const auto json = nlohmann::json::parse(base::resource("examples/utah_teapot.json"));
+    const auto points = json.at("points").get<std::vector<std::array<double, 3>>>();
     std::vector<BezierPatch> patches;
-    patches.reserve(32);
-    addBand(patches, kRim);
-    addBand(patches, kUpperBody);
-    addBand(patches, kLowerBody);
-    addTube(patches, kUpperHandle);
-    addTube(patches, kLowerHandle);
-    addTube(patches, kSpout);
-    addTube(patches, kSpoutMouth);
-    addBand(patches, kKnob);
-    addBand(patches, kLid);
-    addBand(patches, kBottom, true);
+    for (const auto &indices : json.at("patches").get<std::vector<std::array<std::size_t, 16>>>()) {
+        BezierPatch &patch = patches.emplace_back();
+        for (std::size_t i = 0; i < indices.size(); ++i)
+            patch[i / 4][i % 4] = glm::make_vec3(points.at(indices[i]).data());
+    }
     return patches;
 }
 

@@ -122,20 +122,6 @@ StepPoint readPoint(LessonReader &reader, const JsonNode &node)
     return point;
 }
 
-/// The scene document of one of the program's own examples.
-std::optional<Json> bundledDocument(const std::string &name)
-{
-    const std::vector<examples::Example> all = examples::examples();
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&name](const examples::Example &example) { return example.id == name; });
-    if (found == all.end())
-        return std::nullopt;
-    constexpr Surface kSurface{800, 600, 1.0};
-    const Result<Setup> setup = scene::setupOf(found->scene, kSurface, {});
-    const auto text = setup ? sceneText(sceneFileFrom(found->scene, *setup, {})) : std::string();
-    return text && !text->empty() ? std::optional(Json::parse(*text)) : std::nullopt;
-}
-
 /// @param document  of the previous step, null for the first
 void readScene(LessonReader &reader, const JsonNode &node, Json &document)
 {
@@ -143,8 +129,8 @@ void readScene(LessonReader &reader, const JsonNode &node, Json &document)
     if (whole.exists() && change.exists())
         reader.fail(node, "has a \"scene\" and a \"change\"; there may be one of both");
     else if (whole.exists() && whole.json().is_string()) {
-        if (auto bundled = bundledDocument(whole.text()))
-            document = std::move(*bundled);
+        if (const std::string_view example = examples::exampleScene(whole.text()); !example.empty())
+            document = Json::parse(example);
         else
             reader.fail(whole, "the program brings along no scene \"" + whole.text() + "\"");
     } else if (whole.exists())

@@ -30,7 +30,7 @@
 ///       "title": "Modelview",
 ///       "text": ["A paragraph …", "…"],        a little HTML, links and statements, see below
 ///       "source": "Zhang Ci, figure 2.7",      optional
-///       "scene": "zhangci-model-view",         one of scene::examples(), or a scene document as in
+///       "scene": "zhangci-model-view",         one of examples::kExamples, or a scene document as in
 ///                                              scene_file.h
 ///       "change": {"projection": {"near": 2}}, or, instead: merged into the previous step's
 ///                                              scene (RFC 7396)
@@ -94,7 +94,7 @@ struct Step {
     std::string title;
     std::vector<std::string> text; ///< paragraphs
     std::string source;            ///< may be empty
-    base::JsonValue scene;         ///< the whole document, or the name of one of scene::examples()
+    base::JsonValue scene;         ///< the whole document, or the name of one of examples::kExamples
     std::optional<glm::ivec2> view;
     std::optional<Workspace> workspace; ///< empty: any
     std::vector<Panel> panels;

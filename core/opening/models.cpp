@@ -2,7 +2,7 @@
 
 #include "core/base/path_text.h"
 #include "core/base/translation.h"
-#include "core/examples/bundled_models.h"
+#include "core/examples/examples.h"
 #include "core/mesh/import/import_error_text.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "gui/document/session.h"
 
-#include "core/examples/bundled_scene.h"
+#include "core/examples/examples.h"
 #include "core/scene_file/scene_error_text.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/landmark_files.h"

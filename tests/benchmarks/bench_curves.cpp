@@ -8,7 +8,7 @@
 //   bench_curves --head [--whole] n
 
 #include "core/curves/surface_path.h"
-#include "core/examples/head.h"
+#include "core/examples/solids.h"
 #include "tests/support/cube_sphere.h"
 
 #include <algorithm>

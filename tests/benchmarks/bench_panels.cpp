@@ -1,7 +1,7 @@
 // The processor time of the panels when the mouse moves: all of them shown, their update and their
 // painting. The limit is 1 ms a move, together; `of_limit` is the share of it.
 
-#include "core/examples/bundled_scene.h"
+#include "core/examples/examples.h"
 #include "core/geometry/camera_motion.h"
 #include "gui/click/comparison_panel.h"
 #include "gui/document/camera_looks.h"

@@ -2,7 +2,7 @@
 // and its time a pixel.
 //   bench_pixel_edges [model files …]; the bundled head and a sphere without any
 
-#include "core/examples/bundled_models.h"
+#include "core/examples/examples.h"
 #include "core/opening/models.h"
 #include "tests/support/cube_sphere.h"
 #include "tests/support/edge_rates.h"

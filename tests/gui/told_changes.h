@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/examples/bundled_scene.h"
+#include "core/examples/examples.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/examples/examples.h"
 #include "core/geometry/setup.h"
 #include "core/matrices/pipeline.h"
 #include "core/ray/scene_rays.h"
+#include "tests/support/example_scene.h"
 #include "tests/support/mesh_model.h"
 #include "tests/support/unprojecting.h"
 
@@ -28,21 +28,11 @@ constexpr double kRounding = 1e-12;
 constexpr double kRoundTrip = 1e-10;
 constexpr double kRightAngle = std::numbers::pi / 2.0;
 
-inline const Scene &exampleScene(const char *id)
-{
-    static const std::vector<unprojector::examples::Example> all = unprojector::examples::examples();
-    const auto found =
-        std::find_if(all.begin(), all.end(), [id](const unprojector::examples::Example &e) { return e.id == id; });
-    if (found == all.end())
-        qFatal("There is no example %s.", id);
-    return found->scene;
-}
-
 /// The pipeline of an example's first object, in a window as large as the original's: the Pipeline
 /// panel shows it.
 inline unprojector::matrices::Pipeline pipelineOf(const char *id)
 {
-    const Scene &scene = exampleScene(id);
+    const Scene &scene = sceneOfExample(id);
     return unprojector::matrices::pipeline(setupOf(scene, {800, 600, 1.0}, {}).value(),
                                            worldFromObject(scene.objects.at(0).transform))
         .value();

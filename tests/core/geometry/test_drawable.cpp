@@ -2,7 +2,7 @@
 // names the value.
 #include "tests/support/test.h"
 
-#include "core/examples/bundled_scene.h"
+#include "core/examples/examples.h"
 #include "core/geometry/drawable.h"
 #include "core/scene/scene.h"
 

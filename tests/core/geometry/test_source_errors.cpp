@@ -217,7 +217,7 @@ void errorsOfProjectionDerivation(Errata &errors)
                    widthOverHeight("derivation-perspective"), 16.0 / 9.0, widthOverHeight(id));
     const auto degrees = [](double tangentOfHalf) { return 2.0 * std::atan(tangentOfHalf) * 180.0 / std::numbers::pi; };
     const double angleH = 90, angleV = degrees(std::tan(kRightAngle / 2.0) * 600.0 / 800.0); // as the program has them
-    const auto frustum = std::get<Frustum>(*exampleScene("derivation-frustum").projection);
+    const auto frustum = std::get<Frustum>(*sceneOfExample("derivation-frustum").projection);
     errors.add("error-derivation-three", "the horizontal angle, called H", angleH, degrees(0.75),
                degrees(frustum.right / frustum.nearDistance));
     errors.add("error-derivation-three", "the vertical angle, called V", angleV, 90,
@@ -291,7 +291,7 @@ void errorsOfParallelProjection(Errata &errors)
                }());
     const double size = 4.5;
     errors.add("error-parallel-size", "SIZE", size, static_cast<int>(size),
-               double(exampleScene("parallel-orthographic").objects.at(0).model->bounds.highest.x));
+               double(sceneOfExample("parallel-orthographic").objects.at(0).model->bounds.highest.x));
 
     const int n = 2, f = 9, quotient = -(n + f) / (f - n); // as its shader has them
     errors.add("error-parallel-integers", "m[14]", quotient, -11.0 / 7.0, element(ortho, 14));

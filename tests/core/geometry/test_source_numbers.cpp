@@ -76,7 +76,7 @@ void matrix(const std::string &place, const std::array<const char *, Count> &pri
 void vertices(const std::string &place, const char *example, const std::vector<std::vector<const char *>> &printed,
               const std::vector<std::size_t> &indices)
 {
-    const std::vector<glm::vec3> &corners = exampleScene(example).objects.at(0).model->meshes.at(0).positions;
+    const std::vector<glm::vec3> &corners = sceneOfExample(example).objects.at(0).model->meshes.at(0).positions;
     if (corners.size() != indices.size())
         qFatal("%s has %zu corners and not %zu.", example, corners.size(), indices.size());
     for (std::size_t k = 0; k < indices.size(); ++k)
@@ -96,7 +96,7 @@ void zhangciInThePlane()
               forward(plane, PipelineStage::ViewMatrix));
     matrix<9>("zhangci 2.1 M", {"-1", "0", "-1", "0", "-1", "-1", "0", "0", "1"},
               forward(plane, PipelineStage::ModelviewMatrix));
-    const PipelinePoints points = pointsFrom(plane, exampleScene("zhangci-2d").givenPoint.value());
+    const PipelinePoints points = pointsFrom(plane, sceneOfExample("zhangci-2d").givenPoint.value());
     rows("zhangci 2.1 the point in MC", {"1", "1"}, glm::dvec4(points.object->coordinates(), 1.0));
     rows("zhangci 2.1 the point in WC", {"3", "4"}, glm::dvec4(points.world->coordinates(), 1.0));
     rows("zhangci 2.1 the point in VC", {"-2", "-2"}, glm::dvec4(points.eye->coordinates(), 1.0));
@@ -144,7 +144,7 @@ void zhangciInSpace()
 
     // Its depth is among the errors.
     const PipelinePoints middle =
-        pointsFrom(pipelineOf("zhangci-viewport-50"), exampleScene("zhangci-viewport-50").givenPoint.value());
+        pointsFrom(pipelineOf("zhangci-viewport-50"), sceneOfExample("zhangci-viewport-50").givenPoint.value());
     rows("zhangci 2.3 the NDC", {"0", "0", "0.5"}, glm::dvec4(middle.ndc->coordinates(), 1.0));
     rows("zhangci 2.3 in a window of 50 x 50", {"25", "25"}, glm::dvec4(middle.window->coordinates(), 1.0));
     for (const auto &[printed, ndc] : {std::pair("0", -1.0), std::pair("1", 1.0)})
@@ -211,7 +211,7 @@ void projectionDerivation()
 void openCascade()
 {
     const PipelinePoints points =
-        pointsFrom(pipelineOf("opencascade-round-trip"), exampleScene("opencascade-round-trip").givenPoint.value());
+        pointsFrom(pipelineOf("opencascade-round-trip"), sceneOfExample("opencascade-round-trip").givenPoint.value());
     rows("opencascade fig 4.1, in the world", {"0", "0", "0"}, glm::dvec4(points.world->coordinates(), 1.0));
     rows("opencascade fig 4.1, on the screen", {"150", "150"}, glm::dvec4(points.window->coordinates(), 1.0));
     const glm::dmat4 viewport = windowFromNdc(Viewport{0, 0, 300, 300}, DepthRange{});

@@ -1,8 +1,7 @@
 #include "tests/support/test.h"
 
-#include "core/examples/bundled_scene.h"
+#include "core/examples/examples.h"
 #include "core/examples/solids.h"
-#include "core/examples/utah_teapot.h"
 
 #include "tests/core/mesh/mesh_measures.h"
 

@@ -2,7 +2,7 @@
 
 #include "tests/support/test.h"
 
-#include "core/examples/head.h"
+#include "core/examples/solids.h"
 
 #include "tests/core/mesh/mesh_measures.h"
 

@@ -3,7 +3,7 @@
 
 #include "tests/support/test.h"
 
-#include "core/examples/bundled_scene.h"
+#include "core/examples/examples.h"
 #include "core/matrices/matrix_entry_name.h"
 #include "core/matrices/matrix_format.h"
 #include "core/matrices/pipeline.h"

@@ -2,7 +2,7 @@
 
 #include "tests/support/test.h"
 
-#include "core/examples/bundled_models.h"
+#include "core/examples/examples.h"
 #include "core/ray/pixel_edge.h"
 #include "tests/core/ray/ray_meshes.h"
 #include "tests/support/cube_sphere.h"

@@ -4,7 +4,7 @@
 #include "tests/support/test.h"
 
 #include "core/curves/curve_line.h"
-#include "core/examples/bundled_models.h"
+#include "core/examples/examples.h"
 #include "core/ray/closest_place.h"
 #include "tests/core/ray/ray_meshes.h"
 #include "tests/support/cube_sphere.h"

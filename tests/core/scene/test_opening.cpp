@@ -2,7 +2,7 @@
 
 #include "tests/support/test.h"
 
-#include "core/examples/bundled_models.h"
+#include "core/examples/examples.h"
 #include "core/opening/models.h"
 
 #include <QTemporaryDir>

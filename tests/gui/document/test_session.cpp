@@ -2,7 +2,7 @@
 
 #include "tests/support/test.h"
 
-#include "core/examples/bundled_scene.h"
+#include "core/examples/examples.h"
 #include "tests/gui/document/session_desk.h"
 #include "tests/support/patience.h"
 

@@ -2,7 +2,7 @@
 
 #include "tests/support/test.h"
 
-#include "core/examples/bundled_scene.h"
+#include "core/examples/examples.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"

@@ -2,7 +2,7 @@
 
 #include "tests/support/test.h"
 
-#include "core/examples/bundled_scene.h"
+#include "core/examples/examples.h"
 #include "core/geometry/drawable.h"
 #include "core/geometry/numbers.h"
 #include "core/geometry/view_volume.h"

@@ -3,7 +3,6 @@
 
 #include "tests/support/test.h"
 
-#include "core/examples/examples.h"
 #include "core/geometry/api_conventions.h"
 #include "gui/document/scene_document.h"
 #include "gui/lessons/formulas_window.h"
@@ -11,6 +10,7 @@
 #include "gui/shell/appearance.h"
 #include "gui/text/formula_markup.h"
 #include "tests/support/errata.h"
+#include "tests/support/example_scene.h"
 #include "tests/support/patience.h"
 
 #include <QFile>
@@ -114,10 +114,7 @@ private slots:
         QFETCH(double, expected);
         SceneDocument document;
         document.setSurface({900, 600, 1.0});
-        for (const examples::Example &example : examples::examples()) {
-            if (example.id == id.toStdString())
-                QVERIFY(document.open(example.scene));
-        }
+        QVERIFY(document.open(sceneOfExample(id.toStdString())));
         PipelineModel model(document);
         model.setObject(0);
         model.update();

@@ -5,7 +5,7 @@
 
 #include "tests/gui/text/language_user.h"
 
-#include "core/examples/bundled_models.h"
+#include "core/examples/examples.h"
 #include "core/scene_file/scene_file.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/scene_edits.h"

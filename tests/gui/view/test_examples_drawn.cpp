@@ -3,15 +3,14 @@
 
 #include "tests/support/test.h"
 
-#include "core/examples/examples.h"
 #include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/view/scene_view.h"
+#include "tests/support/example_scene.h"
 #include "tests/support/patience.h"
 
 #include <glm/geometric.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 using namespace unprojector;
@@ -21,15 +20,6 @@ using namespace unprojector::scene;
 using namespace unprojector::unproject;
 
 namespace {
-
-const examples::Example &example(const std::string &id)
-{
-    static const std::vector<examples::Example> all = examples::examples();
-    const auto found = std::find_if(all.begin(), all.end(), [&id](const examples::Example &e) { return e.id == id; });
-    if (found == all.end())
-        qFatal("There is no example %s.", id.c_str());
-    return *found;
-}
 
 /// A document and its view on the screen.
 struct Stage {
@@ -59,8 +49,8 @@ private slots:
     void everyExampleShowsItsObjects_data()
     {
         addColumn<QString>("id");
-        for (const examples::Example &e : examples::examples())
-            newRow(e.id.c_str()) << QString::fromStdString(e.id);
+        for (const std::string_view id : examples::kExamples)
+            newRow(id.data()) << QString::fromLatin1(id.data());
     }
 
     void everyExampleShowsItsObjects()
@@ -68,7 +58,7 @@ private slots:
         QFETCH(QString, id);
         Stage stage;
         QVERIFY(QTest::qWaitForWindowExposed(&stage.view, kPatienceMilliseconds));
-        Scene scene = example(id.toStdString()).scene;
+        Scene scene = sceneOfExample(id.toStdString());
         const QImage shown = stage.picture(scene);
         // The clip plane removes all objects; ground and axes stay.
         scene.clipPlanes = {glm::dvec4(0.0, 0.0, 1.0, -1e6)};
@@ -107,7 +97,7 @@ private slots:
         QFETCH(double, z);
         Stage stage;
         QVERIFY(QTest::qWaitForWindowExposed(&stage.view, kPatienceMilliseconds));
-        QVERIFY(!stage.picture(example(id.toStdString()).scene).isNull());
+        QVERIFY(!stage.picture(sceneOfExample(id.toStdString())).isNull());
         const WorldPoint expected(x, y, z);
         const Setup &setup = stage.document.setup();
         const Result<WindowPoint> window = windowFromWorld(setup, expected);
@@ -131,7 +121,7 @@ private slots:
     {
         Stage stage;
         QVERIFY(QTest::qWaitForWindowExposed(&stage.view, kPatienceMilliseconds));
-        Scene scene = example("zhangci-viewport-quarter").scene;
+        Scene scene = sceneOfExample("zhangci-viewport-quarter");
         scene.viewport = {};
         const auto color = [&](const glm::dvec3 &factors) {
             scene.objects.at(0).transform = {Scale{factors}};
