@@ -100,8 +100,10 @@ glm::dvec3 surfaceTowards(const glm::dvec3 &direction)
     p.z += inFront * (forehead + jaw);
     const double temple = 0.05 * bell(p.y - 0.25, p.z - 0.45, 0.2, 0.2) * std::min(1.0, std::abs(p.x) / 0.3);
     p.x -= outwards(temple);
-    p.z += inFront * faceHeight(p.x, p.y);
-    p.x += outwards(atSide * earHeight(p.y, p.z));
+    if (inFront > 0.0) // computing the face takes most of the time
+        p.z += inFront * faceHeight(p.x, p.y);
+    if (atSide > 0.0)
+        p.x += outwards(atSide * earHeight(p.y, p.z));
     return p;
 }
 
@@ -125,11 +127,9 @@ Mesh headMesh()
     }
     corners.push_back(surfaceTowards({0.0, 0.0, -1.0}));
 
-    const auto corner = [last = corners.size() - 1](int ring, int around) {
-        const int before = 1 + (ring - 1) * kAround;
-        return ring == 0        ? std::uint32_t(0)
-               : ring == kRings ? static_cast<std::uint32_t>(last)
-                                : static_cast<std::uint32_t>(before + around % kAround);
+    // All of the first ring and all of the last one are one corner each.
+    const auto corner = [last = static_cast<int>(corners.size()) - 1](int ring, int around) {
+        return static_cast<std::uint32_t>(std::clamp(1 + (ring - 1) * kAround + around % kAround, 0, last));
     };
     Mesh mesh;
     std::vector<glm::dvec3> normals(corners.size(), glm::dvec3(0.0));

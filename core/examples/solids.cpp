@@ -6,9 +6,8 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <map>
 #include <numbers>
-#include <utility>
+#include <unordered_map>
 
 namespace unprojector::examples {
 using namespace mesh;
@@ -40,6 +39,12 @@ void addTriangle(Mesh &mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c)
     mesh.indices.insert(mesh.indices.end(), {a, b, c});
 }
 
+/// Two triangles, both from the first corner.
+void addQuad(Mesh &mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d)
+{
+    mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
+}
+
 } // namespace
 
 Mesh cubeMesh(double edgeLength)
@@ -58,8 +63,7 @@ Mesh cubeMesh(double edgeLength)
             addVertex(mesh, half * (normal + across - along), normal);
             addVertex(mesh, half * (normal + across + along), normal);
             addVertex(mesh, half * (normal - across + along), normal);
-            addTriangle(mesh, first, first + 1, first + 2);
-            addTriangle(mesh, first, first + 2, first + 3);
+            addQuad(mesh, first, first + 1, first + 2, first + 3);
         }
     }
     return mesh;
@@ -82,12 +86,9 @@ Mesh torusMesh(double ringRadius, double tubeRadius, int ringSegments, int tubeS
         return static_cast<std::uint32_t>(ring % ringSegments * tubeSegments + tube % tubeSegments);
     };
     for (int ring = 0; ring < ringSegments; ++ring) {
-        for (int tube = 0; tube < tubeSegments; ++tube) {
-            const std::uint32_t corner = vertexAt(ring, tube);
-            const std::uint32_t opposite = vertexAt(ring + 1, tube + 1);
-            addTriangle(mesh, corner, vertexAt(ring + 1, tube), opposite);
-            addTriangle(mesh, corner, opposite, vertexAt(ring, tube + 1));
-        }
+        for (int tube = 0; tube < tubeSegments; ++tube)
+            addQuad(mesh, vertexAt(ring, tube), vertexAt(ring + 1, tube), vertexAt(ring + 1, tube + 1),
+                    vertexAt(ring, tube + 1));
     }
     return mesh;
 }
@@ -106,10 +107,11 @@ Mesh sphereMesh(double radius, int subdivisions)
                                     {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
                                     {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
     for (int step = 0; step < subdivisions; ++step) {
-        std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+        std::unordered_map<std::uint64_t, std::uint32_t> middles; // by both ends
         const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+            const auto [low, high] = std::minmax(a, b);
             const auto [found, isNew] =
-                middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(directions.size()));
+                middles.try_emplace(std::uint64_t{low} << 32 | high, static_cast<std::uint32_t>(directions.size()));
             if (isNew)
                 directions.push_back(glm::normalize(directions[a] + directions[b]));
             return found->second;
