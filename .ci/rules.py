@@ -117,6 +117,7 @@ def shape(text: str) -> list[str]:
 def twins() -> None:
     catalogue = json.loads((RESOURCES / "translations/unproject_zh_CN.json").read_text(encoding="utf8"))
     said = {text for _, code in sources("core") for text in told(re.sub(r"//[^\"\n]*$", "", code, flags=re.MULTILINE))}
+    said |= {mistake[key] for mistake in json.loads((RESOURCES / "doctor/mistakes.json").read_text(encoding="utf8")) for key in ("name", "sentence")}
     found.extend(f"core: no Chinese for: {text}" for text in sorted(said - catalogue.keys()))
     found.extend(f"unproject_zh_CN.json: core has no such text: {text}" for text in sorted(catalogue.keys() - said))
     pairs = [("core: " + key, key, text) for key, text in catalogue.items()]

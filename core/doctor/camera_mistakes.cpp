@@ -1,6 +1,6 @@
 #include "core/base/translation.h"
 #include "core/doctor/frame_fit.h"
-#include "core/doctor/variant_list.h"
+#include "core/doctor/variants.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -58,28 +59,23 @@ void setRotation(Run &run, Pose pose, bool isOpenCv, const glm::dmat3 &rotation)
 
 // Quaternions
 
-template <Pose OfPose, bool IsOpenCv, bool IsScalarFirst>
-void readQuaternion(Run &run, const Variant &)
-{
-    const glm::dquat q = glm::quat_cast(rotationOf(run, OfPose, IsOpenCv));
-    // Stored w x y z and read as x y z w, or the reverse.
-    const glm::dquat read = IsScalarFirst ? glm::dquat(q.z, q.w, q.x, q.y) : glm::dquat(q.x, q.y, q.z, q.w);
-    setRotation(run, OfPose, IsOpenCv, glm::mat3_cast(read));
-}
+constexpr const char *kQuaternions[] = {
+    marked("w x y z read as x y z w, OpenCV's view"),        marked("x y z w read as w x y z, OpenCV's view"),
+    marked("w x y z read as x y z w, OpenCV's camera pose"), marked("x y z w read as w x y z, OpenCV's camera pose"),
+    marked("w x y z read as x y z w, OpenGL's view"),        marked("x y z w read as w x y z, OpenGL's view"),
+    marked("w x y z read as x y z w, OpenGL's camera pose"), marked("x y z w read as w x y z, OpenGL's camera pose"),
+};
 
-void addQuaternions(VariantList &list)
+/// @param v  its parameter is the index of its name
+void readQuaternion(Run &run, const Variant &v)
 {
-    const auto add = [&list](VariantList::Apply apply, const char *name) {
-        list.addAlone("quaternion-order", Stage::Factors, apply, name);
-    };
-    add(readQuaternion<Pose::View, true, true>, marked("w x y z read as x y z w, OpenCV's view"));
-    add(readQuaternion<Pose::View, true, false>, marked("x y z w read as w x y z, OpenCV's view"));
-    add(readQuaternion<Pose::Camera, true, true>, marked("w x y z read as x y z w, OpenCV's camera pose"));
-    add(readQuaternion<Pose::Camera, true, false>, marked("x y z w read as w x y z, OpenCV's camera pose"));
-    add(readQuaternion<Pose::View, false, true>, marked("w x y z read as x y z w, OpenGL's view"));
-    add(readQuaternion<Pose::View, false, false>, marked("x y z w read as w x y z, OpenGL's view"));
-    add(readQuaternion<Pose::Camera, false, true>, marked("w x y z read as x y z w, OpenGL's camera pose"));
-    add(readQuaternion<Pose::Camera, false, false>, marked("x y z w read as w x y z, OpenGL's camera pose"));
+    const int way = int(v.parameter);
+    const bool isOpenCv = way < 4, isScalarFirst = way % 2 == 0;
+    const Pose pose = way % 4 < 2 ? Pose::View : Pose::Camera;
+    const glm::dquat q = glm::quat_cast(rotationOf(run, pose, isOpenCv));
+    // Stored w x y z and read as x y z w, or the reverse.
+    setRotation(run, pose, isOpenCv,
+                glm::mat3_cast(isScalarFirst ? glm::dquat(q.z, q.w, q.x, q.y) : glm::dquat(q.x, q.y, q.z, q.w)));
 }
 
 // Euler angles of the camera's placement
@@ -143,15 +139,18 @@ void addEulerAngles(VariantList &list)
         const std::string name = nameOf(kOrders[right]);
         for (std::size_t wrong = 0; wrong < kOrders.size(); ++wrong) {
             if (wrong != right)
-                list.addAlone(
-                    "euler-order", Stage::Factors, multiplyInAnotherOrder,
-                    {marked("angles for the order %1, multiplied in the order %2"), name, nameOf(kOrders[wrong])},
-                    double(right), double(wrong));
+                list.add(
+                        "euler-order", Stage::Factors, multiplyInAnotherOrder,
+                        {marked("angles for the order %1, multiplied in the order %2"), {name, nameOf(kOrders[wrong])}},
+                        double(right), double(wrong))
+                    .isAlone = true;
         }
-        list.addAlone("euler-degrees", Stage::Factors, scaleAngles,
-                      {marked("degrees taken for radians, order %1"), name}, double(right), kDegrees);
-        list.addAlone("euler-degrees", Stage::Factors, scaleAngles,
-                      {marked("radians taken for degrees, order %1"), name}, double(right), 1.0 / kDegrees);
+        list.add("euler-degrees", Stage::Factors, scaleAngles, {marked("degrees taken for radians, order %1"), {name}},
+                 double(right), kDegrees)
+            .isAlone = true;
+        list.add("euler-degrees", Stage::Factors, scaleAngles, {marked("radians taken for degrees, order %1"), {name}},
+                 double(right), 1.0 / kDegrees)
+            .isAlone = true;
     }
 }
 
@@ -184,7 +183,7 @@ void scalePosition(Run &run, double x, double y)
     run.position = corner + (run.position - corner) * glm::dvec2(x, y);
 }
 
-void addIntrinsics(VariantList &list, const std::optional<geometry::Surface> &otherSize)
+void addIntrinsics(VariantList &list, const Case &scene)
 {
     list.add("focal-lengths-swapped", Stage::Lens, [](Run &run, const Variant &) {
         glm::dmat4 &m = run.clipFromEye;
@@ -194,15 +193,15 @@ void addIntrinsics(VariantList &list, const std::optional<geometry::Surface> &ot
     });
     list.add("centre-swapped", Stage::Lens, exchangeCentres);
     const auto scale = [](Run &run, const Variant &v) { scalePosition(run, v.parameter, v.parameter); };
-    list.add("intrinsics-of-another-size", Stage::Pixel, scale, 2.0, marked("half the size"));
-    list.add("intrinsics-of-another-size", Stage::Pixel, scale, 0.5, marked("twice the size"));
-    if (otherSize)
+    list.add("intrinsics-of-another-size", Stage::Pixel, scale, marked("half the size"), 2.0);
+    list.add("intrinsics-of-another-size", Stage::Pixel, scale, marked("twice the size"), 0.5);
+    if (const auto &other = scene.otherSize)
         list.add(
             "intrinsics-of-another-size", Stage::Pixel,
             [](Run &run, const Variant &v) {
                 scalePosition(run, run.viewport.width / v.parameter, run.viewport.height / v.second);
             },
-            *otherSize, marked("the size given"));
+            marked("the size given"), other->widthPixels, other->heightPixels);
 }
 
 // Distortion
@@ -228,14 +227,13 @@ void addCameraAxes(VariantList &list)
         const std::string &axes = permutation.axes;
         if (axes == "x,-y,-z" || axes == "x,y,-z" || axes == "-x,-y,z")
             continue;
-        Variant variant;
-        variant.stage = Stage::Eye;
-        variant.apply = [](Run &run, const Variant &v) { run.eye = glm::dmat3(v.matrix) * run.eye; };
-        variant.matrix = glm::dmat4(permutation.matrix);
-        variant.name = VariantName(nullptr, axes, {}, marked("Your program's camera has the axes %1."));
-        variant.values = {{"axes", {}, axes}};
-        variant.isAlone = true;
-        list.add("camera-axes-differ", std::move(variant));
+        list.add("camera-axes-differ",
+                 Variant{.stage = Stage::Eye,
+                         .apply = [](Run &run, const Variant &v) { run.eye = glm::dmat3(v.matrix) * run.eye; },
+                         .matrix = glm::dmat4(permutation.matrix),
+                         .name = {nullptr, {axes}, marked("Your program's camera has the axes %1.")},
+                         .values = {{"axes", {}, axes}},
+                         .isAlone = true});
     }
 }
 
@@ -255,35 +253,36 @@ void addPoses(VariantList &list)
     });
     list.add(
         "translation-not-inverted", Stage::Factors,
-        [](Run &run, const Variant &) { run.eyeFromWorld = glm::inverse(rotationInverted(run.eyeFromWorld)); }, 0.0,
+        [](Run &run, const Variant &) { run.eyeFromWorld = glm::inverse(rotationInverted(run.eyeFromWorld)); },
         marked("the view's translation is taken for the eye"));
     list.add(
         "translation-not-inverted", Stage::Factors,
-        [](Run &run, const Variant &) { run.eyeFromWorld = rotationInverted(glm::inverse(run.eyeFromWorld)); }, 0.0,
+        [](Run &run, const Variant &) { run.eyeFromWorld = rotationInverted(glm::inverse(run.eyeFromWorld)); },
         marked("the eye is taken for the view's translation"));
     list.add(
         "view-transposed", Stage::Factors,
-        [](Run &run, const Variant &) { run.eyeFromWorld = rotationInverted(run.eyeFromWorld); }, 0.0,
+        [](Run &run, const Variant &) { run.eyeFromWorld = rotationInverted(run.eyeFromWorld); },
         marked("its rotation only"));
     list.add(
         "view-transposed", Stage::Factors,
         [](Run &run, const Variant &) {
             run.eyeFromWorld = glm::inverse(rotationInverted(glm::inverse(run.eyeFromWorld)));
         },
-        0.0, marked("its rotation only, about the eye"));
+        marked("its rotation only, about the eye"));
 }
 
 } // namespace
 
-void addCameraMistakes(VariantList &list, const Given &given, const std::optional<geometry::Surface> &otherSize)
+void addCameraMistakes(VariantList &list, const Given &given, const Case &scene)
 {
     addPoses(list);
     addCameraAxes(list);
-    addQuaternions(list);
+    for (int way = 0; way < int(std::size(kQuaternions)); ++way)
+        list.add("quaternion-order", Stage::Factors, readQuaternion, kQuaternions[way], way).isAlone = true;
     addEulerAngles(list);
     addDistortion(list, given);
     if (given.isPerspective)
-        addIntrinsics(list, otherSize);
+        addIntrinsics(list, scene);
 }
 
 } // namespace unprojector::doctor

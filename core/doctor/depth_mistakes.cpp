@@ -1,7 +1,7 @@
 #include "core/base/number_text.h"
 #include "core/base/translation.h"
 #include "core/doctor/lens_changes.h"
-#include "core/doctor/variant_list.h"
+#include "core/doctor/variants.h"
 #include "core/doctor/written_value.h"
 
 #include <glm/geometric.hpp>
@@ -19,13 +19,6 @@ namespace {
 /// The factors by which another frustum's near and far differ.
 constexpr std::array kClipFactors{0.1, 10.0, 0.01, 100.0};
 
-/// The unit depth of a number that the program takes for a depth in the depth range.
-double unitDepth(const Run &run, double depth)
-{
-    const auto &[atNear, atFar] = run.given.depthRange;
-    return (depth - atNear) / (atFar - atNear);
-}
-
 /// The distance of the right point.
 double rightDistance(const Run &run)
 {
@@ -40,27 +33,27 @@ void addMeaningOfDepth(VariantList &list)
             const double n = run.given.nearDistance, f = run.given.farDistance;
             run.depth = (rightDistance(run) - n) / (f - n);
         },
-        0.0, marked("a share of the way is passed for the depth"));
+        marked("a share of the way is passed for the depth"));
     list.add(
         "depth-linear", Stage::Eye,
         [](Run &run, const Variant &) {
             const double n = run.nearDistance, f = run.farDistance;
-            run.setDistance(n + run.shareFromNear(run.depth) * (f - n));
+            run.setDistance(n + run.given.shareFromNear(run.depth) * (f - n));
         },
-        0.0, marked("the depth is taken for a share of the way"));
+        marked("the depth is taken for a share of the way"));
     list.add(
         "depth-linear", Stage::Eye, [](Run &run, const Variant &) { run.setDistance(run.depth * run.farDistance); },
-        0.0, marked("the depth is taken for a share of far"));
+        marked("the depth is taken for a share of far"));
     list.add(
         "depth-is-eye-distance", Stage::Depth,
-        [](Run &run, const Variant &) { run.depth = unitDepth(run, rightDistance(run)); }, 0.0,
+        [](Run &run, const Variant &) { run.depth = run.given.unitDepth(rightDistance(run)); },
         marked("the distance is passed for the depth"));
     list.add(
         "depth-is-eye-distance", Stage::Depth,
-        [](Run &run, const Variant &) { run.depth = unitDepth(run, glm::length(run.click.eye)); }, 0.0,
+        [](Run &run, const Variant &) { run.depth = run.given.unitDepth(glm::length(run.click.eye)); },
         marked("the length of the ray is passed for the depth"));
     list.add(
-        "depth-is-eye-distance", Stage::Eye, [](Run &run, const Variant &) { run.setDistance(run.click.depth); }, 0.0,
+        "depth-is-eye-distance", Stage::Eye, [](Run &run, const Variant &) { run.setDistance(run.click.depth); },
         marked("the depth is taken for the distance"));
     list.add("ray-length-as-z", Stage::Eye, [](Run &run, const Variant &) { run.setDistance(glm::length(run.eye)); });
     list.add("z-as-ray-length", Stage::Eye, [](Run &run, const Variant &) {
@@ -82,60 +75,61 @@ void addClipDistances(VariantList &list, const Given &given)
 
 } // namespace
 
-void addDepthMistakes(VariantList &list, const Given &given)
+void addDepthMistakes(VariantList &list, const Given &given, const Case &)
 {
     list.add("depth-not-remapped", Stage::Depth,
              [](Run &run, const Variant &) { run.depth = (1.0 + run.depth) / 2.0; });
     list.add("depth-remapped-twice", Stage::Depth,
              [](Run &run, const Variant &) { run.depth = 2.0 * run.depth - 1.0; });
-    list.add("depth-zero", Stage::Depth, [](Run &run, const Variant &) { run.depth = unitDepth(run, 0.0); });
-    list.add("depth-one", Stage::Depth, [](Run &run, const Variant &) { run.depth = unitDepth(run, 1.0); });
+    list.add("depth-zero", Stage::Depth, [](Run &run, const Variant &) { run.depth = run.given.unitDepth(0.0); });
+    list.add("depth-one", Stage::Depth, [](Run &run, const Variant &) { run.depth = run.given.unitDepth(1.0); });
     list.add("depth-reversed", Stage::Depth, [](Run &run, const Variant &) { run.depth = 1.0 - run.depth; });
     if (given.depthRange != DepthRange{}) {
         list.add(
             "depth-not-remapped", Stage::Depth,
-            [](Run &run, const Variant &) { run.depth = (1.0 + run.click.depth) / 2.0; }, 0.0,
+            [](Run &run, const Variant &) { run.depth = (1.0 + run.click.depth) / 2.0; },
             marked("nor mapped by the depth range"));
         list.add("depth-range-ignored", Stage::Depth, [](Run &run, const Variant &) { run.depth = run.click.depth; });
         list.add(
-            "depth-zero", Stage::Depth, [](Run &run, const Variant &) { run.depth = 0.0; }, 0.0,
+            "depth-zero", Stage::Depth, [](Run &run, const Variant &) { run.depth = 0.0; },
             marked("in the depth range"));
         list.add(
-            "depth-one", Stage::Depth, [](Run &run, const Variant &) { run.depth = 1.0; }, 0.0,
+            "depth-one", Stage::Depth, [](Run &run, const Variant &) { run.depth = 1.0; },
             marked("in the depth range"));
         list.add(
             "depth-reversed", Stage::Depth,
-            [](Run &run, const Variant &) { run.depth = unitDepth(run, 1.0 - run.click.depth); }, 0.0,
+            [](Run &run, const Variant &) { run.depth = run.given.unitDepth(1.0 - run.click.depth); },
             marked("before the depth range"));
     }
     // Vector3.Unproject of SharpDX and Viewport.Unproject of XNA take a depth range. The depth comes
     // close to 0, where other mistakes of the depth make it 0: in pairs they would pass for depth 0.
     if (std::isfinite(given.farDistance))
-        list.addAlone("depth-range-is-planes", Stage::Depth,
-                      [](Run &run, const Variant &) {
-                          const double n = run.given.nearDistance, f = run.given.farDistance;
-                          run.depth = (run.click.depth - n) / (f - n);
-                      },
-                      {});
+        list.add("depth-range-is-planes", Stage::Depth,
+                 [](Run &run, const Variant &) {
+                     const double n = run.given.nearDistance, f = run.given.farDistance;
+                     run.depth = (run.click.depth - n) / (f - n);
+                 })
+            .isAlone = true;
     for (const int bits : {16, 24, 8}) {
-        list.add("depth-rounded", Stage::Depth,
-                 [](Run &run, const Variant &v) { run.depth = std::round(run.depth * v.parameter) / v.parameter; },
-                 double((std::int64_t{1} << bits) - 1), {marked("to %1 bits"), std::to_string(bits)});
+        list.add(
+            "depth-rounded", Stage::Depth,
+            [](Run &run, const Variant &v) { run.depth = std::round(run.depth * v.parameter) / v.parameter; },
+            {marked("to %1 bits"), {std::to_string(bits)}}, double((std::int64_t{1} << bits) - 1));
     }
     list.add(
         "depth-of-another-row", Stage::Depth,
         [](Run &run, const Variant &) {
             run.isLost = !run.click.depthAbove;
-            run.depth = unitDepth(run, run.click.depthAbove.value_or(0.0));
+            run.depth = run.given.unitDepth(run.click.depthAbove.value_or(0.0));
         },
-        0.0, marked("the row above"));
+        marked("the row above"));
     list.add(
         "depth-of-another-row", Stage::Depth,
         [](Run &run, const Variant &) {
             run.isLost = !run.click.depthBelow;
-            run.depth = unitDepth(run, run.click.depthBelow.value_or(0.0));
+            run.depth = run.given.unitDepth(run.click.depthBelow.value_or(0.0));
         },
-        0.0, marked("the row below"));
+        marked("the row below"));
     addMeaningOfDepth(list);
     addClipDistances(list, given);
 }

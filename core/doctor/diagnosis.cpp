@@ -1,8 +1,6 @@
 #include "core/doctor/diagnosis.h"
 
-#include "core/doctor/chance.h"
 #include "core/doctor/known_points.h"
-#include "core/doctor/next_click.h"
 #include "core/doctor/prepared_point.h"
 #include "core/doctor/ranking.h"
 #include "core/doctor/solved_mistakes.h"
@@ -41,29 +39,6 @@ constexpr std::size_t kMostCandidates = 10;
 constexpr std::size_t kMostToldApart = 4;
 constexpr std::size_t kMostTried = 20;
 
-/// What the chance of an explanation follows from.
-struct Evidence {
-    std::span<const Hypothesis> all;
-    double apart = 0.0; ///< see chanceOfSolved
-    int agreeing = 0;
-};
-
-/// The number of mistakes whose values are solved for.
-std::size_t solvedFamilies()
-{
-    constexpr std::size_t kClipPlanes = 2; // near and far, which have a fixed form besides
-    return kClipPlanes + std::size_t(std::count_if(mistakes().begin(), mistakes().end(), [](const Mistake &mistake) {
-               return mistake.isOnlySolved;
-           }));
-}
-
-double chanceOf(const Evidence &evidence, const Hypothesis &best)
-{
-    const double within = best.worst <= kRounded ? kRounded : kCutOff;
-    return best.isSolved() ? chanceOfSolved(best, solvedFamilies(), evidence.apart, within, evidence.agreeing)
-                           : chanceOf(evidence.all, best, within, evidence.agreeing);
-}
-
 /// Orders solved values and a pair that both explain the points. Two solved mistakes come first if
 /// the pair may well be chance, or if their values are round and less probably so by chance.
 void orderSolvedAndPair(std::vector<Hypothesis> &best, const Evidence &evidence)
@@ -97,8 +72,12 @@ Candidate candidateOf(const Hypothesis &hypothesis, const Given &given, std::spa
 {
     Candidate candidate;
     candidate.id = idOf(hypothesis);
-    candidate.ways = waysOf(hypothesis);
-    candidate.values = valuesOf(hypothesis);
+    for (std::size_t i = 0; i < hypothesis.count; ++i) {
+        const Variant &part = *hypothesis.parts[i];
+        if (!part.name.isEmpty())
+            candidate.ways.push_back(part.name);
+        candidate.values.insert(candidate.values.end(), part.values.begin(), part.values.end());
+    }
     candidate.point = hypothesis.point;
     candidate.distance = hypothesis.distance;
     candidate.explains = hypothesis.worst <= kCutOff;
@@ -124,7 +103,7 @@ bool saysDepth(const Hypothesis &hypothesis, const Given &given, const Prepared 
 {
     const auto a = hypothesis.answerTo(given, point.target.clicks[0]);
     const auto b = hypothesis.answerTo(given, point.target.clicks[1]);
-    return a && b && glm::distance(*a, *b) <= 1e-9 * (1.0 + glm::length(*a));
+    return a && b && isSameAnswer(*b, *a);
 }
 
 /// Puts a mistake that determines the depth first. With rays alone all depth mistakes explain a
@@ -295,7 +274,7 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
     }
     told.resize(std::min(told.size(), kMostToldApart));
     const glm::dvec3 &lastDigit = points.front().target.lastDigit;
-    const double tellable = std::max({lastDigit.x, lastDigit.y, lastDigit.z});
+    const double tellable = greatestOf(lastDigit);
     std::function<std::optional<double>(const DevicePoint &)> depthAt;
     if (scene.pointOnMesh)
         depthAt = [&scene](const DevicePoint &position) { return depthOnMesh(scene, position); };
@@ -343,7 +322,7 @@ bool doContradict(const WrongPoint &a, const WrongPoint &b, bool hasMesh)
     const bool isSameClick = a.pixel.x == b.pixel.x && a.pixel.y == b.pixel.y && a.depth == b.depth
                              && a.space == b.space && a.model == b.model && (a.depth || hasMesh);
     const glm::dvec3 off = glm::abs(a.got - b.got) / (a.lastDigit + b.lastDigit);
-    return isSameClick && std::max({off.x, off.y, off.z}) > kCutOff;
+    return isSameClick && greatestOf(off) > kCutOff;
 }
 
 std::optional<std::array<std::size_t, 2>> contradictionOf(const Case &scene, std::span<const WrongPoint> points)
@@ -467,14 +446,6 @@ Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> given)
     if (const auto two = contradictionOf(scene, points))
         unknown.contradiction = {places[(*two)[0]], places[(*two)[1]]};
     return unknown;
-}
-
-std::vector<std::string> mistakeIds()
-{
-    std::vector<std::string> ids;
-    for (const Mistake &mistake : mistakes())
-        ids.emplace_back(mistake.id);
-    return ids;
 }
 
 } // namespace unprojector::doctor

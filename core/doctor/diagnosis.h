@@ -79,19 +79,16 @@ struct WrongPoint {
 
 /// The variant of a mistake that has several.
 struct VariantName {
-    /// Marked for base::tr, %1 to %4 are the values: "ratio %1"; null: the first value alone.
-    const char *words = nullptr;
-    std::string value, second;
-    /// Marked, with the same values: "Your program scales the depth by %1."; null: has no values.
-    const char *sentence = nullptr;
+    const char *words = nullptr; ///< marked for base::tr: "ratio %1"; null: the first value alone
+    std::vector<std::string> values{};
+    const char *sentence = nullptr; ///< marked, of the same values: "Your program scales the depth by %1."
 
     VariantName() = default;
-    VariantName(const char *marked, std::string ofIt = {}, std::string other = {}, const char *asSentence = nullptr)
-        : words(marked), value(std::move(ofIt)), second(std::move(other)), sentence(asSentence)
+    VariantName(const char *marked, std::vector<std::string> ofIt = {}, const char *asSentence = nullptr)
+        : words(marked), values(std::move(ofIt)), sentence(asSentence)
     {
     }
-    bool isEmpty() const { return words == nullptr && value.empty(); } ///< the mistake has no other variant
-    std::string third, fourth;                                         ///< of a frame, which has more values
+    bool isEmpty() const { return words == nullptr && values.empty(); } ///< the mistake has no other variant
 };
 
 /// A value that was solved for: {"far", {50}}, {"rotation", nine numbers by rows}, {"about", {},
@@ -230,8 +227,5 @@ private:
 /// @return the errors of check(setup), check(otherSize) and clipFromWorld; DepthOutsideRange;
 ///         NotFinite (pixel, point); SingularMatrix
 geometry::Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> given);
-
-/// The ids of all mistakes, in the order of the stages from a click to a point.
-std::vector<std::string> mistakeIds();
 
 } // namespace unprojector::doctor

@@ -1,5 +1,7 @@
 #include "core/doctor/hypotheses.h"
 
+#include "core/doctor/mistakes.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -12,11 +14,6 @@ namespace {
 
 /// Answers whose coordinates differ by less than this, in units of the last digit, count as equal.
 constexpr double kSameAnswer = 1e-3;
-
-double largest(const glm::dvec3 &v)
-{
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
 
 /// Tries a hypothesis on all points; returns empty if one of them has no answer.
 std::optional<Hypothesis> tried(const Given &given, std::span<const Target> points, Hypothesis hypothesis)
@@ -40,7 +37,7 @@ bool isWithoutEffect(const Given &given, std::span<const Target> points, const V
     for (const Target &target : points) {
         for (const Click &click : target.clicks) {
             const std::optional<glm::dvec3> right = answer(given, click, {}), wrong = answer(given, click, parts);
-            if (!right || !wrong || largest((*wrong - *right) / target.lastDigit) > kSameAnswer)
+            if (!right || !wrong || greatestOf((*wrong - *right) / target.lastDigit) > kSameAnswer)
                 return false;
         }
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/doctor/mistakes.h"
+#include "core/doctor/program.h"
 
 #include <array>
 #include <cstddef>

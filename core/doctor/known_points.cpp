@@ -2,6 +2,7 @@
 
 #include "core/doctor/ranking.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -22,12 +23,6 @@ constexpr double kCoarsestDigit = 0.25;
 constexpr double kRoundedDigit = 0.5 + 1e-6;
 /// The least distance of the next vertex, in units of the last digit.
 constexpr double kAlone = 5.0;
-
-glm::dvec3 transformed(const glm::dmat4 &m, const glm::dvec3 &point)
-{
-    const glm::dvec4 result = m * glm::dvec4(point, 1.0);
-    return glm::dvec3(result) / result.w;
-}
 
 bool isPoint(const Target &target, const glm::dvec3 &known)
 {
@@ -60,8 +55,7 @@ bool isWithin(const Target &target, const glm::dvec3 &known, double units)
 bool isFineEnough(const Target &target)
 {
     const double distance = glm::length(target.clicks.front().eye);
-    const glm::dvec3 &digit = target.lastDigit;
-    return std::max({digit.x, digit.y, digit.z}) <= kCoarsestDigit * distance;
+    return greatestOf(target.lastDigit) <= kCoarsestDigit * distance;
 }
 
 /// The fixed points of the scene in the space of a click's point.
@@ -133,6 +127,32 @@ std::vector<KnownPoint> knownVertices(const Given &given, const Case &scene, std
     }
     vertices.resize(1);
     return vertices;
+}
+
+std::vector<KnownPoint> verticesIn(std::span<const scene::SceneObject> objects, const Box &world)
+{
+    constexpr std::size_t kMost = 1000;
+    std::vector<KnownPoint> found;
+    for (const scene::SceneObject &object : objects) {
+        if (object.isHidden || !object.model)
+            continue;
+        const glm::dmat4 worldFromModel = worldFromObject(object.transform);
+        for (std::size_t mesh = 0; mesh < object.model->meshes.size(); ++mesh) {
+            const mesh::Mesh &own = object.model->meshes[mesh];
+            for (std::size_t vertex = 0; vertex < own.positions.size(); ++vertex) {
+                const glm::dvec3 at(worldFromModel * glm::dvec4(own.position(vertex), 1.0));
+                if (glm::clamp(at, world.lowest, world.highest) != at)
+                    continue;
+                // Many vertices coincide in a triangle soup.
+                if (std::any_of(found.begin(), found.end(), [&at](const KnownPoint &one) { return one.point == at; }))
+                    continue;
+                if (found.size() == kMost)
+                    return found;
+                found.push_back({KnownPoint::Kind::Vertex, at, object.name, object.model->vertexNumber(mesh, vertex)});
+            }
+        }
+    }
+    return found;
 }
 
 } // namespace unprojector::doctor

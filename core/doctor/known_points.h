@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/doctor/hypotheses.h"
+#include "core/scene/scene.h"
 
 #include <span>
 #include <vector>
@@ -22,5 +23,10 @@ KnownPoints knownPoints(const Given &given, const Case &scene, std::span<const T
 /// The vertex that equals the first wrong point, if all points equal a vertex. It must be the only
 /// one within the given digits, because on a dense mesh every point is close to some vertex.
 std::vector<KnownPoint> knownVertices(const Given &given, const Case &scene, std::span<const Target> points);
+
+/// The vertices of the visible objects in a box of world space, including its faces, for
+/// Case::verticesIn. It tests every vertex, so no tree is needed. One per position, at most a
+/// thousand.
+std::vector<KnownPoint> verticesIn(std::span<const scene::SceneObject> objects, const geometry::Box &world);
 
 } // namespace unprojector::doctor

@@ -8,36 +8,12 @@
 namespace unprojector::doctor {
 using base::marked;
 
+namespace {
+
+/// The tangent of half the vertical angle of a symmetric frustum.
 double tangentOf(const Run &run)
 {
     return 1.0 / run.clipFromEye[1][1];
-}
-
-double verticalFov(const Run &run)
-{
-    return 2.0 * std::atan(tangentOf(run));
-}
-
-double aspectOf(const Run &run)
-{
-    return run.clipFromEye[1][1] / run.clipFromEye[0][0];
-}
-
-void widen(Run &run, double factor)
-{
-    run.clipFromEye[0][0] /= factor;
-    run.clipFromEye[1][1] /= factor;
-}
-
-void setTangent(Run &run, double tangent)
-{
-    widen(run, tangent / tangentOf(run));
-}
-
-void setAspect(Run &run, double aspect)
-{
-    run.isLost = run.isLost || aspect == 0.0;
-    run.clipFromEye[0][0] = run.clipFromEye[1][1] / aspect;
 }
 
 /// Sets the depth entries of the projection matrix for other clip distances; both planes keep their
@@ -66,29 +42,56 @@ void setClipDistances(Run &run, double nearDistance, double farDistance)
     }
 }
 
+} // namespace
+
+double verticalFov(const Run &run)
+{
+    return 2.0 * std::atan(tangentOf(run));
+}
+
+double aspectOf(const Run &run)
+{
+    return run.clipFromEye[1][1] / run.clipFromEye[0][0];
+}
+
+void widen(Run &run, double factor)
+{
+    run.clipFromEye[0][0] /= factor;
+    run.clipFromEye[1][1] /= factor;
+}
+
+void setTangent(Run &run, double tangent)
+{
+    widen(run, tangent / tangentOf(run));
+}
+
+void setAspect(Run &run, double aspect)
+{
+    run.isLost = run.isLost || aspect == 0.0;
+    run.clipFromEye[0][0] = run.clipFromEye[1][1] / aspect;
+}
+
 Variant withOtherPlanes(double nearDistance, double farDistance)
 {
-    Variant variant;
-    variant.stage = Stage::Lens;
-    variant.apply = [](Run &run, const Variant &v) { setClipDistances(run, v.parameter, v.second); };
-    variant.parameter = nearDistance;
-    variant.second = farDistance;
-    variant.name = {marked("near is %1, far is %2"), valueText(nearDistance), valueText(farDistance),
-                    marked("Your program's near plane is at %1, its far plane at %2.")};
-    variant.values = {{"near", {nearDistance}, {}}, {"far", {farDistance}, {}}};
-    return variant;
+    return {.stage = Stage::Lens,
+            .apply = [](Run &run, const Variant &v) { setClipDistances(run, v.parameter, v.second); },
+            .parameter = nearDistance,
+            .second = farDistance,
+            .name = {marked("near is %1, far is %2"),
+                     {valueText(nearDistance), valueText(farDistance)},
+                     marked("Your program's near plane is at %1, its far plane at %2.")},
+            .values = {{"near", {nearDistance}}, {"far", {farDistance}}}};
 }
 
 Variant withOtherNear(const Given &given, double nearDistance)
 {
-    Variant variant;
-    variant.stage = Stage::Lens;
-    variant.apply = [](Run &run, const Variant &v) { setClipDistances(run, v.parameter, run.farDistance); };
-    variant.parameter = nearDistance;
-    variant.name = {marked("near is %1, the scene has %2"), valueText(nearDistance), valueText(given.nearDistance),
-                    marked("Your program's near plane is at %1, the scene's at %2.")};
-    variant.values = {{"near", {nearDistance}, {}}};
-    return variant;
+    return {.stage = Stage::Lens,
+            .apply = [](Run &run, const Variant &v) { setClipDistances(run, v.parameter, run.farDistance); },
+            .parameter = nearDistance,
+            .name = {marked("near is %1, the scene has %2"),
+                     {valueText(nearDistance), valueText(given.nearDistance)},
+                     marked("Your program's near plane is at %1, the scene's at %2.")},
+            .values = {{"near", {nearDistance}}}};
 }
 
 Variant withOtherNearOfFrustum(const Given &given, double nearDistance)
@@ -106,14 +109,13 @@ Variant withOtherNearOfFrustum(const Given &given, double nearDistance)
 
 Variant withOtherFar(const Given &given, double farDistance)
 {
-    Variant variant;
-    variant.stage = Stage::Lens;
-    variant.apply = [](Run &run, const Variant &v) { setClipDistances(run, run.nearDistance, v.parameter); };
-    variant.parameter = farDistance;
-    variant.name = {marked("far is %1, the scene has %2"), valueText(farDistance), valueText(given.farDistance),
-                    marked("Your program's far plane is at %1, the scene's at %2.")};
-    variant.values = {{"far", {farDistance}, {}}};
-    return variant;
+    return {.stage = Stage::Lens,
+            .apply = [](Run &run, const Variant &v) { setClipDistances(run, run.nearDistance, v.parameter); },
+            .parameter = farDistance,
+            .name = {marked("far is %1, the scene has %2"),
+                     {valueText(farDistance), valueText(given.farDistance)},
+                     marked("Your program's far plane is at %1, the scene's at %2.")},
+            .values = {{"far", {farDistance}}}};
 }
 
 } // namespace unprojector::doctor

@@ -6,8 +6,6 @@ namespace unprojector::doctor {
 
 // Changes to the numbers of a projection matrix, for mistakes of the stages Lens and Eye.
 
-/// The tangent of half the vertical angle of a symmetric frustum.
-double tangentOf(const Run &run);
 double verticalFov(const Run &run);
 double aspectOf(const Run &run);
 
@@ -15,10 +13,6 @@ double aspectOf(const Run &run);
 void widen(Run &run, double factor);
 void setTangent(Run &run, double tangent);
 void setAspect(Run &run, double aspect);
-
-/// Sets the depth entries of the projection matrix for other clip distances; both planes keep their
-/// NDC depths.
-void setClipDistances(Run &run, double nearDistance, double farDistance);
 
 // Variants with another near or far plane, their value included.
 

@@ -1,6 +1,6 @@
 #include "core/base/translation.h"
 #include "core/doctor/lens_changes.h"
-#include "core/doctor/variant_list.h"
+#include "core/doctor/variants.h"
 #include "core/geometry/numbers.h"
 
 #include <cmath>
@@ -24,10 +24,10 @@ void addPerspective(VariantList &list)
              [](Run &run, const Variant &) { setTangent(run, std::tan(verticalFov(run) / 4.0)); });
     list.add("fov-double", Stage::Lens, [](Run &run, const Variant &) { setTangent(run, std::tan(verticalFov(run))); });
     list.add(
-        "fov-horizontal", Stage::Lens, [](Run &run, const Variant &) { widen(run, 1.0 / aspectOf(run)); }, 0.0,
+        "fov-horizontal", Stage::Lens, [](Run &run, const Variant &) { widen(run, 1.0 / aspectOf(run)); },
         marked("the vertical angle spans the width"));
     list.add(
-        "fov-horizontal", Stage::Lens, [](Run &run, const Variant &) { widen(run, aspectOf(run)); }, 0.0,
+        "fov-horizontal", Stage::Lens, [](Run &run, const Variant &) { widen(run, aspectOf(run)); },
         marked("the horizontal angle spans the height"));
     // A focal length in pixels is P[1][1] times half the height.
     list.add(
@@ -36,14 +36,14 @@ void addPerspective(VariantList &list)
             run.clipFromEye[1][1] = run.clipFromEye[0][0] * 2.0 / run.viewport.height;
             run.clipFromEye[0][0] *= 2.0 / run.viewport.width;
         },
-        0.0, marked("P[0][0] for both axes"));
+        marked("P[0][0] for both axes"));
     list.add(
         "focal-length-not-in-pixels", Stage::Lens,
         [](Run &run, const Variant &) {
             run.clipFromEye[0][0] *= 2.0 / run.viewport.width;
             run.clipFromEye[1][1] *= 2.0 / run.viewport.height;
         },
-        0.0, marked("P[0][0] and P[1][1]"));
+        marked("P[0][0] and P[1][1]"));
     list.add("frustum-centred", Stage::Lens,
              [](Run &run, const Variant &) { run.clipFromEye[2][0] = run.clipFromEye[2][1] = 0.0; });
     list.add("ortho-formula", Stage::Eye, [](Run &run, const Variant &) {
@@ -57,9 +57,9 @@ void addPerspective(VariantList &list)
             const double factor = run.nearDistance / run.distance();
             const double n = run.nearDistance, f = run.farDistance;
             run.eye = {run.eye.x * factor, run.eye.y * factor,
-                       run.given.side * (n + run.shareFromNear(run.depth) * (f - n))};
+                       run.given.side * (n + run.given.shareFromNear(run.depth) * (f - n))};
         },
-        0.0, marked("the depth too"));
+        marked("the depth too"));
     list.add("divided-by-far", Stage::Eye, [](Run &run, const Variant &) {
         const double factor = run.nearDistance / run.farDistance;
         run.eye.x *= factor;
@@ -82,7 +82,7 @@ void addPerspective(VariantList &list)
             run.eye.x = z * std::tan(run.ndc.x * half * aspectOf(run));
             run.eye.y = z * std::tan(run.ndc.y * half);
         },
-        0.0, marked("the horizontal angle is the vertical one times the aspect"));
+        marked("the horizontal angle is the vertical one times the aspect"));
 }
 
 void addBox(VariantList &list)
@@ -96,23 +96,23 @@ void addBox(VariantList &list)
         "perspective-formula", Stage::Eye,
         [](Run &run, const Variant &) {
             const double n = run.nearDistance, f = run.farDistance;
-            const double d = run.shareFromNear(run.depth), z = n * f / (f * (1.0 - d) + n * d);
+            const double d = run.given.shareFromNear(run.depth), z = n * f / (f * (1.0 - d) + n * d);
             run.eye = {run.eye.x * z / n, run.eye.y * z / n, run.given.side * z};
         },
-        0.0, marked("the depth too"));
+        marked("the depth too"));
     list.add(
         "perspective-formula", Stage::Eye,
         [](Run &run, const Variant &) {
             const double n = run.nearDistance, f = run.farDistance;
-            const double d = run.shareFromNear(run.depth);
+            const double d = run.given.shareFromNear(run.depth);
             run.setDistance(n * f / (f * (1.0 - d) + n * d));
         },
-        0.0, marked("the depth only"));
+        marked("the depth only"));
 }
 
 } // namespace
 
-void addLensMistakes(VariantList &list, const Given &given, const std::optional<Surface> &otherSize)
+void addLensMistakes(VariantList &list, const Given &given, const Case &scene)
 {
     if (given.isPerspective)
         addPerspective(list);
@@ -122,17 +122,19 @@ void addLensMistakes(VariantList &list, const Given &given, const std::optional<
              [](Run &run, const Variant &) { setAspect(run, std::floor(run.viewport.width / run.viewport.height)); });
     list.add(
         "aspect-integer", Stage::Lens, [](Run &run, const Variant &) { setAspect(run, std::floor(aspectOf(run))); },
-        0.0, marked("of the projection"));
+        marked("of the projection"));
     list.add("aspect-inverted", Stage::Lens, [](Run &run, const Variant &) { setAspect(run, 1.0 / aspectOf(run)); });
     list.add("aspect-of-window", Stage::Lens, [](Run &run, const Variant &) {
         setAspect(run, double(run.given.surface.widthPixels) / run.given.surface.heightPixels);
     });
     const auto setAspectGiven = [](Run &run, const Variant &v) { setAspect(run, v.parameter / v.second); };
     for (const Surface &usual : kUsualSizes)
-        list.add("aspect-stale", Stage::Lens, setAspectGiven, usual,
-                 {nullptr, std::to_string(usual.widthPixels) + ':' + std::to_string(usual.heightPixels)});
-    if (otherSize)
-        list.add("aspect-stale", Stage::Lens, setAspectGiven, *otherSize, marked("the size given"));
+        list.add("aspect-stale", Stage::Lens, setAspectGiven,
+                 {nullptr, {std::to_string(usual.widthPixels) + ':' + std::to_string(usual.heightPixels)}},
+                 usual.widthPixels, usual.heightPixels);
+    if (const auto &other = scene.otherSize)
+        list.add("aspect-stale", Stage::Lens, setAspectGiven, marked("the size given"), other->widthPixels,
+                 other->heightPixels);
     list.add("aspect-left-out", Stage::Lens, [](Run &run, const Variant &) { setAspect(run, 1.0); });
     list.add("eye-z-positive", Stage::Eye, [](Run &run, const Variant &) { run.eye.z = -run.eye.z; });
     list.add("eye-xy-mirrored", Stage::Eye, [](Run &run, const Variant &) {
@@ -145,7 +147,7 @@ void addLensMistakes(VariantList &list, const Given &given, const std::optional<
             const Viewport &v = run.viewport;
             run.window = glm::dvec2(2.0 * v.x + v.width, 2.0 * v.y + v.height) - run.window;
         },
-        0.0, marked("about the middle of the viewport"));
+        marked("about the middle of the viewport"));
 }
 
 } // namespace unprojector::doctor

@@ -1,60 +1,51 @@
 #include "core/base/translation.h"
 #include "core/doctor/frame_fit.h"
-#include "core/doctor/variant_list.h"
+#include "core/doctor/variants.h"
 
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
+#include <string_view>
 #include <utility>
 
 namespace unprojector::doctor {
 using base::marked;
 namespace {
 
-glm::dvec3 transformed(const glm::dmat4 &m, const glm::dvec3 &point)
-{
-    const glm::dvec4 result = m * glm::dvec4(point, 1.0);
-    return glm::dvec3(result) / result.w;
-}
-
-/// The words for a permutation: its axes, and what it comes from.
-VariantName nameOf(const AxisPermutation &permutation)
-{
-    const std::string &axes = permutation.axes;
-    if (axes == "x,-z,y")
-        return {
-            marked("%1: z up given for y up"), axes, {}, marked("Your program's axes are %1: z is up in place of y.")};
-    if (axes == "x,z,-y")
-        return {
-            marked("%1: y up given for z up"), axes, {}, marked("Your program's axes are %1: y is up in place of z.")};
-    if (axes == "x,z,y")
-        return {
-            marked("%1: y and z exchanged"), axes, {}, marked("Your program's axes are %1: y and z are exchanged.")};
-    if (axes == "x,-y,-z")
-        return {marked("%1: OpenCV's axes for OpenGL's, or the reverse"),
-                axes,
-                {},
-                marked("Your program's axes are %1: OpenCV's in place of OpenGL's, or the reverse.")};
-    const bool isMirrored = glm::determinant(permutation.matrix) < 0.0;
-    return isMirrored
-               ? VariantName(marked("%1, mirrored"), axes, {}, marked("Your program's axes are %1: a mirror image."))
-               : VariantName(nullptr, axes, {}, marked("Your program's axes are %1."));
-}
+struct NamedAxes {
+    std::string_view axes;
+    const char *words, *sentence;
+};
+constexpr NamedAxes kUsualAxes[] = {
+    {"x,-z,y", marked("%1: z up given for y up"), marked("Your program's axes are %1: z is up in place of y.")},
+    {"x,z,-y", marked("%1: y up given for z up"), marked("Your program's axes are %1: y is up in place of z.")},
+    {"x,z,y", marked("%1: y and z exchanged"), marked("Your program's axes are %1: y and z are exchanged.")},
+};
+constexpr NamedAxes kOpenCvAxes{"x,-y,-z", marked("%1: OpenCV's axes for OpenGL's, or the reverse"),
+                                marked("Your program's axes are %1: OpenCV's in place of OpenGL's, or the reverse.")};
+constexpr NamedAxes kMirroredAxes{{}, marked("%1, mirrored"), marked("Your program's axes are %1: a mirror image.")};
+constexpr NamedAxes kOtherAxes{{}, nullptr, marked("Your program's axes are %1.")};
 
 void addAxes(VariantList &list)
 {
-    for (const AxisPermutation &permutation : axisPermutations().subspan(1)) {
-        Variant variant;
-        variant.stage = Stage::Point;
-        variant.apply = [](Run &run, const Variant &v) { run.point = transformed(v.matrix, run.point); };
-        variant.matrix = glm::dmat4(permutation.matrix);
-        variant.name = nameOf(permutation);
-        variant.values = {{"axes", {}, permutation.axes}};
-        const bool isUsual =
-            permutation.axes == "x,-z,y" || permutation.axes == "x,z,-y" || permutation.axes == "x,z,y";
-        variant.isAlone = !isUsual;
-        list.add("axes-differ", std::move(variant));
+    for (const auto &[matrix, axes] : axisPermutations().subspan(1)) {
+        const auto *usual = std::find_if(std::begin(kUsualAxes), std::end(kUsualAxes),
+                                         [&axes = axes](const NamedAxes &each) { return each.axes == axes; });
+        const bool isUsual = usual != std::end(kUsualAxes);
+        const NamedAxes &named = isUsual                          ? *usual
+                                 : axes == kOpenCvAxes.axes       ? kOpenCvAxes
+                                 : glm::determinant(matrix) < 0.0 ? kMirroredAxes
+                                                                  : kOtherAxes;
+        list.add("axes-differ",
+                 Variant{.stage = Stage::Point,
+                         .apply = [](Run &run, const Variant &v) { run.point = transformed(v.matrix, run.point); },
+                         .matrix = glm::dmat4(matrix),
+                         .name = {named.words, {axes}, named.sentence},
+                         .values = {{"axes", {}, axes}},
+                         .isAlone = !isUsual});
     }
 }
 
@@ -67,24 +58,46 @@ std::array<glm::dvec4, 2> undividedEnds(const Run &run)
 }
 
 /// Mixes the ends: x and y of one end, and the other's z divided by its w.
-template <std::size_t Own>
-void mixEnds(Run &run, const Variant &)
+/// @param v  its parameter is the index of the end
+void mixEnds(Run &run, const Variant &v)
 {
     run.isLost = run.isLost || run.isClosedForm;
     const std::array<glm::dvec4, 2> ends = undividedEnds(run);
-    const glm::dvec4 &own = ends[Own], &other = ends[1 - Own];
+    const glm::dvec4 &own = ends[std::size_t(v.parameter)], &other = ends[1 - std::size_t(v.parameter)];
     run.point = glm::dvec3(own.x, own.y, other.z) / own.w;
 }
 
-void addEnds(VariantList &list)
+void addModel(VariantList &list, std::string_view id, VariantList::Apply apply, const PlacedModel &model, bool isAlone)
 {
-    list.addAlone("w-of-another-point", Stage::Point, mixEnds<1>, marked("z of the near end with the far end's w"));
-    list.addAlone("w-of-another-point", Stage::Point, mixEnds<0>, marked("z of the far end with the near end's w"));
+    Variant &variant = list.add(id, Stage::Point, apply, {marked("of %1"), {model.name}});
+    variant.matrix = model.worldFromObject.rounded();
+    variant.isAlone = isAlone;
+}
+
+void addPointMistakes(VariantList &list, std::span<const PlacedModel> models)
+{
+    constexpr std::size_t kMostInPairs = 200; // the pairs, and their memory, grow with the square
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        const bool isAlone = i >= kMostInPairs;
+        addModel(
+            list, "model-left-in",
+            [](Run &run, const Variant &v) { run.point = transformed(glm::inverse(v.matrix), run.point); }, models[i],
+            isAlone);
+        addModel(
+            list, "model-left-out", [](Run &run, const Variant &v) { run.point = transformed(v.matrix, run.point); },
+            models[i], isAlone);
+    }
+    list.add("eye-added", Stage::Point, [](Run &run, const Variant &) { run.point += run.given.eyePosition; });
+    list.add("eye-subtracted", Stage::Point, [](Run &run, const Variant &) { run.point -= run.given.eyePosition; });
+    addAxes(list);
+    for (const auto &[end, words] : {std::pair(1.0, marked("z of the near end with the far end's w")),
+                                     std::pair(0.0, marked("z of the far end with the near end's w"))})
+        list.add("w-of-another-point", Stage::Point, mixEnds, words, end).isAlone = true;
 }
 
 } // namespace
 
-void addMatrixMistakes(VariantList &list)
+void addMatrixMistakes(VariantList &list, const Given &, const Case &scene)
 {
     list.add("projection-transposed", Stage::Factors,
              [](Run &run, const Variant &) { run.clipFromEye = glm::transpose(run.clipFromEye); });
@@ -107,25 +120,7 @@ void addMatrixMistakes(VariantList &list)
     list.add("overwritten-in-place", Stage::Divide, [](Run &run, const Variant &) { run.isInPlace = true; });
     list.add("no-w-divide", Stage::Divide, [](Run &run, const Variant &) { run.divisions = 0; });
     list.add("w-divided-twice", Stage::Divide, [](Run &run, const Variant &) { run.divisions = 2; });
-}
-
-void addPointMistakes(VariantList &list, std::span<const PlacedModel> models)
-{
-    constexpr std::size_t kMostInPairs = 200; // the pairs, and their memory, grow with the square
-    for (std::size_t i = 0; i < models.size(); ++i) {
-        const bool isAlone = i >= kMostInPairs;
-        list.add(
-            "model-left-in",
-            [](Run &run, const Variant &v) { run.point = transformed(glm::inverse(v.matrix), run.point); }, models[i],
-            isAlone);
-        list.add(
-            "model-left-out", [](Run &run, const Variant &v) { run.point = transformed(v.matrix, run.point); },
-            models[i], isAlone);
-    }
-    list.add("eye-added", Stage::Point, [](Run &run, const Variant &) { run.point += run.given.eyePosition; });
-    list.add("eye-subtracted", Stage::Point, [](Run &run, const Variant &) { run.point -= run.given.eyePosition; });
-    addAxes(list);
-    addEnds(list);
+    addPointMistakes(list, scene.models);
 }
 
 } // namespace unprojector::doctor

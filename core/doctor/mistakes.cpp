@@ -1,178 +1,107 @@
 #include "core/doctor/mistakes.h"
 
-#include "core/base/translation.h"
-#include "core/doctor/solved_mistakes.h"
-#include "core/doctor/variant_list.h"
+#include "core/base/resource.h"
+#include "core/doctor/written_value.h"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cassert>
-#include <iterator>
-#include <utility>
+#include <cctype>
 
 namespace unprojector::doctor {
-using namespace geometry;
-using base::marked;
 namespace {
 
-constexpr Mistake kMistakes[] = {
-    {"y-not-flipped", 10},
-    {"row-above", 6},
-    {"pixel-corner", 6},
-    {"ratio-logical-in-device", 18},
-    {"ratio-logical-both", 18},
-    {"ratio-device-in-logical", 18},
-    {"viewport-origin-ignored", 18},
-    {"flipped-with-viewport-height", 18},
-    {"viewport-is-window", 18},
-    {"aspect-integer", 9},
-    {"aspect-inverted", 9},
-    {"fov-degrees-as-radians", 9},
-    {"fov-half", 9},
-    {"fov-double", 9},
-    {"fov-horizontal", 9},
-    {"depth-not-remapped", 11},
-    {"depth-remapped-twice", 11},
-    {"depth-linear", 7},
-    {"depth-zero", 11},
-    {"depth-one", 11},
-    {"depth-is-eye-distance", 7},
-    {"depth-reversed", 5},
-    {"depth-range-is-planes", 1},
-    {"near-differs", 13},
-    {"far-differs", 13},
-    {"ray-length-as-z", 7},
-    {"z-as-ray-length", 7},
-    {"linear-angle", 1},
-    {"no-w-divide", 4},
-    {"projection-transposed", 11},
-    {"view-transposed", 11},
-    {"both-transposed", 11},
-    {"product-transposed", 11},
-    {"inverse-order", 11},
-    {"not-inverted", 11},
-    {"view-inverse-as-view", 11},
-    {"view-left-out", 11},
-    {"model-left-in", 3},
-    {"model-left-out", 3},
-    {"eye-added", 3},
-    {"eye-z-positive", 3},
-    {"eye-xy-mirrored", 3},
-    {"xy-swapped", 3},
-    {"ortho-formula", 13},
-    {"divided-by-far", 13},
-    {"overwritten-in-place", 11},
-    {"viewport-y-from-top", 1},
-    {"row-below", 1},
-    {"aspect-of-window", 9},
-    {"aspect-stale", 8},
-    {"viewport-stale", 8},
-    {"aspect-left-out", 1},
-    {"fov-radians-as-degrees", 9},
-    {"frustum-centred", 1},
-    {"perspective-formula", 13},
-    {"depth-of-another-row", 1},
-    {"depth-rounded", 1},
-    {"depth-range-ignored", 1},
-    {"w-divided-twice", 4},
-    {"projection-left-out", 1},
-    {"eye-subtracted", 1},
-    {"axes-differ", 3},
-    {"opencv-axes", 8},
-    {"camera-axes-differ", 1},
-    {"translation-not-inverted", 3},
-    {"quaternion-order", 3},
-    {"euler-order", 1},
-    {"euler-degrees", 1},
-    {"focal-lengths-swapped", 1},
-    {"centre-swapped", 1},
-    {"intrinsics-of-another-size", 3},
-    {"half-pixel-twice", 3},
-    {"distortion-ignored", 8},
-    {"distortion-added", 1},
-    {"w-of-another-point", 1},
-    {"y-is-depth", 1},
-    {"pixel-in-size-minus-one", 1},
-    {"focal-length-not-in-pixels", 1},
-    {"fovy-differs", 9, true},
-    {"box-size-differs", 9, true},
-    {"pixel-shifted", 6, true},
-    {"pixel-scaled-and-moved", 3, true},
-    {"viewport-size-differs", 8, true},
-    {"ratio-differs", 18, true},
-    {"scaled", 3, true},
-    {"depth-scaled", 1, true},
-    {"near-far-differ", 13, true},
-    {"principal-point-differs", 3, true},
-    {"focal-lengths-differ", 3, true},
-    {"frame-differs", 3, true},
-};
+std::vector<CodeChange> linesIn(const nlohmann::json &mistake, const char *key)
+{
+    std::vector<CodeChange> code;
+    if (const auto lines = mistake.find(key); lines != mistake.end()) {
+        for (const nlohmann::json &line : *lines)
+            code.push_back(
+                {line.at(0).get<std::string>(), line.at(1).get<std::string>(), line.at(2).get<std::string>()});
+    }
+    return code;
+}
+
+/// @return null if there is no value of this name
+const SolvedValue *named(std::span<const SolvedValue> values, std::string_view name)
+{
+    const auto found =
+        std::find_if(values.begin(), values.end(), [name](const SolvedValue &value) { return value.name == name; });
+    return found == values.end() ? nullptr : &*found;
+}
+
+/// The value in a line. A scale that is not solved is 1, and a translation 0; other names stay.
+/// @param name  without "other": Far
+std::string textOf(std::string name, std::span<const SolvedValue> values)
+{
+    name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
+    const SolvedValue *value = named(values, name);
+    if (!value)
+        return name == "scale" ? "1" : name == "translation" ? "0, 0, 0" : name;
+    std::string text = value->word;
+    for (const double number : value->numbers)
+        text += (text.empty() ? "" : ", ") + valueText(number);
+    return text;
+}
+
+/// A line with the values in place of their names.
+std::string lineWithValues(std::string_view line, std::span<const SolvedValue> values)
+{
+    constexpr std::string_view kOther = "other",
+                               kOfNames = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789";
+    std::string filled;
+    while (!line.empty()) {
+        const std::size_t length = std::min(line.find_first_not_of(kOfNames), line.size());
+        const std::string_view word = line.substr(0, std::max<std::size_t>(length, 1));
+        const bool isValue = length > kOther.size() && word.starts_with(kOther)
+                             && std::isupper(static_cast<unsigned char>(word[kOther.size()]));
+        filled += isValue ? textOf(std::string(word.substr(kOther.size())), values) : std::string(word);
+        line.remove_prefix(word.size());
+    }
+    return filled;
+}
 
 } // namespace
 
-std::span<const Mistake> mistakes()
+const std::vector<Mistake> &mistakes()
 {
-    return kMistakes;
+    static const std::vector<Mistake> all = [] {
+        std::vector<Mistake> read;
+        for (const nlohmann::json &one : nlohmann::json::parse(base::resource("doctor/mistakes.json")))
+            read.push_back({one.value("id", ""), one.value("name", ""), one.value("sentence", ""),
+                            one.value("reports", 0), one.value("isOnlySolved", false), linesIn(one, "code"),
+                            one.value("with", std::vector<std::string>()), linesIn(one, "codeWith")});
+        return read;
+    }();
+    return all;
 }
 
-void VariantList::add(std::string_view id, Variant variant)
+const Mistake &mistakeOf(std::string_view id)
 {
-    const auto *place = std::find_if(std::begin(kMistakes), std::end(kMistakes),
-                                     [&](const Mistake &mistake) { return mistake.id == id; });
-    assert(place != std::end(kMistakes));
-    variant.mistake = std::size_t(place - kMistakes);
-    m_variants.push_back(std::move(variant));
+    const auto found =
+        std::find_if(mistakes().begin(), mistakes().end(), [id](const Mistake &mistake) { return mistake.id == id; });
+    assert(found != mistakes().end());
+    return *found;
 }
 
-void VariantList::add(std::string_view id, Stage stage, Apply apply, double parameter, VariantName name)
+std::vector<CodeChange> codeOf(std::string_view id, std::span<const SolvedValue> values)
 {
-    Variant variant;
-    variant.stage = stage;
-    variant.apply = apply;
-    variant.parameter = parameter;
-    variant.name = std::move(name);
-    add(id, std::move(variant));
-}
-
-void VariantList::add(std::string_view id, Stage stage, Apply apply, const Surface &size, VariantName name)
-{
-    add(id, stage, apply, double(size.widthPixels), std::move(name));
-    m_variants.back().second = size.heightPixels;
-}
-
-void VariantList::addAlone(std::string_view id, Stage stage, Apply apply, VariantName name, double parameter,
-                           double second)
-{
-    add(id, stage, apply, parameter, std::move(name));
-    m_variants.back().second = second;
-    m_variants.back().isAlone = true;
-}
-
-void VariantList::add(std::string_view id, Apply apply, const PlacedModel &model, bool isAlone)
-{
-    add(id, Stage::Point, apply, 0.0, {marked("of %1"), model.name});
-    m_variants.back().matrix = model.worldFromObject.rounded();
-    m_variants.back().isAlone = isAlone;
-}
-
-std::vector<Variant> VariantList::sorted() &&
-{
-    std::stable_sort(m_variants.begin(), m_variants.end(),
-                     [](const Variant &a, const Variant &b) { return a.mistake < b.mistake; });
-    return std::move(m_variants);
-}
-
-std::vector<Variant> variants(const Given &given, const Case &scene, std::span<const Target> points)
-{
-    VariantList list;
-    addPixelMistakes(list, given, scene.otherSize);
-    addDepthMistakes(list, given);
-    addLensMistakes(list, given, scene.otherSize);
-    addMatrixMistakes(list);
-    addCameraMistakes(list, given, scene.otherSize);
-    addPointMistakes(list, scene.models);
-    if (!points.empty())
-        addSolvedMistakes(list, given, scene, points);
-    return std::move(list).sorted();
+    const Mistake *mistake = &mistakeOf(id);
+    const auto chooses = [&](const SolvedValue &value) {
+        return std::any_of(mistake->with.begin(), mistake->with.end(),
+                           [&](const std::string &with) { return value.name == with || value.word == with; });
+    };
+    // A ratio has the lines of its fixed form.
+    if (const SolvedValue *fixedForm = named(values, "as"))
+        mistake = &mistakeOf(fixedForm->word);
+    std::vector<CodeChange> code =
+        std::any_of(values.begin(), values.end(), chooses) ? mistake->codeWith : mistake->code;
+    for (CodeChange &change : code) {
+        change.wrong = lineWithValues(change.wrong, values);
+        change.right = lineWithValues(change.right, values);
+    }
+    return code;
 }
 
 } // namespace unprojector::doctor

@@ -115,11 +115,6 @@ std::optional<glm::dvec3> objectOf(const PreciseMatrix &worldFromObject, const W
     return point ? std::optional(point->coordinates()) : std::nullopt;
 }
 
-double greatestOf(const glm::dvec3 &v)
-{
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
 } // namespace
 
 std::optional<glm::dvec3> unsureOf(const Given &given, const Prepared &point)

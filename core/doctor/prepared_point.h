@@ -44,7 +44,7 @@ std::optional<glm::dvec3> unsureOf(const Given &given, const Prepared &point);
 /// The error of a point after projection with the right matrices.
 ErrorKind wrongOf(const Given &given, const Prepared &point);
 
-/// The count of numbers that had to agree for an explanation, see chanceOf.
+/// The count of numbers that had to agree for an explanation, see Evidence.
 int agreeing(std::span<const Prepared> points, std::span<const ErrorKind> wrongs);
 
 /// The mean over the points of the greatest coordinate, units of the last digit. Few digits near the

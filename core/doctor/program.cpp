@@ -5,6 +5,7 @@
 
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -17,11 +18,6 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-bool isFinite(const glm::dvec3 &v)
-{
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 /// Sets what a projection's matrix alone does not contain.
 void readLens(Given &given, const Lens &lens)
@@ -56,11 +52,6 @@ glm::dvec2 ndcXy(const Viewport &viewport, const glm::dvec2 &window)
             2.0 * (window.y - viewport.y) / viewport.height - 1.0};
 }
 
-double ndcZ(const Given &given, double unitDepth)
-{
-    return given.ndcDepth == NdcDepth::ZeroToOne ? unitDepth : 2.0 * unitDepth - 1.0;
-}
-
 glm::dmat4 combined(const Run &run)
 {
     const glm::dmat4 eyeFromSpace = run.eyeFromWorld * run.click.worldFromObject;
@@ -89,11 +80,8 @@ public:
 
     bool has(Stage stage) const
     {
-        for (const Variant *mistake : m_mistakes) {
-            if (mistake->stage == stage)
-                return true;
-        }
-        return false;
+        return std::any_of(m_mistakes.begin(), m_mistakes.end(),
+                           [stage](const Variant *mistake) { return mistake->stage == stage; });
     }
     void make(Stage stage)
     {
@@ -112,11 +100,9 @@ private:
 /// leads there.
 void throughEye(Run &run, Mistakes &mistakes)
 {
-    const glm::dvec4 undivided = glm::inverse(run.clipFromEye) * glm::dvec4(run.ndc, 1.0);
-    run.eye = glm::dvec3(undivided) / undivided.w;
+    run.eye = transformed(glm::inverse(run.clipFromEye), run.ndc);
     mistakes.make(Stage::Eye);
-    const glm::dvec4 clip = run.clipFromEye * glm::dvec4(run.eye, 1.0);
-    run.ndc = glm::dvec3(clip) / clip.w;
+    run.ndc = transformed(run.clipFromEye, run.eye);
 }
 
 } // namespace
@@ -169,8 +155,7 @@ std::optional<Run> ran(const Given &given, const Click &click, std::span<const V
     run.window = {run.position.x, run.isFlipped ? run.flipHeight - run.position.y : run.position.y};
     mistakes.make(Stage::Window);
 
-    const auto &[atNear, atFar] = given.depthRange;
-    run.depth = (click.depth - atNear) / (atFar - atNear);
+    run.depth = given.unitDepth(click.depth);
     mistakes.make(Stage::Depth);
 
     run.nearDistance = given.nearDistance;
@@ -179,7 +164,7 @@ std::optional<Run> ran(const Given &given, const Click &click, std::span<const V
     // A program that answers in eye space uses no view matrix.
     run.eyeFromWorld = click.space == PointSpace::Eye ? glm::dmat4(1.0) : given.eyeFromWorld;
     mistakes.make(Stage::Lens);
-    run.ndc = glm::dvec3(ndcXy(run.viewport, run.window), ndcZ(given, run.depth));
+    run.ndc = glm::dvec3(ndcXy(run.viewport, run.window), given.ndcZ(run.depth));
     if (mistakes.has(Stage::Eye) || run.isClosedForm)
         throughEye(run, mistakes);
 
@@ -206,6 +191,17 @@ std::optional<glm::dvec3> answer(const Given &given, const Click &click, std::sp
 {
     const std::optional<Run> run = ran(given, click, list, isClosedForm);
     return run ? std::optional(run->point) : std::nullopt;
+}
+
+glm::dvec3 transformed(const glm::dmat4 &m, const glm::dvec3 &point)
+{
+    const glm::dvec4 result = m * glm::dvec4(point, 1.0);
+    return glm::dvec3(result) / result.w;
+}
+
+double greatestOf(const glm::dvec3 &v)
+{
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
 glm::dmat4 worldFromSpace(const Given &given, const Click &click)
@@ -250,11 +246,9 @@ void setPixel(const Given &given, Click &click, const DevicePoint &inImage)
 
 void setRightEye(const Given &given, Click &click)
 {
-    const auto &[atNear, atFar] = given.depthRange;
     const glm::dvec2 window(click.pixel.x, flippedY(given.surface, click.pixel.y));
-    const glm::dvec3 ndc(ndcXy(given.viewport, window), ndcZ(given, (click.depth - atNear) / (atFar - atNear)));
-    const glm::dvec4 eye = glm::inverse(given.clipFromEye) * glm::dvec4(ndc, 1.0);
-    click.eye = glm::dvec3(eye) / eye.w;
+    const glm::dvec3 ndc(ndcXy(given.viewport, window), given.ndcZ(given.unitDepth(click.depth)));
+    click.eye = transformed(glm::inverse(given.clipFromEye), ndc);
 }
 
 std::optional<glm::dvec3> projected(const Given &given, const Click &click, const glm::dvec3 &point)
@@ -262,8 +256,7 @@ std::optional<glm::dvec3> projected(const Given &given, const Click &click, cons
     glm::dmat4 clipFromSpace = given.clipFromEye;
     if (click.space != PointSpace::Eye)
         clipFromSpace = clipFromSpace * given.eyeFromWorld * click.worldFromObject;
-    const glm::dvec4 clip = clipFromSpace * glm::dvec4(point, 1.0);
-    const glm::dvec3 ndc = glm::dvec3(clip) / clip.w;
+    const glm::dvec3 ndc = transformed(clipFromSpace, point);
     if (!isFinite(ndc))
         return std::nullopt;
     const WindowPoint window = windowFromNdc(given.viewport, given.depthRange, NdcPoint(ndc), given.ndcDepth);

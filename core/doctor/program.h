@@ -32,6 +32,18 @@ struct Given {
 
     /// @return the errors of check(setup), clipFromEye and eyeFromWorld; SingularMatrix
     static geometry::Result<Given> of(const geometry::Setup &setup, const cameras::Distortion &distortion = {});
+
+    /// The depth in [0, 1] of one in the depth range.
+    double unitDepth(double depth) const
+    {
+        return (depth - depthRange.atNear) / (depthRange.atFar - depthRange.atNear);
+    }
+    double ndcZ(double unitDepth) const
+    {
+        return ndcDepth == geometry::NdcDepth::ZeroToOne ? unitDepth : 2.0 * unitDepth - 1.0;
+    }
+    /// The share of the way from the near plane to the far plane, for a depth in [0, 1].
+    double shareFromNear(double unitDepth) const { return isReversed ? 1.0 - unitDepth : unitDepth; }
 };
 
 /// One click of the program, and its right answer.
@@ -91,8 +103,6 @@ struct Run {
     glm::dvec3 point{0.0};
     bool isLost = false; ///< the program has no answer here
 
-    /// The share of the distance from the near plane to the far plane, for a depth in [0, 1].
-    double shareFromNear(double unitDepth) const { return given.isReversed ? 1.0 - unitDepth : unitDepth; }
     /// Moves the eye point to another distance on its ray.
     void setDistance(double distance);
     double distance() const { return given.side * eye.z; }
@@ -105,7 +115,7 @@ struct Variant {
     void (*apply)(Run &, const Variant &) = nullptr;
     double parameter = 0.0, second = 0.0;
     glm::dmat4 matrix{1.0};            ///< of a model, or of another frame
-    VariantName name;                  ///< empty if the mistake has one variant
+    VariantName name{};                ///< empty if the mistake has one variant
     std::vector<SolvedValue> values{}; ///< see Candidate::values
     /// The number of values that were solved from the given points; 0 for a mistake of fixed form.
     int unknowns = 0;
@@ -125,6 +135,11 @@ std::optional<Run> ran(const Given &given, const Click &click, std::span<const V
 /// The answer of the program with these mistakes, see ran(); empty if it has no finite answer.
 std::optional<glm::dvec3> answer(const Given &given, const Click &click, std::span<const Variant *const> mistakes,
                                  bool isClosedForm = false);
+
+/// A point divided by its w.
+glm::dvec3 transformed(const glm::dmat4 &m, const glm::dvec3 &point);
+/// The greatest coordinate's size.
+double greatestOf(const glm::dvec3 &v);
 
 /// The transform from the space of a click's answer to world space.
 glm::dmat4 worldFromSpace(const Given &given, const Click &click);

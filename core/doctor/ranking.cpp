@@ -1,5 +1,7 @@
 #include "core/doctor/ranking.h"
 
+#include "core/doctor/mistakes.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -75,34 +77,55 @@ bool isBetter(const Hypothesis &a, const Hypothesis &b)
     return std::pair(a.distance, a.count) < std::pair(b.distance, b.count);
 }
 
+/// The range of m. A larger m would include distant hypotheses, whose density differs.
+constexpr std::size_t kFewest = 4, kMost = 64;
+
+/// Measures the chance near the point. Let m hypotheses lie within a distance R of it, evenly spread.
+/// Then one of them comes as close as t with a chance of m (t / R)^k. The result is the greatest of
+/// these for m = 4, 8, … 64. More complicated hypotheses than the best one and ones with its answer do
+/// not count.
+double chanceOfFixed(std::span<const Hypothesis> all, const Hypothesis &best, double within, int agreeing)
+{
+    std::vector<double> distances;
+    distances.reserve(all.size());
+    for (const Hypothesis &other : all) {
+        if (other.count > best.count || other.isSolved() || keyOf(other) == keyOf(best)
+            || isSameAnswer(other.point, best.point))
+            continue;
+        distances.push_back(other.distance);
+    }
+    std::sort(distances.begin(), distances.end());
+    double chance = 0.0;
+    for (std::size_t m = kFewest; m <= std::min(kMost, distances.size()); m *= 2) {
+        const double share = std::min(1.0, within / distances[m - 1]);
+        chance = std::max(chance, double(m) * std::pow(share, agreeing));
+    }
+    return std::min(chance, 1.0);
+}
+
+/// Each value uses up one of the numbers that had to agree. For the others, an answer of the mistake
+/// comes as close as t to a point at a distance D from the right one with a chance of (2 t / D)^k. The
+/// roundness of the values is further evidence.
+double chanceOfSolved(const Hypothesis &best, double apart, double within, int agreeing)
+{
+    constexpr std::size_t kClipPlanes = 2; // near and far, which have a fixed form besides
+    const auto families = kClipPlanes
+                          + std::size_t(std::count_if(mistakes().begin(), mistakes().end(),
+                                                      [](const Mistake &mistake) { return mistake.isOnlySolved; }));
+    const Variant &solved = *best.parts[0];
+    const double share = std::min(1.0, 2.0 * within / apart);
+    const int left = std::max(0, agreeing - solved.unknowns);
+    return std::min(1.0, double(families) * solved.coincidence * std::pow(share, left));
+}
+
 } // namespace
 
 std::string idOf(const Hypothesis &hypothesis)
 {
     if (hypothesis.count == 0)
         return "right";
-    std::string id(mistakes()[hypothesis.parts[0]->mistake].id);
-    if (hypothesis.count > 1)
-        id += '+' + std::string(mistakes()[hypothesis.parts[1]->mistake].id);
-    return id;
-}
-
-std::vector<VariantName> waysOf(const Hypothesis &hypothesis)
-{
-    std::vector<VariantName> ways;
-    for (std::size_t i = 0; i < hypothesis.count; ++i) {
-        if (const VariantName &name = hypothesis.parts[i]->name; !name.isEmpty())
-            ways.push_back(name);
-    }
-    return ways;
-}
-
-std::vector<SolvedValue> valuesOf(const Hypothesis &hypothesis)
-{
-    std::vector<SolvedValue> values;
-    for (std::size_t i = 0; i < hypothesis.count; ++i)
-        values.insert(values.end(), hypothesis.parts[i]->values.begin(), hypothesis.parts[i]->values.end());
-    return values;
+    const std::string id = mistakes()[hypothesis.parts[0]->mistake].id;
+    return hypothesis.count == 1 ? id : id + '+' + mistakes()[hypothesis.parts[1]->mistake].id;
 }
 
 std::vector<Hypothesis> ranked(std::span<const Hypothesis> all)
@@ -160,6 +183,13 @@ int digitsExplained(double coordinate, double lastDigit, double off)
     // An error of 5 units of a digit spoils the next digit too.
     const double lost = std::ceil(std::log10(2.0 * off));
     return lost >= given ? 0 : given - int(lost);
+}
+
+double chanceOf(const Evidence &evidence, const Hypothesis &best)
+{
+    const double within = best.worst <= kRounded ? kRounded : kCutOff;
+    return best.isSolved() ? chanceOfSolved(best, evidence.apart, within, evidence.agreeing)
+                           : chanceOfFixed(evidence.all, best, within, evidence.agreeing);
 }
 
 } // namespace unprojector::doctor

@@ -10,10 +10,6 @@ namespace unprojector::doctor {
 
 /// The id of a hypothesis: "right", its mistake's, or both mistakes' joined by a plus.
 std::string idOf(const Hypothesis &hypothesis);
-/// The variants of its mistakes that have several.
-std::vector<VariantName> waysOf(const Hypothesis &hypothesis);
-/// The values of its mistakes.
-std::vector<SolvedValue> valuesOf(const Hypothesis &hypothesis);
 
 /// Hypotheses ranked by how well they explain the points, the best first. Each pair of mistakes
 /// occurs once, with its best variant.
@@ -35,5 +31,20 @@ int digitsOf(double coordinate, double lastDigit);
 /// The number of those digits that an answer explains.
 /// @param off  see unitsOff()
 int digitsExplained(double coordinate, double lastDigit, double off);
+
+/// What the chance of an explanation follows from.
+struct Evidence {
+    std::span<const Hypothesis> all; ///< all hypotheses tried
+    double apart = 0.0;              ///< distance of the points from the right ones, units of the last digit
+    /// The count of numbers that had to agree: three coordinates; two for a point with the right
+    /// depth or an unknown depth. It is one for a point on the right ray, because the answers of all
+    /// depth mistakes lie on it. Several points multiply their chances.
+    int agreeing = 0;
+};
+
+/// The chance that one of the hypotheses explains a point that comes from none of them. It is not
+/// assumed but measured near the point.
+/// @param best  the one that explains the point
+double chanceOf(const Evidence &evidence, const Hypothesis &best);
 
 } // namespace unprojector::doctor

@@ -83,8 +83,8 @@ Variant variantOf(const Letterbox &box, const Fit &fit)
     variant.name.words = marked("scaled by %1 and moved by (%2), y flipped with a height of %3");
     variant.name.sentence =
         marked("Your program's pixel is scaled by %1 and moved by (%2), and a height of %3 flips its y.");
-    variant.name.third = valueText(height);
-    variant.values.push_back({"flipHeight", {height}, {}});
+    variant.name.values.push_back(valueText(height));
+    variant.values.push_back({"flipHeight", {height}});
     return variant;
 }
 
@@ -128,17 +128,18 @@ Variant scaledAndMoved(double scale, double dx, double dy)
     dx = withoutNoise(dx);
     dy = withoutNoise(dy);
     scale = withoutNoise(scale);
-    Variant variant;
-    variant.stage = Stage::Pixel;
-    variant.apply = [](Run &run, const Variant &v) {
-        run.position = v.matrix[0][0] * run.position + glm::dvec2(v.parameter, v.second);
-    };
-    variant.parameter = dx;
-    variant.second = dy;
+    Variant variant{.stage = Stage::Pixel,
+                    .apply =
+                        [](Run &run, const Variant &v) {
+                            run.position = v.matrix[0][0] * run.position + glm::dvec2(v.parameter, v.second);
+                        },
+                    .parameter = dx,
+                    .second = dy,
+                    .name = {marked("scaled by %1 and moved by (%2)"),
+                             {valueText(scale), valueText(dx) + ", " + valueText(dy)},
+                             marked("Your program's pixel is scaled by %1 and moved by (%2).")},
+                    .values = {{"scale", {scale}}, {"dx", {dx}}, {"dy", {dy}}}};
     variant.matrix[0][0] = scale;
-    variant.name = {marked("scaled by %1 and moved by (%2)"), valueText(scale), valueText(dx) + ", " + valueText(dy),
-                    marked("Your program's pixel is scaled by %1 and moved by (%2).")};
-    variant.values = {{"scale", {scale}, {}}, {"dx", {dx}, {}}, {"dy", {dy}, {}}};
     return variant;
 }
 

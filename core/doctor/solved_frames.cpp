@@ -50,7 +50,7 @@ bool explains(const FrameFit &frame, const Points &points, double most)
 {
     for (std::size_t i = 0; i < points.right.size(); ++i) {
         const glm::dvec3 off = glm::abs(frame.mapped(points.right[i]) - points.got[i]) / points.lastDigit;
-        if (!(std::max({off.x, off.y, off.z}) <= most))
+        if (!(greatestOf(off) <= most))
             return false;
     }
     return true;
@@ -127,46 +127,43 @@ std::string axisText(const glm::dquat &turn)
     return textOf(glm::round(glm::axis(turn) * kUnits) / kUnits + 0.0); // no -0
 }
 
-VariantName nameOf(const FrameFit &frame, const AxisPermutation *permutation)
+VariantName nameOf(const FrameFit &frame, const AxisPermutation *otherAxes, bool isTurned)
 {
     const std::string scale = valueText(frame.scale), moved = textOf(frame.translation);
-    const bool isMoved = frame.translation != glm::dvec3(0.0);
-    if (permutation && permutation != &axisPermutations().front()) {
-        if (!isMoved)
-            return {marked("%1, scaled by %2"), permutation->axes, scale,
-                    marked("Your program's axes are %1, scaled by %2.")};
-        return frame.scale == 1.0
-                   ? VariantName(marked("%1, then moved by %2"), permutation->axes, moved,
-                                 marked("Your program's axes are %1; then it moves its points by %2."))
-                   : VariantName(marked("%1, then scaled and moved: %2"), permutation->axes, scale + "; " + moved,
-                                 marked("Your program's axes are %1; then it scales and moves its points: %2."));
+    if (otherAxes) {
+        const std::string &axes = otherAxes->axes;
+        if (frame.translation == glm::dvec3(0.0))
+            return {marked("%1, scaled by %2"), {axes, scale}, marked("Your program's axes are %1, scaled by %2.")};
+        if (frame.scale == 1.0)
+            return {marked("%1, then moved by %2"),
+                    {axes, moved},
+                    marked("Your program's axes are %1; then it moves its points by %2.")};
+        return {marked("%1, then scaled and moved: %2"),
+                {axes, scale + "; " + moved},
+                marked("Your program's axes are %1; then it scales and moves its points: %2.")};
     }
-    if (permutation)
-        return frame.scale == 1.0
-                   ? VariantName(marked("moved by %1"), moved, {}, marked("Your program moves its points by %1."))
-                   : VariantName(marked("scaled by %1, then moved by %2"), scale, moved,
-                                 marked("Your program scales its points by %1, then moves them by %2."));
+    if (!isTurned && frame.scale == 1.0)
+        return {marked("moved by %1"), {moved}, marked("Your program moves its points by %1.")};
+    if (!isTurned)
+        return {marked("scaled by %1, then moved by %2"),
+                {scale, moved},
+                marked("Your program scales its points by %1, then moves them by %2.")};
     const glm::dquat turn = turnOf(frame);
     const std::string angle = base::significantText(geometry::degreesFromRadians(glm::angle(turn)), 4);
-    VariantName name =
-        !frame.isHandednessKnown ? VariantName(
-            marked("turned by %1 degrees about %3, scaled by %2, moved by %4; the points lie in a plane, "
-                   "so that a mirror image fits too"),
-            angle, scale,
-            marked("Your program turns its points by %1 degrees about %3, scales them by %2 and moves them "
-                   "by %4. The points lie in a plane, so that a mirror image fits too."))
-        : frame.isMirrored()
-            ? VariantName(
-                marked("mirrored, turned by %1 degrees about %3, scaled by %2, moved by %4"), angle, scale,
-                marked("Your program mirrors its points, turns them by %1 degrees about %3, scales them by %2 "
-                       "and moves them by %4."))
-            : VariantName(
-                marked("turned by %1 degrees about %3, scaled by %2, moved by %4"), angle, scale,
+    const std::vector<std::string> values{angle, scale, axisText(turn), moved};
+    if (!frame.isHandednessKnown)
+        return {marked("turned by %1 degrees about %3, scaled by %2, moved by %4; the points lie in a plane, "
+                       "so that a mirror image fits too"),
+                values,
                 marked("Your program turns its points by %1 degrees about %3, scales them by %2 and moves them "
-                       "by %4."));
-    name.third = axisText(turn);
-    name.fourth = moved;
-    return name;
+                       "by %4. The points lie in a plane, so that a mirror image fits too.")};
+    if (frame.isMirrored())
+        return {marked("mirrored, turned by %1 degrees about %3, scaled by %2, moved by %4"), values,
+                marked("Your program mirrors its points, turns them by %1 degrees about %3, scales them by %2 "
+                       "and moves them by %4.")};
+    return {marked("turned by %1 degrees about %3, scaled by %2, moved by %4"), values,
+            marked("Your program turns its points by %1 degrees about %3, scales them by %2 and moves them "
+                   "by %4.")};
 }
 
 /// The units in 1 of a rotation's last digit that the points determine: a power of ten.
@@ -176,7 +173,7 @@ double rotationUnits(const FrameFit &frame, const Points &points)
     double size = 0.0;
     for (const glm::dvec3 &right : points.right)
         size = std::max(size, frame.scale * glm::distance(right, points.right.front()));
-    const double digit = std::max({points.lastDigit.x, points.lastDigit.y, points.lastDigit.z});
+    const double digit = greatestOf(points.lastDigit);
     return std::pow(10.0, std::ceil(-std::log10(kShare * digit / size)));
 }
 
@@ -187,32 +184,32 @@ void add(VariantList &list, const Solved &solved, const Points &points)
     for (int axis = 0; axis < 3; ++axis)
         roundOff(frame.translation[axis], frame, points);
     const AxisPermutation *permutation = axisPermutationOf(frame.rotation, 0.0);
-    const bool isOtherAxes = permutation && permutation != &axisPermutations().front();
-    Variant variant;
-    variant.stage = Stage::Point;
-    variant.apply = [](Run &run, const Variant &v) { run.point = glm::dvec3(v.matrix * glm::dvec4(run.point, 1.0)); };
-    variant.matrix = glm::dmat4(frame.scale * frame.rotation);
+    const bool isTurned = !permutation;
+    if (permutation == &axisPermutations().front())
+        permutation = nullptr;
+    const SolvedValue moved{"translation", {frame.translation.x, frame.translation.y, frame.translation.z}};
+    const SolvedValue scaled{"scale", {frame.scale}};
+    Variant variant{
+        .stage = Stage::Point,
+        .apply = [](Run &run, const Variant &v) { run.point = glm::dvec3(v.matrix * glm::dvec4(run.point, 1.0)); },
+        .matrix = glm::dmat4(frame.scale * frame.rotation),
+        .name = nameOf(frame, permutation, isTurned),
+        .unknowns = solved.unknowns};
     variant.matrix[3] = glm::dvec4(frame.translation, 1.0);
-    variant.name = nameOf(frame, permutation);
-    const SolvedValue moved{"translation", {frame.translation.x, frame.translation.y, frame.translation.z}, {}};
-    const SolvedValue scaled{"scale", {frame.scale}, {}};
-    if (isOtherAxes) {
+    if (permutation) {
         variant.values = {{"axes", {}, permutation->axes}};
         if (solved.unknowns != 3)
             variant.values.push_back(scaled);
         if (solved.unknowns > 1)
             variant.values.push_back(moved);
     } else {
-        SolvedValue rotation{"rotation", {}, {}};
+        SolvedValue rotation{"rotation"};
         const double units = rotationUnits(frame, points);
-        for (int row = 0; row < 3; ++row) {
-            for (int column = 0; column < 3; ++column)
-                rotation.numbers.push_back(std::round(frame.rotation[column][row] * units) / units + 0.0); // no -0
-        }
+        for (int i = 0; i < 9; ++i)
+            rotation.numbers.push_back(std::round(frame.rotation[i % 3][i / 3] * units) / units + 0.0); // no -0
         variant.values = {rotation, moved, scaled};
     }
-    variant.unknowns = solved.unknowns;
-    list.add(isOtherAxes ? "axes-differ" : "frame-differs", std::move(variant));
+    list.add(permutation ? "axes-differ" : "frame-differs", std::move(variant));
 }
 
 } // namespace

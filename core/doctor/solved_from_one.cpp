@@ -72,17 +72,17 @@ void addFovy(VariantList &list, const Given &given, std::span<const Target> poin
     const double fovx = degreesFromRadians(2.0 * std::atan(std::abs(1.0 / given.clipFromEye[0][0])));
     const std::array known{fovx, fovy / 2.0, fovx / 2.0};
     addSolvedNumber(list, "fovy-differs", given, points, *solved, known, [&](double value) {
-        Variant variant;
-        variant.stage = Stage::Lens;
-        variant.apply = [](Run &run, const Variant &v) {
-            setTangent(run, std::copysign(std::tan(radiansFromDegrees(v.parameter) / 2.0), run.clipFromEye[1][1]));
-        };
-        variant.parameter = value;
-        variant.name = {marked("fovy is %1 degrees, the scene has %2"), valueText(value),
-                        base::significantText(fovy, 6),
-                        marked("Your program's field of view is %1 degrees, the scene's is %2.")};
-        variant.values = {{"fovy", {value}, {}}};
-        return variant;
+        return Variant{.stage = Stage::Lens,
+                       .apply =
+                           [](Run &run, const Variant &v) {
+                               setTangent(run, std::copysign(std::tan(radiansFromDegrees(v.parameter) / 2.0),
+                                                             run.clipFromEye[1][1]));
+                           },
+                       .parameter = value,
+                       .name = {marked("fovy is %1 degrees, the scene has %2"),
+                                {valueText(value), base::significantText(fovy, 6)},
+                                marked("Your program's field of view is %1 degrees, the scene's is %2.")},
+                       .values = {{"fovy", {value}}}};
     });
 }
 
@@ -104,18 +104,18 @@ void addBoxSize(VariantList &list, const Given &given, std::span<const Target> p
         return;
     const std::array known{height / 2.0, 2.0 * height, width};
     addSolvedNumber(list, "box-size-differs", given, points, *solved, known, [&](double value) {
-        Variant variant;
-        variant.stage = Stage::Lens;
-        variant.apply = [](Run &run, const Variant &v) {
-            widen(run, v.parameter);
-            run.clipFromEye[3][0] /= v.parameter;
-            run.clipFromEye[3][1] /= v.parameter;
-        };
-        variant.parameter = value / height;
-        variant.name = {marked("the box is %1 high, the scene's %2"), valueText(value), valueText(height),
-                        marked("Your program's box is %1 high, the scene's %2.")};
-        variant.values = {{"height", {value}, {}}};
-        return variant;
+        return Variant{.stage = Stage::Lens,
+                       .apply =
+                           [](Run &run, const Variant &v) {
+                               widen(run, v.parameter);
+                               run.clipFromEye[3][0] /= v.parameter;
+                               run.clipFromEye[3][1] /= v.parameter;
+                           },
+                       .parameter = value / height,
+                       .name = {marked("the box is %1 high, the scene's %2"),
+                                {valueText(value), valueText(height)},
+                                marked("Your program's box is %1 high, the scene's %2.")},
+                       .values = {{"height", {value}}}};
     });
 }
 
@@ -128,15 +128,11 @@ void addShift(VariantList &list, const Given &given, std::span<const Target> poi
     for (Solution &along : *shift)
         along.ofScene = 0.0;
     addSolved(list, "pixel-shifted", *shift, {}, [](std::span<const double> values) {
-        Variant variant;
-        variant.stage = Stage::Pixel;
-        variant.apply = [](Run &run, const Variant &v) { run.position += glm::dvec2(v.parameter, v.second); };
-        variant.parameter = values[0];
-        variant.second = values[1];
-        variant.name = {marked("%1 to the right, %2 down"), valueText(values[0]), valueText(values[1]),
-                        marked("Your program's pixel is %1 to the right and %2 down.")};
-        variant.values = {{"dx", {values[0]}, {}}, {"dy", {values[1]}, {}}};
-        return variant;
+        return shifted(values[0], values[1],
+                       {marked("%1 to the right, %2 down"),
+                        {valueText(values[0]), valueText(values[1])},
+                        marked("Your program's pixel is %1 to the right and %2 down.")},
+                       {{"dx", {values[0]}}, {"dy", {values[1]}}});
     });
 }
 
@@ -202,14 +198,12 @@ void addViewportSize(VariantList &list, const Given &given, std::span<const Targ
     addSolved(
         list, "viewport-size-differs", size, known,
         [&](std::span<const double> values) {
-            Variant variant;
-            variant.stage = Stage::Lens;
-            variant.apply = apply;
-            variant.parameter = values[0];
-            variant.second = values[1];
-            variant.name = {words, sizeText(values[0], values[1]), sizeText(v.width, v.height), sentence};
-            variant.values = {{"width", {values[0]}, {}}, {"height", {values[1]}, {}}};
-            return variant;
+            return Variant{.stage = Stage::Lens,
+                           .apply = apply,
+                           .parameter = values[0],
+                           .second = values[1],
+                           .name = {words, {sizeText(values[0], values[1]), sizeText(v.width, v.height)}, sentence},
+                           .values = {{"width", {values[0]}}, {"height", {values[1]}}}};
         },
         kUsesOfSize);
 }
@@ -293,11 +287,11 @@ void addRatio(VariantList &list, const Given &given, const Case &scene, std::spa
                                                "logical pixels; the ratio is %1.")
               : isLogical ? marked("Your program has the pixel and the flip in logical pixels; the ratio is %1.")
                         : marked("Your program has device pixels in a logical viewport; the ratio is %1.");
-        variant.name = {words, valueText(value), {}, sentence};
+        variant.name = {words, {valueText(value)}, sentence};
         const char *fixedForm = !isLogical  ? "ratio-device-in-logical"
                                 : isFromTop ? "ratio-logical-in-device"
                                             : "ratio-logical-both";
-        variant.values = {{"ratio", {value}, {}}, {"as", {}, fixedForm}};
+        variant.values = {{"ratio", {value}}, {"as", {}, fixedForm}};
         return variant;
     });
 }
@@ -318,8 +312,7 @@ glm::dvec3 eyeIn(const Given &given, const Click &click)
 {
     if (click.space == PointSpace::Eye)
         return glm::dvec3(0.0);
-    const glm::dvec4 eye = glm::inverse(click.worldFromObject) * glm::dvec4(given.eyePosition, 1.0);
-    return glm::dvec3(eye) / eye.w;
+    return transformed(glm::inverse(click.worldFromObject), given.eyePosition);
 }
 
 /// Another unit of length, or distances of another unit.
@@ -349,11 +342,10 @@ void addScale(VariantList &list, const Given &given, std::span<const Target> poi
             variant.apply = [](Run &run, const Variant &v) { run.point *= v.parameter; };
         variant.parameter = value;
         variant.name = {isAboutEye ? marked("by %1 from the eye") : marked("by %1 from the origin"),
-                        valueText(value),
-                        {},
+                        {valueText(value)},
                         isAboutEye ? marked("Your program scales its points by %1 about the eye.")
                                    : marked("Your program scales its points by %1 about the origin.")};
-        variant.values = {{"factor", {value}, {}}, {"about", {}, isAboutEye ? "eye" : "origin"}};
+        variant.values = {{"factor", {value}}, {"about", {}, isAboutEye ? "eye" : "origin"}};
         return variant;
     });
     // In a perspective, both planes at a multiple of their distances give the same points. At one
@@ -385,16 +377,12 @@ void addDepthScale(VariantList &list, const Given &given, std::span<const Target
         return;
     constexpr std::array kUsual{1.0 / 255.0, 1.0 / 65535.0, 65535.0 / 65536.0, 0.5, 2.0};
     addSolvedNumber(list, "depth-scaled", given, points, *solved, kUsual, [](double value) {
-        Variant variant;
-        variant.stage = Stage::Depth;
-        variant.apply = [](Run &run, const Variant &v) {
-            const auto &[atNear, atFar] = run.given.depthRange;
-            run.depth = (v.parameter * run.click.depth - atNear) / (atFar - atNear);
-        };
-        variant.parameter = value;
-        variant.name = {marked("by %1"), valueText(value), {}, marked("Your program scales the depth by %1.")};
-        variant.values = {{"factor", {value}, {}}};
-        return variant;
+        return Variant{
+            .stage = Stage::Depth,
+            .apply = [](Run &run, const Variant &v) { run.depth = run.given.unitDepth(v.parameter * run.click.depth); },
+            .parameter = value,
+            .name = {marked("by %1"), {valueText(value)}, marked("Your program scales the depth by %1.")},
+            .values = {{"factor", {value}}}};
     });
 }
 

@@ -219,18 +219,12 @@ void addCentre(VariantList &list, const Given &given, std::span<const Target> po
     const double middleX = own.x + own.width / 2.0, middleY = flippedY(given.surface, own.y + own.height / 2.0);
     const std::array known{0.0, k.cx - middleX, k.cy - middleY};
     addSolved(list, "principal-point-differs", *shift, known, [&k](std::span<const double> values) {
-        Variant variant;
-        variant.stage = Stage::Pixel;
-        variant.apply = [](Run &run, const Variant &v) { run.position += glm::dvec2(v.parameter, v.second); };
-        variant.parameter = values[0];
-        variant.second = values[1];
         const double cx = k.cx - values[0], cy = k.cy - values[1];
-        variant.name = {marked("the centre is %1"),
-                        valueText(cx) + ", " + valueText(cy),
-                        {},
-                        marked("Your program has the centre of K at %1.")};
-        variant.values = {{"cx", {cx}, {}}, {"cy", {cy}, {}}};
-        return variant;
+        return shifted(values[0], values[1],
+                       {marked("the centre is %1"),
+                        {valueText(cx) + ", " + valueText(cy)},
+                        marked("Your program has the centre of K at %1.")},
+                       {{"cx", {cx}}, {"cy", {cy}}});
     });
 }
 
@@ -260,18 +254,18 @@ void addFocalLengths(VariantList &list, const Given &given, std::span<const Targ
         return; // one angle
     const std::array known{focalOfView.x, focalOfView.y};
     addSolved(list, "focal-lengths-differ", focal, known, [&](std::span<const double> values) {
-        Variant variant;
-        variant.stage = Stage::Lens;
-        variant.apply = [](Run &run, const Variant &v) {
-            run.clipFromEye[0][0] *= v.parameter;
-            run.clipFromEye[1][1] *= v.second;
-        };
-        variant.parameter = values[0] / focalOfView.x;
-        variant.second = values[1] / focalOfView.y;
-        variant.name = {marked("fx is %1, fy is %2"), valueText(values[0]), valueText(values[1]),
-                        marked("Your program has fx %1 and fy %2.")};
-        variant.values = {{"fx", {values[0]}, {}}, {"fy", {values[1]}, {}}};
-        return variant;
+        return Variant{.stage = Stage::Lens,
+                       .apply =
+                           [](Run &run, const Variant &v) {
+                               run.clipFromEye[0][0] *= v.parameter;
+                               run.clipFromEye[1][1] *= v.second;
+                           },
+                       .parameter = values[0] / focalOfView.x,
+                       .second = values[1] / focalOfView.y,
+                       .name = {marked("fx is %1, fy is %2"),
+                                {valueText(values[0]), valueText(values[1])},
+                                marked("Your program has fx %1 and fy %2.")},
+                       .values = {{"fx", {values[0]}}, {"fy", {values[1]}}}};
     });
 }
 
@@ -321,18 +315,19 @@ void addRectangle(VariantList &list, const Given &given, std::span<const Target>
                            double(given.surface.widthPixels),
                            double(given.surface.heightPixels)};
     addSolved(list, "viewport-size-differs", rectangle, known, [](std::span<const double> values) {
-        Variant variant;
-        variant.stage = Stage::Lens;
-        variant.apply = [](Run &run, const Variant &v) {
-            const glm::dvec4 &r = v.matrix[0];
-            run.viewport = {r[0], r[1], r[2], r[3]};
-        };
+        Variant variant{
+            .stage = Stage::Lens,
+            .apply =
+                [](Run &run, const Variant &v) {
+                    const glm::dvec4 &r = v.matrix[0];
+                    run.viewport = {r[0], r[1], r[2], r[3]};
+                },
+            .name = {marked("%1 pixels at %2"),
+                     {valueText(values[2]) + " x " + valueText(values[3]),
+                      valueText(values[0]) + ", " + valueText(values[1])},
+                     marked("Your program's viewport has %1 pixels and is at %2.")},
+            .values = {{"width", {values[2]}}, {"height", {values[3]}}, {"x", {values[0]}}, {"y", {values[1]}}}};
         variant.matrix[0] = {values[0], values[1], values[2], values[3]};
-        variant.name = {marked("%1 pixels at %2"), valueText(values[2]) + " x " + valueText(values[3]),
-                        valueText(values[0]) + ", " + valueText(values[1]),
-                        marked("Your program's viewport has %1 pixels and is at %2.")};
-        variant.values = {
-            {"width", {values[2]}, {}}, {"height", {values[3]}, {}}, {"x", {values[0]}, {}}, {"y", {values[1]}, {}}};
         return variant;
     });
 }

@@ -119,6 +119,16 @@ std::optional<std::array<Solution, 2>> solvedShift(const Given &given, std::span
     return shift;
 }
 
+Variant shifted(double dx, double dy, VariantName name, std::vector<SolvedValue> values)
+{
+    return {.stage = Stage::Pixel,
+            .apply = [](Run &run, const Variant &v) { run.position += glm::dvec2(v.parameter, v.second); },
+            .parameter = dx,
+            .second = dy,
+            .name = std::move(name),
+            .values = std::move(values)};
+}
+
 /// True if values are round enough that chance hardly made them so. The scene's own values among
 /// several are no evidence against it.
 bool areRound(std::span<const Solution> solutions, std::span<const WrittenValue> values, double coincidence)
@@ -199,17 +209,14 @@ bool areDepthsKnown(std::span<const Target> points)
 
 double shareFromNear(const Given &given, const Click &click)
 {
-    const auto &[atNear, atFar] = given.depthRange;
-    const double depth = (click.depth - atNear) / (atFar - atNear);
-    return given.isReversed ? 1.0 - depth : depth;
+    return given.shareFromNear(given.unitDepth(click.depth));
 }
 
 glm::dvec3 eyeFromGot(const Given &given, const Click &click, const glm::dvec3 &got)
 {
     const glm::dmat4 eyeFromSpace =
         click.space == PointSpace::Eye ? glm::dmat4(1.0) : given.eyeFromWorld * click.worldFromObject;
-    const glm::dvec4 eye = eyeFromSpace * glm::dvec4(got, 1.0);
-    return glm::dvec3(eye) / eye.w;
+    return transformed(eyeFromSpace, got);
 }
 
 void addSolvedMistakes(VariantList &list, const Given &given, const Case &scene, std::span<const Target> points)

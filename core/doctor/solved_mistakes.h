@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/doctor/hypotheses.h"
-#include "core/doctor/variant_list.h"
+#include "core/doctor/variants.h"
 #include "core/doctor/written_value.h"
 
 #include <array>
@@ -42,6 +42,9 @@ std::optional<Solution> solvedFrom(const Given &given, std::span<const Target> p
 /// The shift of all positions along x and y, device pixels to the right and down.
 /// @return empty if the points do not have one
 std::optional<std::array<Solution, 2>> solvedShift(const Given &given, std::span<const Target> points);
+
+/// A pixel that is off by the same way at every click, device pixels to the right and down.
+Variant shifted(double dx, double dy, VariantName name, std::vector<SolvedValue> values);
 
 /// A pixel that is scaled about the top-left corner, then moved to the right and down, device pixels.
 Variant scaledAndMoved(double scale, double dx, double dy);

@@ -3,11 +3,9 @@
 #include "core/base/number_text.h"
 #include "core/base/translation.h"
 #include "core/doctor/diagnosis.h"
-#include "core/doctor/mesh_vertices.h"
-#include "core/doctor/mistake_texts.h"
-#include "core/doctor/remedies.h"
+#include "core/doctor/known_points.h"
+#include "core/doctor/mistakes.h"
 #include "core/doctor/report_text.h"
-#include "core/doctor/verdict_texts.h"
 #include "core/doctor/written_points.h"
 #include "core/library/internal.h"
 #include "core/library/scene_data.h"
@@ -54,8 +52,7 @@ Diagnosis publicDiagnosis(const doctor::Diagnosis &diagnosis, const doctor::Wron
     const auto &values = diagnosis.candidates.front().values;
     for (const std::string &part : doctor::partsOf(diagnosis.verdict)) {
         for (const doctor::CodeChange &change : doctor::codeOf(part, values))
-            result.code.push_back({part, std::string(change.library), doctor::lineWithValues(change.wrong, values),
-                                   doctor::lineWithValues(change.right, values)});
+            result.code.push_back({part, change.library, change.wrong, change.right});
     }
     result.right = diagnosis.right;
     if (diagnosis.next)

@@ -1,6 +1,6 @@
 #include "core/maps/other_points.h"
 
-#include "core/doctor/mistakes.h"
+#include "core/doctor/variants.h"
 
 #include <algorithm>
 #include <cmath>

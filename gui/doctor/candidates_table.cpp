@@ -1,6 +1,6 @@
 #include "gui/doctor/candidates_table.h"
 
-#include "core/doctor/verdict_texts.h"
+#include "core/doctor/report_text.h"
 #include "gui/text/doctor_text.h"
 #include "gui/text/error_text.h"
 #include "gui/text/number_text.h"

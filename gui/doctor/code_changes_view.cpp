@@ -1,8 +1,7 @@
 #include "gui/doctor/code_changes_view.h"
 
-#include "core/doctor/mistake_texts.h"
-#include "core/doctor/remedies.h"
-#include "core/doctor/verdict_texts.h"
+#include "core/doctor/mistakes.h"
+#include "core/doctor/report_text.h"
 #include "gui/widgets/contrast.h"
 #include "gui/widgets/copy_menu.h"
 #include "gui/widgets/digits_font.h"
@@ -142,11 +141,10 @@ void CodeChangesView::showLines()
     for (const QString &part : parts) {
         bool hasLine = false;
         for (const doctor::CodeChange &change : doctor::codeOf(part.toStdString(), m_values)) {
-            if (library() != QLatin1String(change.library.data(), static_cast<qsizetype>(change.library.size())))
+            if (library() != QString::fromStdString(change.library))
                 continue;
             hasLine = true;
-            const QString wrong = QString::fromStdString(doctor::lineWithValues(change.wrong, m_values)),
-                          right = QString::fromStdString(doctor::lineWithValues(change.right, m_values));
+            const QString wrong = QString::fromStdString(change.wrong), right = QString::fromStdString(change.right);
             rows += lineOf(QStringLiteral("−"), wrong, kWrongColor, palette())
                     + lineOf(QStringLiteral("+"), right, kRightColor, palette());
             m_text += QStringLiteral("- %1\n+ %2\n").arg(wrong, right);

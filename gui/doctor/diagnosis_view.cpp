@@ -1,7 +1,6 @@
 #include "gui/doctor/diagnosis_view.h"
 
-#include "core/doctor/mistake_texts.h"
-#include "core/doctor/verdict_texts.h"
+#include "core/doctor/report_text.h"
 #include "gui/text/doctor_text.h"
 #include "gui/text/number_text.h"
 #include "gui/widgets/contrast.h"

@@ -1,6 +1,6 @@
 #include "gui/doctor/doctor_panel.h"
 
-#include "core/doctor/mesh_vertices.h"
+#include "core/doctor/known_points.h"
 #include "core/ray/mesh_point.h"
 #include "core/scene/given_matrices.h"
 #include "gui/doctor/camera_step.h"

@@ -1,8 +1,7 @@
 #include "gui/text/doctor_text.h"
 
-#include "core/doctor/mistake_texts.h"
 #include "core/doctor/ranking.h"
-#include "core/doctor/verdict_texts.h"
+#include "core/doctor/report_text.h"
 #include "gui/text/number_text.h"
 #include "gui/text/sentences.h"
 

@@ -1,6 +1,6 @@
 #include "gui/text/map_text.h"
 
-#include "core/doctor/mistake_texts.h"
+#include "core/doctor/report_text.h"
 
 #include <QCoreApplication>
 

@@ -1,6 +1,6 @@
 #include "tests/support/doctor_bar.h"
 
-#include "core/doctor/mistake_texts.h"
+#include "core/doctor/report_text.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>

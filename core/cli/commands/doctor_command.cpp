@@ -11,7 +11,7 @@
 #include "core/cli/commands/wrong_points.h"
 #include "core/cli/rows/byte_stream.h"
 #include "core/cli/rows/scene_input.h"
-#include "core/doctor/mesh_vertices.h"
+#include "core/doctor/known_points.h"
 #include "core/doctor/program.h"
 #include "core/doctor/report_text.h"
 #include "core/doctor/written_points.h"

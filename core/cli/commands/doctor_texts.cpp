@@ -2,8 +2,8 @@
 
 #include "core/base/number_text.h"
 #include "core/base/translation.h"
-#include "core/doctor/mistake_texts.h"
-#include "core/doctor/remedies.h"
+#include "core/doctor/mistakes.h"
+#include "core/doctor/report_text.h"
 #include "core/scene_file/json_text.h"
 
 #include <nlohmann/json.hpp>
@@ -149,15 +149,13 @@ std::string doctorJson(const Diagnosis &diagnosis)
     json["singlePrecision"] = diagnosis.isSinglePrecision;
     json["chance"] = jsonNumber(diagnosis.chance);
     json["sentence"] = diagnosis.verdict == "known-point" ? knownPointSentence(diagnosis.known)
-                       : !diagnosis.namesMistake()        ? mistakeSentence(diagnosis.verdict)
-                                                          : candidateSentence(diagnosis.candidates.front());
+                       : diagnosis.namesMistake()         ? candidateSentence(diagnosis.candidates.front())
+                                                          : std::string();
     json["code"] = Json::array();
     for (const std::string &part : partsOf(diagnosis.verdict)) {
         for (const CodeChange &change : codeOf(part, diagnosis.candidates.front().values))
-            json["code"].push_back({{"id", part},
-                                    {"library", change.library},
-                                    {"wrong", lineWithValues(change.wrong, diagnosis.candidates.front().values)},
-                                    {"right", lineWithValues(change.right, diagnosis.candidates.front().values)}});
+            json["code"].push_back(
+                {{"id", part}, {"library", change.library}, {"wrong", change.wrong}, {"right", change.right}});
     }
     return jsonLine(json) + '\n';
 }

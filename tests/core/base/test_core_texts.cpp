@@ -9,6 +9,7 @@
 
 #include <QDirIterator>
 #include <QFile>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QRegularExpression>
@@ -112,7 +113,7 @@ QList<Argument> argumentsOfSource()
     QDirIterator files(QStringLiteral(UNPROJECTOR_SOURCE_DIR "/core"), {"*.h", "*.cpp"}, QDir::Files,
                        QDirIterator::Subdirectories);
     while (files.hasNext()) {
-        if (const QString file = files.next(); !file.endsWith(QStringLiteral("/text/translation.h")))
+        if (const QString file = files.next(); !file.endsWith(QStringLiteral("/base/translation.h")))
             arguments << argumentsIn(textOf(file));
     }
     return arguments;
@@ -181,7 +182,7 @@ private slots:
 
         newRow("literal") << QStringLiteral(R"(tr("a" "b", c))") << true;
         newRow("choice") << QStringLiteral(R"(tr(x == ',' ? "a" : "b" "c", d))") << true;
-        newRow("name") << QStringLiteral("tr(remedyOf(part).sentence)") << true;
+        newRow("name") << QStringLiteral("tr(mistakeOf(part).sentence)") << true;
         newRow("in-a-comment") << QStringLiteral("int a; // what tr() says") << true;
         newRow("comma-of-a-template") << QStringLiteral(R"(tr(std::is_same_v<S, double> ? "a" : "b"))") << false;
         newRow("half-a-choice") << QStringLiteral(R"(tr(isFew ? few : "b"))") << false;
@@ -204,6 +205,12 @@ private slots:
             for (const QString &text : argument.literals)
                 texts << text;
         }
+        const auto mistakes =
+            QJsonDocument::fromJson(
+                textOf(QStringLiteral(UNPROJECTOR_SOURCE_DIR "/resources/doctor/mistakes.json")).toUtf8())
+                .array();
+        for (const auto &mistake : mistakes)
+            texts << mistake[u"name"].toString() << mistake[u"sentence"].toString();
         const QStringList keys = catalogue().keys();
         const QSet<QString> translated(keys.begin(), keys.end());
         QVERIFY(texts.size() > 100);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/doctor/remedies.h"
+#include "core/doctor/mistakes.h"
 #include "core/doctor/written_value.h"
 
 #include <QRegularExpression>
@@ -16,8 +16,7 @@ inline QString linesOf(const unprojector::doctor::Candidate &candidate, std::str
     QString lines;
     for (const auto &change : codeOf(candidate.id, candidate.values)) {
         if (change.library == library)
-            lines += QString::fromStdString(lineWithValues(change.wrong, candidate.values) + '\n'
-                                            + lineWithValues(change.right, candidate.values) + '\n');
+            lines += QString::fromStdString(change.wrong + '\n' + change.right + '\n');
     }
     return lines;
 }

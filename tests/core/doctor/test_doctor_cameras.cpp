@@ -4,7 +4,7 @@
 
 #include "core/doctor/diagnosis.h"
 #include "core/doctor/frame_fit.h"
-#include "core/doctor/verdict_texts.h"
+#include "core/doctor/report_text.h"
 #include "tests/core/doctor/doctor_lines.h"
 
 #include <glm/geometric.hpp>

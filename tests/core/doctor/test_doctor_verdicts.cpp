@@ -4,9 +4,8 @@
 
 #include "core/base/translation.h"
 #include "core/doctor/diagnosis.h"
-#include "core/doctor/mesh_vertices.h"
-#include "core/doctor/mistake_texts.h"
-#include "core/doctor/verdict_texts.h"
+#include "core/doctor/known_points.h"
+#include "core/doctor/report_text.h"
 #include "core/geometry/transform.h"
 #include "tests/core/doctor/doctor_oracle.h"
 #include "tests/support/mesh_model.h"

@@ -6,8 +6,8 @@
 #include "tests/gui/job_faults.h"
 
 #include "core/doctor/diagnosis.h"
-#include "core/doctor/mistake_texts.h"
-#include "core/doctor/remedies.h"
+#include "core/doctor/mistakes.h"
+#include "core/doctor/report_text.h"
 #include "gui/doctor/candidates_table.h"
 #include "gui/doctor/code_changes_view.h"
 #include "gui/doctor/diagnoser.h"
@@ -61,7 +61,7 @@ private slots:
                  QStringLiteral("%1, %2").arg(pixel.i + 0.5).arg(pixel.j + 0.5));
         type(gotOf(*window), pointText(got));
         QTRY_VERIFY2_WITH_TIMEOUT(
-            verdictOf(*window).startsWith(QString::fromLatin1(doctor::remedyOf("y-not-flipped").sentence)),
+            verdictOf(*window).startsWith(QString::fromStdString(doctor::mistakeOf("y-not-flipped").sentence)),
             qPrintable(verdictOf(*window)), kPatienceMilliseconds);
         const QString text = panelOf(*window).answer().text();
         QVERIFY2(text.contains(QStringLiteral("y not flipped: all ")), qPrintable(text));
@@ -525,7 +525,7 @@ private slots:
         const auto *form = panelOf(*window).findChild<WrongPointsForm *>();
         QCOMPARE(form->points().at(0).depth, std::optional(pick.window.z));
         QTRY_VERIFY2_WITH_TIMEOUT(
-            verdictOf(*window).startsWith(QString::fromLatin1(doctor::remedyOf("y-not-flipped").sentence)),
+            verdictOf(*window).startsWith(QString::fromStdString(doctor::mistakeOf("y-not-flipped").sentence)),
             qPrintable(verdictOf(*window)), kPatienceMilliseconds);
     }
 

@@ -6,7 +6,8 @@
 #include "tests/gui/doctor/doctor_desk.h"
 
 #include "core/doctor/diagnosis.h"
-#include "core/doctor/mistake_texts.h"
+#include "core/doctor/mistakes.h"
+#include "core/doctor/report_text.h"
 #include "gui/doctor/candidates_table.h"
 #include "gui/doctor/code_changes_view.h"
 #include "gui/doctor/diagnosis_view.h"
@@ -387,9 +388,9 @@ private slots:
         const auto window = doctorWindow();
         CodeChangesView &code = panelOf(*window).code();
         int others = 0;
-        for (const std::string &id : doctor::mistakeIds()) {
-            code.setMistake(id);
-            QVERIFY2(code.text().startsWith(u'-'), id.c_str());
+        for (const doctor::Mistake &mistake : doctor::mistakes()) {
+            code.setMistake(mistake.id);
+            QVERIFY2(code.text().startsWith(u'-'), mistake.id.c_str());
             others += code.library() != QStringLiteral("GLU");
             QCOMPARE(code.chosenLibrary(), QStringLiteral("GLU"));
         }
@@ -410,12 +411,11 @@ private slots:
         };
         choose(QStringLiteral("GLM"));
         choose(QStringLiteral("GLU"));
-        const std::vector<std::string> ids = doctor::mistakeIds();
-        const auto withoutGlu = std::find_if(ids.begin(), ids.end(), [&code](const std::string &id) {
-            code.setMistake(id);
+        const std::vector<doctor::Mistake> &all = doctor::mistakes();
+        QVERIFY(std::any_of(all.begin(), all.end(), [&code](const doctor::Mistake &mistake) {
+            code.setMistake(mistake.id);
             return code.library() != QStringLiteral("GLU");
-        });
-        QVERIFY(withoutGlu != ids.end());
+        }));
         QCOMPARE(code.chosenLibrary(), QStringLiteral("GLU"));
         code.setMistake("y-not-flipped");
         QCOMPARE(code.library(), QStringLiteral("GLU"));

@@ -1,6 +1,6 @@
 #include "tests/support/test.h"
 
-#include "core/doctor/mistake_texts.h"
+#include "core/doctor/report_text.h"
 #include "gui/shell/main_window.h"
 #include "gui/shell/window_menus.h"
 #include "gui/text/error_text.h"
