@@ -26,7 +26,6 @@ using namespace unprojector::mesh;
 using ray_meshes::kTurn;
 using ray_meshes::modelOf;
 
-constexpr double kPi = kTurn / 2;
 const glm::dmat4 kAsItIs(1.0);
 
 std::shared_ptr<const SurfaceMesh> surfaceOf(const Model &model)
