@@ -4,7 +4,7 @@
 - includes    tests -> gui -> core; rooms (core/ray, gui/view) include each other in one direction
 - names       nothing that a header of Windows or a library turns into something else, nothing asked in two places
 - words       texts use the terms of resources/manual/glossary.md, not those of its column "Not"
-- twins       each text has its Chinese: messages, window, manual, formulas, templates
+- twins       each text has its Chinese: messages, window, manual, formulas, help of the command, templates
 - data        each file of tests/data/texts has a test"""
 import collections, graphlib, json, pathlib, re, shutil, subprocess, sys, tempfile, xml.etree.ElementTree
 
@@ -86,7 +86,7 @@ def words() -> None:
     for file in sorted((RESOURCES / "lessons").glob("*.json")):
         if "_zh" not in file.name:
             texts += [(file.name, re.sub("<[^>]*>", " ", text)) for text in strings(json.loads(file.read_text(encoding="utf8"))) if " " in text]
-    for file in [ROOT / "README.md", *sorted((RESOURCES / "manual").glob("*.md")), *sorted((RESOURCES / "help").glob("*.html"))]:
+    for file in [ROOT / "README.md", *sorted((RESOURCES / "manual").glob("*.md")), *sorted((RESOURCES / "help").rglob("*.*"))]:
         if file.name != "glossary.md" and "_zh_CN" not in file.name:
             texts.append((file.name, re.sub("<[^>]*>", " ", prose(file.read_text(encoding="utf8")))))
     for where, text in texts:
@@ -110,8 +110,8 @@ def told(code: str):
 
 
 def shape(text: str) -> list[str]:
-    """What a text and its translation have in common: places of values, links, headings."""
-    return sorted(re.findall(r"%\d|%n|href=['\"][^'\"]*|\]\(|</?(?!i\b)[a-z]+\b|^#+ |^\|(?=\s?-)|^```.*|id=\"[^\"]*\"", text, re.MULTILINE))
+    """What a text and its translation have in common: places of values, links, headings, options."""
+    return sorted(re.findall(r"%\d|%n|href=['\"][^'\"]*|\]\(|</?(?!i\b)[a-z]+\b|^#+ |^\|(?=\s?-)|^```.*|^\[\S+(?=(?: \S+)?\]$)|id=\"[^\"]*\"", text, re.MULTILINE))
 
 
 def twins() -> None:
@@ -125,7 +125,7 @@ def twins() -> None:
         if translation.get("type") or not "".join(translation.itertext()).strip():
             found.append(f"window: no Chinese for: {source}")
         pairs.append(("window: " + source, source, "".join(translation.itertext())))
-    for file in [*(RESOURCES / "manual").glob("*.md"), *(RESOURCES / "help").glob("*.html"), *(RESOURCES / "templates").glob("*.csv")]:
+    for file in [*(RESOURCES / "manual").glob("*.md"), *(RESOURCES / "help").rglob("*.*"), *(RESOURCES / "templates").glob("*.csv")]:
         twin = file.parent / "zh_CN" / file.name if file.suffix == ".md" else file.with_stem(file.stem + "_zh_CN")
         if "_zh_CN" in file.name or file.name == "development.md":
             continue

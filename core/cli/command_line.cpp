@@ -1,7 +1,8 @@
 #include "core/cli/command_line.h"
 
 #include "core/base/translation.h"
-#include "core/cli/commands/usage.h"
+#include "core/cli/commands/commands.h"
+#include "core/cli/commands/refusal.h"
 #include "core/cli/rows/byte_stream.h"
 #include "core/cli/terminal/console.h"
 #include "core/cli/terminal/help_formatter.h"
@@ -82,7 +83,7 @@ std::string mistakeText(const CLI::App &app, const CLI::ParseError &error)
     const std::string given = asGiven(command, option->get_name());
     return needed > 1 ? tr("%1 needs %2 or more values and got %3; see '%4 --help'", given, needed,
                            option->results().size(), called)
-                      : tr("%1 needs a value, %2; see '%3 --help'", given, typeName(option->get_type_name()), called);
+                      : tr("%1 needs a value, %2; see '%3 --help'", given, option->get_type_name(), called);
 }
 
 } // namespace
@@ -101,18 +102,9 @@ ExitCode runCommandLine(const std::vector<std::string> &arguments)
                   "unusable input."));
     app.formatter(helpFormatter());
     Run run;
-    addPoints(app, run);
-    addPick(app, run);
-    addProject(app, run);
-    addInfo(app, run);
-    addScene(app, run);
-    addCloud(app, run);
-    addCompare(app, run);
-    addMap(app, run);
-    addMatrices(app, run);
-    addCode(app, run);
-    addLandmarks(app, run);
-    addDoctor(app, run);
+    for (const auto add : {addPoints, addPick, addProject, addInfo, addScene, addCloud, addCompare, addMap, addMatrices,
+                           addCode, addLandmarks, addDoctor})
+        add(app, run);
     nameGroups(app);
     // The library would only report that a command is missing.
     if (arguments.size() > 1 && !arguments[1].starts_with('-')) {
@@ -133,6 +125,9 @@ ExitCode runCommandLine(const std::vector<std::string> &arguments)
         for (const std::string &argument : arguments)
             words.push_back(argument.c_str());
         app.parse(static_cast<int>(words.size()), words.data());
+        return run(); // it may find that an option is missing
+    } catch (const Refused &) {
+        return ExitCode::UnusableInput;
     } catch (const CLI::ParseError &error) {
         std::ostringstream output, errors;
         const bool isDone = app.exit(error, output, errors) == 0; // help and version arrive here too
@@ -143,7 +138,6 @@ ExitCode runCommandLine(const std::vector<std::string> &arguments)
         const ExitCode written = sink.finish();
         return isDone ? written : ExitCode::UnusableInput;
     }
-    return run();
 }
 
 } // namespace unprojector::cli

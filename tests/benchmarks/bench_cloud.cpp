@@ -2,7 +2,7 @@
 // depthTo3d and transform, and the command next to the writing of the same bytes. Compare only
 // numbers of one run.
 
-#include "core/cli/commands/cloud_command.h"
+#include "core/cli/command_line.h"
 #include "core/clouds/depth_cloud.h"
 
 #include <benchmark/benchmark.h>
@@ -153,16 +153,20 @@ private:
 void command(benchmark::State &state)
 {
     const Files files;
-    CloudOptions options;
-    options.scene = files.path("scene.json");
-    options.depth = files.path("depth.raw");
-    options.size = std::to_string(kWidth) + 'x' + std::to_string(kHeight);
-    options.output = files.path("cloud.ply");
+    const std::string output = files.path("cloud.ply");
+    const std::vector<std::string> words{"unproject",
+                                         "cloud",
+                                         files.path("scene.json"),
+                                         files.path("depth.raw"),
+                                         "--size",
+                                         std::to_string(kWidth) + 'x' + std::to_string(kHeight),
+                                         "-o",
+                                         output};
     for (auto _ : state) {
-        if (runCloud(options) != ExitCode::Done)
+        if (cli::runCommandLine(words) != cli::ExitCode::Done)
             state.SkipWithError("the command failed");
         state.PauseTiming();
-        std::filesystem::remove(options.output); // writing over a file is another thing
+        std::filesystem::remove(output); // writing over a file is another thing
         state.ResumeTiming();
     }
     finish(state);

@@ -1,7 +1,6 @@
 // `unproject points` next to reading and writing the same numbers without computing, one thread
 // each.
 
-#include "core/cli/commands/points_command.h"
 #include "core/cli/rows/number_table.h"
 #include "core/cli/rows/row_writer.h"
 #include "core/unproject/batch/click_batch.h"
@@ -50,7 +49,7 @@ LineBlock block()
 void rows(benchmark::State &state, bool isComputing)
 {
     const LineBlock text = block();
-    const NumberReader reader("rows", NumberColumns{kClickColumns, {0, 1, 2}});
+    const NumberReader reader("rows", NumberColumns{{"px", "py", "depth"}, {0, 1, 2}});
     const std::vector<std::string> names(10, "name");
     const ClickBatch formula = *ClickBatch::of(Method::Formula, setup(), {});
     const ClickBatch matrix = *ClickBatch::of(Method::Matrix, setup(), {});

@@ -6,11 +6,82 @@
 #include "tests/support/patience.h"
 
 #include <QDir>
+#include <QMap>
+#include <QRegularExpression>
+
+namespace {
+
+const QList<const char *> kCommands{"points",  "pick", "project",  "info", "scene",     "cloud",
+                                    "compare", "map",  "matrices", "code", "landmarks", "doctor"};
+
+/// The texts of a file of resources/help/command by the names in their headings.
+QMap<QString, QString> sectionsOf(const QString &file)
+{
+    QFile texts(QStringLiteral(UNPROJECTOR_SOURCE_DIR "/resources/help/command/") + file);
+    if (!texts.open(QIODevice::ReadOnly | QIODevice::Text))
+        qFatal("%s cannot be read", qPrintable(texts.fileName()));
+    static const QRegularExpression heading(QStringLiteral("\\n\\[([^ \\]]+)[^\\]\\n]*\\]\\n"));
+    const QString all = QString::fromUtf8(texts.readAll());
+    QMap<QString, QString> sections;
+    for (auto it = heading.globalMatch(all); it.hasNext();) {
+        const QRegularExpressionMatch found = it.next();
+        const qsizetype start = found.capturedEnd(), end = it.hasNext() ? it.peekNext().capturedStart() : all.size();
+        sections[found.captured(1)] = all.mid(start, end - start);
+    }
+    return sections;
+}
+
+/// The options and positionals of a command, as its help lists them: "-o,--output".
+QStringList optionsOf(const char *command)
+{
+    static const QRegularExpression entry(QStringLiteral("^  ([A-Z]\\S*|-\\S+)"), QRegularExpression::MultilineOption);
+    const QString help = QString::fromUtf8(runCommand({command, "--help"}).output);
+    QStringList options;
+    for (auto it = entry.globalMatch(help.mid(help.indexOf(QStringLiteral("\n\n")))); it.hasNext();)
+        options << it.next().captured(1);
+    options.removeAll(QStringLiteral("-h,--help"));
+    return options;
+}
+
+} // namespace
 
 class TestCommandLine : public QObject {
     Q_OBJECT
 
 private slots:
+    void everyOptionHasItsText_data()
+    {
+        addColumn<QString>("language");
+        newRow("english") << "";
+        newRow("chinese") << "_zh_CN";
+    }
+
+    /// Each option has a text, each text an option, and the translation the same places for values.
+    void everyOptionHasItsText()
+    {
+        QFETCH(QString, language);
+        const auto shared = sectionsOf("shared" + language + ".txt");
+        QStringList unused = shared.keys();
+        for (const char *name : {"MODEL-OR-SCENE", "bad"}) // under other names
+            QVERIFY(unused.removeOne(name));
+        for (const char *command : kCommands) {
+            const auto texts = sectionsOf(command + language + ".txt"), english = sectionsOf(QString(command) + ".txt");
+            QStringList options = optionsOf(command);
+            QVERIFY(!options.isEmpty());
+            options << "footer";
+            for (const QString &option : options) {
+                QVERIFY2(!texts.value(option, shared.value(option)).isEmpty(), qPrintable(command + (' ' + option)));
+                if (!texts.contains(option))
+                    unused.removeOne(option);
+            }
+            for (auto text = texts.begin(); text != texts.end(); ++text) {
+                QVERIFY2(options.contains(text.key()), qPrintable(command + (' ' + text.key())));
+                QCOMPARE(text->count("%1"), english[text.key()].count("%1"));
+            }
+        }
+        QCOMPARE(unused, QStringList());
+    }
+
     void helpHasExamplesThatWork_data()
     {
         addColumn<QString>("command");

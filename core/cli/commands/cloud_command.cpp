@@ -1,15 +1,15 @@
-#include "core/cli/commands/cloud_command.h"
-
 #include "core/base/number_text.h"
 #include "core/base/translation.h"
-#include "core/cli/commands/size_text.h"
-#include "core/cli/rows/byte_stream.h"
+#include "core/cli/commands/command.h"
+#include "core/cli/commands/inputs.h"
+#include "core/cli/commands/refusal.h"
 #include "core/cli/rows/depth_image.h"
 #include "core/cli/rows/scene_input.h"
+#include "core/cli/terminal/exit_code.h"
 #include "core/cli/terminal/progress_bar.h"
 #include "core/clouds/depth_cloud.h"
+#include "core/clouds/depth_numbers.h"
 #include "core/clouds/organized_cloud.h"
-#include "core/geometry/error_text.h"
 #include "core/images/byte_order.h"
 
 #include <algorithm>
@@ -33,6 +33,21 @@ using namespace unproject;
 using namespace base;
 namespace {
 
+/// The precision of the numbers in the file. Computations are in double either way.
+enum class PointPrecision { Float, Double };
+
+struct CloudOptions {
+    std::string scene;
+    std::string depth; ///< a depth image, see images::readNumberImage
+    std::string color; ///< PNG or JPEG of the same pixels; empty: points without colors
+    std::string size;  ///< "WxH", for raw floats
+    DepthImageChoices choices;
+    std::string output; ///< a PLY file, "-" for stdout
+    DepthNumbers numbers;
+    Method method = Method::Formula;
+    PointPrecision precision = PointPrecision::Float;
+};
+
 /// Converts numbers to PLY's binary_little_endian.
 template <class Scalar>
 void makeLittleEndian([[maybe_unused]] std::span<Scalar> values)
@@ -40,24 +55,6 @@ void makeLittleEndian([[maybe_unused]] std::span<Scalar> values)
     if constexpr (std::endian::native == std::endian::big) {
         std::ranges::transform(values, values.begin(), images::withSwappedBytes<Scalar>);
     }
-}
-
-/// The size of --size, or nothing with a message on stderr.
-std::optional<images::PixelSize> rawSizeOf(const std::string &text)
-{
-    const std::optional<SizeGiven> size = sizeGiven("--size", text);
-    if (!size)
-        return std::nullopt;
-    if (size->width < 1 || size->height < 1) {
-        complain(tr("%1: width and height must be at least 1 pixel", "--size " + text));
-        return std::nullopt;
-    }
-    return images::PixelSize{static_cast<std::size_t>(size->width), static_cast<std::size_t>(size->height)};
-}
-
-std::uint64_t pixelsOf(const Setup &g)
-{
-    return static_cast<std::uint64_t>(g.surface.widthPixels) * static_cast<std::uint64_t>(g.surface.heightPixels);
 }
 
 template <class Scalar>
@@ -284,71 +281,91 @@ void count(Cloud &c)
     }
 }
 
-} // namespace
-
-ExitCode runCloud(const CloudOptions &options)
+ExitCode runCloud(CloudOptions &options)
 {
     if (const std::string fault =
             faultOf(options.numbers, {"--depth-is", "--depth-scale", "--baseline", "--disparity-offset"});
-        !fault.empty()) {
-        complain(fault);
-        return ExitCode::UnusableInput;
+        !fault.empty())
+        refuse(fault);
+    if (!options.size.empty()) {
+        const SizeGiven size = sizeGiven("--size", options.size);
+        if (size.width < 1 || size.height < 1)
+            refuse(tr("%1: width and height must be at least 1 pixel", "--size " + options.size));
+        options.choices.size =
+            images::PixelSize{static_cast<std::size_t>(size.width), static_cast<std::size_t>(size.height)};
     }
-    DepthImageChoices choices;
-    choices.channel = options.channel;
-    choices.byteOrder = options.byteOrder;
-    if (!options.size.empty() && !(choices.size = rawSizeOf(options.size)))
-        return ExitCode::UnusableInput;
-    const std::optional<SceneFile> scene = readScene(options.scene);
-    if (!scene)
-        return ExitCode::UnusableInput;
-    const Setup g = setupOf(*scene);
+    const SceneFile scene = needed(readScene(options.scene));
+    const Setup g = setupOf(scene);
     const bool isMatrix = options.method == Method::Matrix;
-    const Result<BatchUnprojection> unprojection =
-        isMatrix ? BatchUnprojection::byMatrix(g, {}) : BatchUnprojection::byFormula(g, {});
-    if (!unprojection) {
-        complain(options.scene + ": " + errorText(unprojection.error()));
-        return ExitCode::UnusableInput;
-    }
-    Result<PixelLines> lines = PixelLines();
+    const BatchUnprojection unprojection =
+        needed(isMatrix ? BatchUnprojection::byMatrix(g, {}) : BatchUnprojection::byFormula(g, {}), options.scene);
+    PixelLines lines;
     std::optional<ClipDistances> clip;
     if (options.numbers.meaning != DepthMeaning::Buffer && options.numbers.meaning != DepthMeaning::Range) {
-        lines = isMatrix ? PixelLines::byMatrix(g) : PixelLines::byFormula(g);
-        const Result<ClipDistances> distances = clipDistances(g);
-        if (!lines || !distances) {
-            complain(options.scene + ": " + errorText(lines ? distances.error() : lines.error()));
-            return ExitCode::UnusableInput;
-        }
-        clip = *distances;
-        if (options.numbers.meaning == DepthMeaning::Disparity && !lines->isPerspective()) {
-            complain(options.scene + ": " + tr("a parallel projection has no disparities; give --depth-is z"));
-            return ExitCode::UnusableInput;
-        }
+        lines = needed(isMatrix ? PixelLines::byMatrix(g) : PixelLines::byFormula(g), options.scene);
+        clip = needed(clipDistances(g), options.scene);
+        if (options.numbers.meaning == DepthMeaning::Disparity && !lines.isPerspective())
+            refuse(options.scene + ": " + tr("a parallel projection has no disparities; give --depth-is z"));
     }
-    InputFiles inputs = filesOf(*scene, options.scene);
+    InputFiles inputs = filesOf(scene, options.scene);
     inputs.push_back(options.depth);
     if (!options.color.empty())
         inputs.push_back(options.color);
-    ByteSink sink(options.output, inputs); // an unwritable output is reported before the computation
-    if (!sink.isOpen())
-        return ExitCode::UnusableInput;
+    Output sink(options.output, inputs); // an unwritable output is reported before the computation
     const images::PixelSize window{static_cast<std::size_t>(g.surface.widthPixels),
                                    static_cast<std::size_t>(g.surface.heightPixels)};
     std::optional<images::ColorImage> colors;
-    if (!options.color.empty() && !(colors = readColors(options.color, window)))
-        return ExitCode::UnusableInput;
+    if (!options.color.empty())
+        colors = needed(readColors(options.color, window));
     ProgressBar progress(pixelsOf(g), ProgressBar::Unit::Points);
-    const std::optional<images::NumberImage> image =
-        readDepthImage(options.depth, choices, window, [&](std::size_t count) { progress.advance(count); });
+    const images::NumberImage image = needed(
+        readDepthImage(options.depth, options.choices, window, [&](std::size_t count) { progress.advance(count); }));
     progress.finish();
-    if (!image)
-        return ExitCode::UnusableInput;
-    const DepthRows rows(*image, options.numbers, g, *lines, clip.value_or(ClipDistances{}));
-    Cloud cloud{options, g, *unprojection, *image, rows, *lines, clip, std::move(colors)};
+    const DepthRows rows(image, options.numbers, g, lines, clip.value_or(ClipDistances{}));
+    Cloud cloud{options, g, unprojection, image, rows, lines, clip, std::move(colors)};
     count(cloud);
     reportNumbers(cloud);
     return options.precision == PointPrecision::Double ? writeCloud<double>(cloud, sink)
                                                        : writeCloud<float>(cloud, sink);
+}
+
+} // namespace
+
+void addCloud(CLI::App &app, Run &run)
+{
+    const Command command(app, "cloud");
+    const auto options = std::make_shared<CloudOptions>();
+    const auto finite = [](const std::string &given) {
+        return finiteNumberIn(given) ? std::string() : tr("\"%1\" is not a finite number", given);
+    };
+    const auto positive = [](const std::string &given) {
+        return finiteNumberIn(given).value_or(0.0) > 0.0 ? std::string() : tr("\"%1\" is not a number above 0", given);
+    };
+    command.file("SCENE", options->scene)->required();
+    command.file("DEPTH", options->depth)->required();
+    command.file("-o,--output", options->output)->required();
+    command.file("--color", options->color);
+    command.add("--size", options->size);
+    command.add("--channel", options->choices.channel);
+    command.choice("--byte-order", options->choices.byteOrder,
+                   {{"little", std::endian::little}, {"big", std::endian::big}});
+    command.choice("--depth-is", options->numbers.meaning,
+                   {{"buffer", DepthMeaning::Buffer},
+                    {"range", DepthMeaning::Range},
+                    {"z", DepthMeaning::Z},
+                    {"distance", DepthMeaning::Distance},
+                    {"disparity", DepthMeaning::Disparity}});
+    command.add("--depth-scale", options->numbers.scale)->check(positive);
+    command.add("--baseline", options->numbers.baseline)->check(positive);
+    command.add("--disparity-offset", options->numbers.disparityOffset)->check(finite);
+    command.add("--no-data", options->numbers.noData)->delimiter(',')->allow_extra_args(false)->check(finite);
+    command.choice("--method", options->method, {{"formula", Method::Formula}, {"matrix", Method::Matrix}});
+    command.choice("--precision", options->precision,
+                   {{"float", PointPrecision::Float}, {"double", PointPrecision::Double}});
+    command.runs(run, options, [command](CloudOptions &given) {
+        given.numbers.isMeaningGiven = command.has("--depth-is");
+        return runCloud(given);
+    });
 }
 
 } // namespace unprojector::cli

@@ -1,23 +1,45 @@
-#include "core/cli/commands/code_command.h"
-
-#include "core/cli/rows/byte_stream.h"
+#include "core/cli/commands/command.h"
+#include "core/cli/commands/refusal.h"
 #include "core/cli/rows/scene_input.h"
+#include "core/scene_code/scene_code.h"
 
-#include <optional>
+#include <memory>
+#include <string>
 
 namespace unprojector::cli {
 using namespace scene_file;
+using scene_code::CodeDialect;
+namespace {
+
+struct CodeOptions {
+    std::string scene;
+    CodeDialect dialect = CodeDialect::Glu;
+    std::string output = "-";
+};
 
 ExitCode runCode(const CodeOptions &options)
 {
-    const std::optional<SceneFile> scene = readScene(options.scene);
-    if (!scene)
-        return ExitCode::UnusableInput;
-    ByteSink sink(options.output, filesOf(*scene, options.scene));
-    if (!sink.isOpen())
-        return ExitCode::UnusableInput;
-    sink.write(scene_code::sceneCode(*scene, options.dialect));
+    const SceneFile scene = needed(readScene(options.scene));
+    Output sink(options.output, filesOf(scene, options.scene));
+    sink.write(scene_code::sceneCode(scene, options.dialect));
     return sink.finish();
+}
+
+} // namespace
+
+void addCode(CLI::App &app, Run &run)
+{
+    const Command command(app, "code");
+    const auto options = std::make_shared<CodeOptions>();
+    command.file("SCENE", options->scene)->required();
+    command.choice("--for", options->dialect,
+                   {{"glu", CodeDialect::Glu},
+                    {"glm", CodeDialect::Glm},
+                    {"qt", CodeDialect::Qt},
+                    {"three", CodeDialect::ThreeJs},
+                    {"numpy", CodeDialect::NumPy}});
+    command.file("-o,--output", options->output)->default_str("-");
+    command.runs(run, options, runCode);
 }
 
 } // namespace unprojector::cli

@@ -1,9 +1,8 @@
-#include "core/cli/commands/compare_command.h"
-
 #include "core/base/columns.h"
 #include "core/base/number_text.h"
 #include "core/base/translation.h"
-#include "core/cli/rows/byte_stream.h"
+#include "core/cli/commands/command.h"
+#include "core/cli/commands/refusal.h"
 #include "core/cli/rows/distribution.h"
 #include "core/cli/rows/scene_input.h"
 #include "core/cli/terminal/progress_bar.h"
@@ -26,6 +25,13 @@ using namespace scene_file;
 using namespace unproject;
 using namespace base;
 namespace {
+
+struct CompareOptions {
+    std::string scene;
+    bool isJson = false;
+    int pixels = 32; ///< across and down
+    int depths = 17; ///< from one end of the depth range to the other
+};
 
 constexpr double kShare = 0.9999;
 
@@ -222,30 +228,18 @@ std::string json(const std::vector<Way> &ways, std::size_t points)
     return text + "\n  ]\n}\n";
 }
 
-} // namespace
-
 ExitCode runCompare(const CompareOptions &options)
 {
-    const std::optional<SceneFile> scene = readScene(options.scene);
-    if (!scene)
-        return ExitCode::UnusableInput;
-    const Setup setup = setupOf(*scene);
+    const SceneFile scene = needed(readScene(options.scene));
+    const Setup setup = setupOf(scene);
     const std::optional<ExactUnprojection> exact = ExactUnprojection::of(setup);
-    if (!exact) {
-        complain(options.scene + ": " + errorText(Error{ErrorCode::SingularMatrix}));
-        return ExitCode::UnusableInput;
-    }
-    const Result<Unprojector> unprojector = Unprojector::of(setup);
-    if (!unprojector) {
-        complain(options.scene + ": " + errorText(unprojector.error()));
-        return ExitCode::UnusableInput;
-    }
-    ByteSink sink("-", filesOf(*scene, options.scene));
-    if (!sink.isOpen())
-        return ExitCode::UnusableInput;
+    if (!exact)
+        refuse(options.scene + ": " + errorText(Error{ErrorCode::SingularMatrix}));
+    const Unprojector unprojector = needed(Unprojector::of(setup), options.scene);
+    Output sink("-", filesOf(scene, options.scene));
     const FormulaInFloat formulaInFloat(setup);
     const auto by = [&](Method method) {
-        return [&, method](const WindowPoint &window) { return unprojector->worldAt(method, window); };
+        return [&, method](const WindowPoint &window) { return unprojector.worldAt(method, window); };
     };
     const std::size_t most = static_cast<std::size_t>(options.pixels) * static_cast<std::size_t>(options.pixels)
                              * static_cast<std::size_t>(options.depths);
@@ -270,6 +264,19 @@ ExitCode runCompare(const CompareOptions &options)
     else
         sink.print(table(ways, points));
     return sink.finish();
+}
+
+} // namespace
+
+void addCompare(CLI::App &app, Run &run)
+{
+    const Command command(app, "compare");
+    const auto options = std::make_shared<CompareOptions>();
+    command.file("SCENE", options->scene)->required();
+    command.flag("--json", options->isJson);
+    command.count("--pixels", options->pixels, 1000);
+    command.count("--depths", options->depths, 1000);
+    command.runs(run, options, runCompare);
 }
 
 } // namespace unprojector::cli

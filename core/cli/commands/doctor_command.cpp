@@ -1,29 +1,33 @@
-#include "core/cli/commands/doctor_command.h"
-
 #include "core/base/number_text.h"
 #include "core/base/path_text.h"
 #include "core/base/translation.h"
 #include "core/cameras/lens.h"
-#include "core/cli/commands/doctor_texts.h"
-#include "core/cli/commands/lens_option.h"
-#include "core/cli/commands/opened_scene.h"
-#include "core/cli/commands/size_text.h"
-#include "core/cli/commands/wrong_points.h"
-#include "core/cli/rows/byte_stream.h"
+#include "core/cli/commands/command.h"
+#include "core/cli/commands/inputs.h"
+#include "core/cli/commands/refusal.h"
 #include "core/cli/rows/scene_input.h"
+#include "core/doctor/diagnosis.h"
 #include "core/doctor/known_points.h"
+#include "core/doctor/mistakes.h"
 #include "core/doctor/program.h"
 #include "core/doctor/report_text.h"
 #include "core/doctor/written_points.h"
-#include "core/geometry/error_text.h"
 #include "core/opening/models.h"
 #include "core/ray/mesh_point.h"
+#include "core/scene_file/json_text.h"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -36,6 +40,229 @@ using namespace unproject;
 using namespace doctor;
 using namespace base;
 namespace {
+
+struct DoctorOptions {
+    std::string scene;              ///< a model, a scene or clicks; "-" is a scene from stdin
+    std::string pixel;              ///< "X,Y", continuous device pixels
+    std::string depth;              ///< empty: unknown
+    std::string got;                ///< "X,Y,Z", as the program printed them
+    std::string gotSpace = "world"; ///< world, eye, object or object:NAME
+    std::string points;             ///< CSV px,py,depth,x,y,z, replaces pixel, depth and got; "-" is stdin
+    std::string otherSize;          ///< "WxH"; empty: none
+    std::string distortion;         ///< see SceneLens; empty: none
+    bool isJson = false;
+};
+
+/// The points of a table, and whether all its rows were used.
+struct WrongPoints {
+    std::vector<WrongPoint> points;
+    std::vector<std::string> names; ///< name of each point, for messages: "wrong.csv:3", "--pixel"
+    bool isComplete = true;
+};
+
+std::string tableErrorText(const PointTableError &error)
+{
+    const std::string column(error.column);
+    switch (error.kind) {
+    case PointTableError::Kind::NoColumn:
+        return tr("there is no column \"%1\"; give px,py,depth,x,y,z, where depth may be left out", column);
+    case PointTableError::Kind::DoubledColumn:
+        return tr("the column \"%1\" is there twice; leave one of them out", column);
+    case PointTableError::Kind::OpenQuote: return tr("a quote is opened here and not closed at the end of its cell");
+    }
+    return {};
+}
+
+std::string rowErrorText(const PointRow &row, std::size_t index)
+{
+    if (index >= kPointColumns.size())
+        return tr("the row has more than six cells; give px,py,depth,x,y,z, with a point for the decimals");
+    return std::string(kPointColumns[index]) + ": " + tr("\"%1\" is not a number", row.cells[index]);
+}
+
+/// The size limit of the input, far above the need of that many points.
+constexpr std::size_t kMostPointBytes = std::size_t{1} << 24;
+
+/// Reads CSV with the columns px,py,depth,x,y,z, found by name, or in this order without a header.
+/// @param file  UTF-8; "-" for stdin
+WrongPoints wrongPoints(const std::string &file)
+{
+    Input source(file);
+    const std::string text = wholeText(source, kMostPointBytes);
+    if (source.hasFailed())
+        refuse(tr("%1: cannot be read", source.name()));
+    if (text.size() > kMostPointBytes)
+        refuse(tr("%1: larger than %2 MB; give only the points to check, of which the first %3 are used", source.name(),
+                  kMostPointBytes >> 20, kMostWrongPoints));
+    const auto where = [&](std::size_t line) { return source.name() + ':' + std::to_string(line) + ": "; };
+    const Result<std::vector<PointRow>, PointTableError> rows = pointRows(text);
+    if (!rows)
+        refuse(where(rows.error().line) + tableErrorText(rows.error()));
+    WrongPoints result;
+    std::size_t surplus = 0;
+    for (const PointRow &row : *rows) {
+        if (result.points.size() == kMostWrongPoints) {
+            ++surplus;
+            continue;
+        }
+        if (const auto point = pointOf(row)) {
+            result.points.push_back(*point);
+            result.names.push_back(source.name() + ':' + std::to_string(row.line));
+        } else {
+            complain(where(row.line) + rowErrorText(row, point.error()));
+            result.isComplete = false;
+        }
+    }
+    if (surplus > 0)
+        complain(tr(surplus == 1 ? "%1: the first %2 points are used; %3 more is ignored"
+                                 : "%1: the first %2 points are used; %3 more are ignored",
+                    source.name(), kMostWrongPoints, surplus));
+    if (result.points.empty())
+        refuse(tr("%1: there is no point in it; give rows of px,py,depth,x,y,z", source.name()));
+    return result;
+}
+
+using Json = nlohmann::ordered_json;
+
+Json jsonOf(const glm::dvec3 &v)
+{
+    return Json::array({jsonNumber(v.x), jsonNumber(v.y), jsonNumber(v.z)});
+}
+
+/// One number, an array of several, or a word under each name.
+Json jsonOf(const std::vector<SolvedValue> &values)
+{
+    Json json = Json::object();
+    for (const SolvedValue &value : values) {
+        Json numbers = Json::array();
+        for (const double number : value.numbers)
+            numbers.push_back(jsonNumber(number));
+        json[value.name] = !value.word.empty() ? Json(value.word) : numbers.size() == 1 ? numbers.front() : numbers;
+    }
+    return json;
+}
+
+std::string_view errorKindName(ErrorKind kind)
+{
+    switch (kind) {
+    case ErrorKind::Right: return "right";
+    case ErrorKind::Pixel: return "pixel";
+    case ErrorKind::Depth: return "depth";
+    case ErrorKind::Matrix: return "matrix";
+    }
+    return {};
+}
+
+std::string_view alikeName(Alike alike)
+{
+    switch (alike) {
+    case Alike::No: return "no";
+    case Alike::InDigits: return "digits";
+    case Alike::Here: return "here";
+    case Alike::Always: return "always";
+    }
+    return {};
+}
+
+std::string_view sharedName(Shared shared)
+{
+    switch (shared) {
+    case Shared::Window: return "window";
+    case Shared::Depth: return "depth";
+    case Shared::Projection: return "projection";
+    case Shared::View: return "view";
+    case Shared::Ndc: return "ndc";
+    case Shared::Matrix: return "matrix";
+    case Shared::Point: return "point";
+    }
+    return {};
+}
+
+std::string_view kindName(KnownPoint::Kind kind)
+{
+    switch (kind) {
+    case KnownPoint::Kind::Eye: return "eye";
+    case KnownPoint::Kind::ViewTranslation: return "view-translation";
+    case KnownPoint::Kind::CameraCentre: return "camera-centre";
+    case KnownPoint::Kind::WorldOrigin: return "world-origin";
+    case KnownPoint::Kind::ObjectOrigin: return "object-origin";
+    case KnownPoint::Kind::Vertex: return "vertex";
+    }
+    return {};
+}
+
+Json jsonOf(const KnownPoint &known)
+{
+    Json one{{"kind", kindName(known.kind)}, {"point", jsonOf(known.point)}};
+    if (!known.object.empty())
+        one["object"] = known.object;
+    if (known.kind == KnownPoint::Kind::Vertex)
+        one["vertex"] = known.vertex;
+    return one;
+}
+
+std::string_view depthName(DepthKnown known)
+{
+    switch (known) {
+    case DepthKnown::Given: return "given";
+    case DepthKnown::FromMesh: return "mesh";
+    case DepthKnown::ByRay: return "unknown";
+    }
+    return {};
+}
+
+/// A diagnosis as one JSON object on one line.
+std::string doctorJson(const Diagnosis &diagnosis)
+{
+    const InEnglish english;
+    Json json;
+    json["verdict"] = diagnosis.verdict;
+    if (diagnosis.except)
+        json["except"] = Json::array({diagnosis.except->point + 1});
+    json["candidates"] = Json::array();
+    for (const Candidate &candidate : diagnosis.candidates) {
+        Json one{{"id", candidate.id},
+                 {"point", jsonOf(candidate.point)},
+                 {"distance", jsonNumber(candidate.distance)},
+                 {"digits", candidate.digits},
+                 {"explains", candidate.explains}};
+        if (!candidate.values.empty())
+            one["values"] = jsonOf(candidate.values);
+        if (!candidate.ways.empty())
+            one["variant"] = waysText(candidate.ways);
+        if (candidate.alike != Alike::No)
+            one["alike"] = alikeName(candidate.alike);
+        if (candidate.shared)
+            one["shared"] = sharedName(*candidate.shared);
+        json["candidates"].push_back(one);
+    }
+    json["known"] = Json::array();
+    for (const KnownPoint &known : diagnosis.known)
+        json["known"].push_back(jsonOf(known));
+    json["projected"] = diagnosis.projected ? jsonOf(*diagnosis.projected) : Json();
+    json["next"] = Json();
+    if (diagnosis.next)
+        json["next"] = {{"pixel", Json::array({jsonNumber(diagnosis.next->x), jsonNumber(diagnosis.next->y)})},
+                        {"apart", jsonNumber(diagnosis.nextApart)}};
+    json["right"] = diagnosis.right ? jsonOf(*diagnosis.right) : Json();
+    json["digitsGiven"] = diagnosis.digitsGiven;
+    json["digitsWritten"] = diagnosis.digitsWritten;
+    json["wrong"] = diagnosis.tellsWrong() ? Json(errorKindName(diagnosis.wrong)) : Json();
+    json["depth"] = depthName(diagnosis.depthKnown);
+    json["tried"] = diagnosis.tried;
+    json["singlePrecision"] = diagnosis.isSinglePrecision;
+    json["chance"] = jsonNumber(diagnosis.chance);
+    json["sentence"] = diagnosis.verdict == "known-point" ? knownPointSentence(diagnosis.known)
+                       : diagnosis.namesMistake()         ? candidateSentence(diagnosis.candidates.front())
+                                                          : std::string();
+    json["code"] = Json::array();
+    for (const std::string &part : partsOf(diagnosis.verdict)) {
+        for (const CodeChange &change : codeOf(part, diagnosis.candidates.front().values))
+            json["code"].push_back(
+                {{"id", part}, {"library", change.library}, {"wrong", change.wrong}, {"right", change.right}});
+    }
+    return jsonLine(json) + '\n';
+}
 
 /// A case, and the files of its scene.
 struct CaseRead {
@@ -59,66 +286,60 @@ bool areModelsThere(const std::string &file)
 /// The vertices of a scene's models, read on the first call; none if a model is missing.
 std::function<std::vector<KnownPoint>(const Box &)> verticesOnceRead(const std::string &file)
 {
-    return [file, opened = std::optional<OpenedScene>(), isRead = false](const Box &world) mutable {
-        if (!isRead && areModelsThere(file))
-            opened = openScene(file);
-        isRead = true;
-        return opened ? verticesIn(opened->objects, world) : std::vector<KnownPoint>();
+    return [file, objects = std::vector<SceneObject>(), isRead = false](const Box &world) mutable {
+        if (!std::exchange(isRead, true)) {
+            try {
+                if (areModelsThere(file))
+                    objects = openScene(file).objects;
+            } catch (const Refused &) { // the reason is printed
+            }
+        }
+        return verticesIn(objects, world);
     };
 }
 
-/// The case without meshes. Errors are printed on stderr.
-std::optional<CaseRead> withoutMesh(const std::string &file)
+CaseRead withoutMesh(const std::string &file)
 {
-    const std::optional<SceneFile> scene = readScene(file);
-    if (!scene)
-        return std::nullopt;
-    Case result{setupOf(*scene), {}, {}, {}, verticesOnceRead(file)};
-    for (const SceneFileObject &object : scene->objects)
+    const SceneFile scene = needed(readScene(file));
+    Case result{setupOf(scene), {}, {}, {}, verticesOnceRead(file)};
+    for (const SceneFileObject &object : scene.objects)
         result.models.push_back({object.name, preciseWorldFromObject(object.transform)});
-    return CaseRead{std::move(result), filesOf(*scene, file)};
+    return {std::move(result), filesOf(scene, file)};
 }
 
-std::optional<CaseRead> withMesh(const std::string &file)
+CaseRead withMesh(const std::string &file)
 {
-    const std::optional<OpenedScene> opened = openScene(file);
-    const std::optional<Setup> setup = opened ? setupOf(*opened, std::string()) : std::nullopt;
-    if (!setup)
-        return std::nullopt;
-    Case result{*setup, {}, {}, {}, {}};
-    for (const SceneObject &object : opened->objects)
+    const OpenedScene opened = openScene(file);
+    Case result{setupOf(opened, std::string()), {}, {}, {}, {}};
+    for (const SceneObject &object : opened.objects)
         result.models.push_back({object.name, preciseWorldFromObject(object.transform)});
-    const Result<Unprojector> unprojector = Unprojector::of(*setup);
-    if (!unprojector) {
-        complain(opened->name + ": " + errorText(unprojector.error()));
-        return std::nullopt;
+    const Unprojector unprojector = needed(Unprojector::of(result.setup), opened.name);
+    if (!opened.objects.empty()) {
+        result.pointOnMesh = ray::MeshPoint(std::make_shared<ray::SceneRays>(raysOf(opened, unprojector)));
+        result.verticesIn = [objects = opened.objects](const Box &world) { return verticesIn(objects, world); };
     }
-    if (!opened->objects.empty()) {
-        result.pointOnMesh = ray::MeshPoint(std::make_shared<ray::SceneRays>(raysOf(*opened, *unprojector)));
-        result.verticesIn = [objects = opened->objects](const Box &world) { return verticesIn(objects, world); };
-    }
-    return CaseRead{std::move(result), opened->files};
+    return {std::move(result), opened.files};
 }
 
 /// The case of a scene. Meshes are loaded only where a depth is missing, so that otherwise a scene
 /// without its models suffices.
-std::optional<CaseRead> caseOf(const std::string &file, bool isDepthMissing)
+CaseRead caseOf(const std::string &file, bool isDepthMissing)
 {
-    if (!isMeantAsScene(file))
-        return withMesh(file);
-    if (!isDepthMissing)
+    if (isMeantAsScene(file) && !isDepthMissing)
         return withoutMesh(file);
-    std::optional<CaseRead> result = withMesh(file);
-    if (result || file == "-")
-        return result;
-    result = withoutMesh(file);
-    if (result)
-        complain(tr("%1: without its models, pixels without a depth are checked by their rays only", file));
+    try {
+        return withMesh(file);
+    } catch (const Refused &) {
+        if (!isMeantAsScene(file) || file == "-")
+            throw;
+    }
+    CaseRead result = withoutMesh(file);
+    complain(tr("%1: without its models, pixels without a depth are checked by their rays only", file));
     return result;
 }
 
-/// Sets the space of the points. Errors are printed on stderr.
-bool setSpace(std::vector<WrongPoint> &points, const std::string &space, const Case &scene)
+/// Sets the space of the points.
+void setSpace(std::vector<WrongPoint> &points, const std::string &space, const Case &scene)
 {
     PointSpace named = PointSpace::World;
     std::size_t model = 0;
@@ -135,19 +356,16 @@ bool setSpace(std::vector<WrongPoint> &points, const std::string &space, const C
             name = scene.models.front().name;
         const auto found = std::find_if(scene.models.begin(), scene.models.end(),
                                         [&](const PlacedModel &placed) { return placed.name == name; });
-        if (found == scene.models.end()) {
-            complain(scene.models.empty()
-                         ? tr("--got-space %1: the scene has no objects", space)
-                         : tr("--got-space %1: give object:NAME with one of the scene's objects: %2", space, names));
-            return false;
-        }
+        if (found == scene.models.end())
+            refuse(scene.models.empty()
+                       ? tr("--got-space %1: the scene has no objects", space)
+                       : tr("--got-space %1: give object:NAME with one of the scene's objects: %2", space, names));
         model = std::size_t(found - scene.models.begin());
     }
     for (WrongPoint &point : points) {
         point.space = named;
         point.model = model;
     }
-    return true;
 }
 
 /// Removes the points whose pixels lie outside the view, and reports them on stderr.
@@ -179,85 +397,97 @@ std::string depthRefused(const WrongPoints &given, double depth, const Setup &se
     return place + ": " + depthOutsideText(shortestText(depth), setup.depthRange);
 }
 
-/// Sets the distortion, and removes the points whose pixels it cannot be undone for. Errors are
-/// printed on stderr.
-bool setDistortion(Case &scene, WrongPoints &given, const DoctorOptions &options)
+/// Sets the distortion, and removes the points whose pixels it cannot be undone for. Reports them on
+/// stderr.
+void setDistortion(Case &scene, WrongPoints &given, const DoctorOptions &options)
 {
-    const std::optional<SceneLens> lens = sceneLens(options.distortion, scene.setup, options.scene);
-    if (!lens)
-        return false;
-    scene.distortion = lens->distortion;
+    const SceneLens lens = sceneLens(options.distortion, scene.setup, options.scene);
+    scene.distortion = lens.distortion;
     for (std::size_t i = given.points.size(); i-- > 0;) {
-        if (cameras::undistortedPixel(lens->distortion, lens->pinhole, given.points[i].pixel.coordinates()))
+        if (cameras::undistortedPixel(lens.distortion, lens.pinhole, given.points[i].pixel.coordinates()))
             continue;
         complain(tr("%1: the distortion cannot be undone at this pixel: %2 fold the image over there; check them",
-                    given.names[i], cameras::coefficientsText(lens->distortion)));
+                    given.names[i], cameras::coefficientsText(lens.distortion)));
         given.isComplete = false;
         given.points.erase(given.points.begin() + std::ptrdiff_t(i));
         given.names.erase(given.names.begin() + std::ptrdiff_t(i));
     }
-    return true;
 }
-
-} // namespace
 
 ExitCode runDoctor(const DoctorOptions &options)
 {
     WrongPoints given;
     if (options.points.empty()) {
-        const std::optional<WrongPoint> point = wrongPoint(options.pixel, options.depth, options.got);
+        const auto point = wrongPointOf(options.pixel, options.depth, options.got, {"--pixel", "--depth", "--got"});
         if (!point)
-            return ExitCode::UnusableInput;
+            refuse(point.error());
         given = {{*point}, {"--pixel"}};
     } else {
-        if (options.points == "-" && options.scene == "-") {
-            complain(tr("the scene and the points cannot both come from standard input; give a file for one of them"));
-            return ExitCode::UnusableInput;
-        }
-        std::optional<WrongPoints> table = wrongPoints(options.points);
-        if (!table)
-            return ExitCode::UnusableInput;
-        given = std::move(*table);
+        if (options.points == "-" && options.scene == "-")
+            refuse(tr("the scene and the points cannot both come from standard input; give a file for one of them"));
+        given = wrongPoints(options.points);
     }
     const bool isDepthMissing =
         std::any_of(given.points.begin(), given.points.end(), [](const WrongPoint &p) { return !p.depth; });
     std::optional<SizeGiven> otherSize;
-    if (!options.otherSize.empty() && !(otherSize = sizeGiven("--other-size", options.otherSize)))
-        return ExitCode::UnusableInput;
-    std::optional<CaseRead> read = caseOf(options.scene, isDepthMissing);
-    if (!read || !setSpace(given.points, options.gotSpace, read->scene))
-        return ExitCode::UnusableInput;
+    if (!options.otherSize.empty())
+        otherSize = sizeGiven("--other-size", options.otherSize);
+    CaseRead read = caseOf(options.scene, isDepthMissing);
+    Case &scene = read.scene;
+    setSpace(given.points, options.gotSpace, scene);
     if (!options.points.empty())
-        read->files.push_back(options.points);
-    ByteSink sink("-", read->files);
-    if (!sink.isOpen())
-        return ExitCode::UnusableInput;
-    Case &scene = read->scene;
+        read.files.push_back(options.points);
+    Output sink("-", read.files);
     if (otherSize) {
         scene.otherSize = Surface{otherSize->width, otherSize->height, 1.0};
-        if (const Check valid = check(*scene.otherSize); !valid) {
-            complain("--other-size " + options.otherSize + ": " + errorText(valid.error()));
-            return ExitCode::UnusableInput;
-        }
+        if (const Check valid = check(*scene.otherSize); !valid)
+            refuse("--other-size " + options.otherSize + ": " + errorText(valid.error()));
     }
     leaveOutside(given, scene.setup.surface);
-    if (!options.distortion.empty() && !setDistortion(scene, given, options))
-        return ExitCode::UnusableInput;
+    if (!options.distortion.empty())
+        setDistortion(scene, given, options);
     if (given.points.empty())
-        return ExitCode::UnusableInput;
+        throw Refused();
     const Result<Diagnosis> diagnosis = diagnose(scene, given.points);
-    if (!diagnosis) {
-        const Error &error = diagnosis.error();
-        complain(error.code == ErrorCode::DepthOutsideRange ? depthRefused(given, error.value, scene.setup)
-                                                            : options.scene + ": " + errorText(error));
-        return ExitCode::UnusableInput;
-    }
+    if (!diagnosis && diagnosis.error().code == ErrorCode::DepthOutsideRange)
+        refuse(depthRefused(given, diagnosis.error().value, scene.setup));
+    const Diagnosis found = needed(diagnosis, options.scene);
     if (options.isJson)
-        sink.write(doctorJson(*diagnosis));
+        sink.write(doctorJson(found));
     else
-        sink.print(reportText(*diagnosis, given.points[diagnosis->firstPoint()]));
-    const ExitCode written = sink.finish();
-    return written == ExitCode::Done && !given.isComplete ? ExitCode::SomeRowsBad : written;
+        sink.print(reportText(found, given.points[found.firstPoint()]));
+    return std::max(sink.finish(), given.isComplete ? ExitCode::Done : ExitCode::SomeRowsBad);
+}
+
+} // namespace
+
+void addDoctor(CLI::App &app, Run &run)
+{
+    const Command command(app, "doctor");
+    const auto options = std::make_shared<DoctorOptions>();
+    command.modelOrScene(options->scene);
+    CLI::Option *pixel = command.add("--pixel", options->pixel);
+    CLI::Option *depth = command.add("--depth", options->depth);
+    CLI::Option *got = command.add("--got", options->got);
+    command
+        .word(
+            "--got-space", "world, eye, object, object:NAME",
+            [options](const std::string &given) { options->gotSpace = given; },
+            [](const std::string &given) {
+                return given == "world" || given == "eye" || given == "object" || given.starts_with("object:");
+            })
+        ->default_str("world");
+    command.file("--points", options->points)->excludes(pixel)->excludes(depth)->excludes(got);
+    command.add("--other-size", options->otherSize);
+    command.add("--distortion", options->distortion);
+    command.flag("--json", options->isJson);
+    command.runs(run, options, [command](const DoctorOptions &given) {
+        for (const char *option : {"--pixel", "--got"}) {
+            if (!command.has("--points") && !command.has(option))
+                throw CLI::RequiredError(tr("%1 (or --points)", option));
+        }
+        return runDoctor(given);
+    });
 }
 
 } // namespace unprojector::cli

@@ -1,10 +1,10 @@
-#include "core/cli/commands/info_command.h"
-
 #include "core/base/columns.h"
 #include "core/base/number_text.h"
 #include "core/base/printable.h"
 #include "core/base/translation.h"
-#include "core/cli/commands/opened_scene.h"
+#include "core/cli/commands/command.h"
+#include "core/cli/commands/inputs.h"
+#include "core/cli/commands/refusal.h"
 #include "core/cli/rows/byte_stream.h"
 #include "core/cli/rows/csv_line.h"
 #include "core/mesh/import/note_text.h"
@@ -20,6 +20,11 @@ using namespace mesh;
 using namespace scene;
 using namespace base;
 namespace {
+
+struct InfoOptions {
+    std::string file; ///< a model, a scene or clicks; "-" is a scene from stdin
+    bool isJson = false;
+};
 
 /// A number as JSON, which has no infinity.
 std::string jsonOfNumber(double value)
@@ -98,13 +103,9 @@ bool isFinite(const Measures &m)
            && (m.box.isEmpty() || (isFinitePoint(m.box.lowest) && isFinitePoint(m.box.highest)));
 }
 
-} // namespace
-
 ExitCode runInfo(const InfoOptions &options)
 {
-    const std::optional<OpenedScene> opened = openScene(options.file);
-    if (!opened)
-        return ExitCode::UnusableInput;
+    const OpenedScene opened = openScene(options.file);
     // JSON is in English, because programs read the notes too.
     std::optional<InEnglish> english;
     if (options.isJson)
@@ -112,18 +113,18 @@ ExitCode runInfo(const InfoOptions &options)
     Measures all;
     std::string objects, table;
     std::vector<std::string> openOnes;
-    for (const SceneObject &object : opened->objects) {
+    for (const SceneObject &object : opened.objects) {
         const Measures measures = measuresOf(object);
         all.add(measures);
         if (measures.isOpen)
-            openOnes.push_back((opened->objects.size() > 1 ? object.name + ": " : std::string())
+            openOnes.push_back((opened.objects.size() > 1 ? object.name + ": " : std::string())
                                + tr("the surface is open, so the volume is undefined: it depends on the origin"));
         objects += objects.empty() ? "" : ", ";
         objects += "{\"name\": " + jsonOfText(object.name) + ", " + json(measures) + '}';
         const std::string name = printableLine(object.name);
         table += (object.isHidden ? tr("%1 (hidden)", name) : name) + '\n' + lines(measures);
     }
-    std::vector<std::string> notes = notesOf(opened->objects);
+    std::vector<std::string> notes = notesOf(opened.objects);
     notes.insert(notes.end(), openOnes.begin(), openOnes.end());
     if (!isFinite(all))
         notes.push_back(tr("missing numbers are beyond the range of a double; check the scales of the objects"));
@@ -134,18 +135,27 @@ ExitCode runInfo(const InfoOptions &options)
             text += (&note == notes.data() ? "" : ", ") + jsonOfText(note);
         text += "]}\n";
     } else {
-        text = opened->objects.size() == 1 ? table : tr("all|objects") + '\n' + lines(all) + table;
+        text = opened.objects.size() == 1 ? table : tr("all|objects") + '\n' + lines(all) + table;
         for (const std::string &note : notes)
             text += tr("note: %1", printableLine(note)) + '\n';
     }
-    ByteSink sink("-", opened->files);
-    if (!sink.isOpen())
-        return ExitCode::UnusableInput;
+    Output sink("-", opened.files);
     if (options.isJson)
         sink.write(text);
     else
         sink.print(text);
     return sink.finish();
+}
+
+} // namespace
+
+void addInfo(CLI::App &app, Run &run)
+{
+    const Command command(app, "info");
+    const auto options = std::make_shared<InfoOptions>();
+    command.modelOrScene(options->file);
+    command.flag("--json", options->isJson);
+    command.runs(run, options, runInfo);
 }
 
 } // namespace unprojector::cli

@@ -1,8 +1,8 @@
-#include "core/cli/commands/landmark_tables.h"
-
 #include "core/base/path_text.h"
 #include "core/base/translation.h"
-#include "core/cli/commands/landmark_streams.h"
+#include "core/cli/commands/inputs.h"
+#include "core/cli/commands/landmarks_command.h"
+#include "core/cli/commands/refusal.h"
 #include "core/curves/measured_sets.h"
 #include "core/landmark_files/landmark_folder.h"
 #include "core/landmark_files/measures_file.h"
@@ -27,7 +27,7 @@ using geometry::Result;
 namespace {
 
 /// Reads a folder. Prints reports on stderr, also why there is nothing in it.
-std::optional<LandmarkFolder> readFolder(const std::string &name, const LandmarksOptions &options)
+LandmarkFolder readFolder(const std::string &name, const LandmarksOptions &options)
 {
     std::vector<std::filesystem::path> outputs;
     for (const std::string &output : {options.output, options.errors}) {
@@ -36,17 +36,14 @@ std::optional<LandmarkFolder> readFolder(const std::string &name, const Landmark
     }
     std::error_code error;
     LandmarkFolder folder = readLandmarkFolder(pathFromUtf8(name), outputs, error);
-    if (error) {
-        complain(folderErrorText(pathFromUtf8(name), error));
-        return std::nullopt;
-    }
+    if (error)
+        refuse(folderErrorText(pathFromUtf8(name), error));
     for (const std::string &report : folder.reports)
         complain(report);
-    if (!folder.sets.empty())
-        return folder;
-    complain(folder.fileCount == 0 ? tr("%1: there are no files of landmarks (%2)", name, readWords())
-                                   : tr("%1: none of its files of landmarks could be read", name));
-    return std::nullopt;
+    if (folder.sets.empty())
+        refuse(folder.fileCount == 0 ? tr("%1: there are no files of landmarks (%2)", name, readWords())
+                                     : tr("%1: none of its files of landmarks could be read", name));
+    return folder;
 }
 
 void addInputs(InputFiles &inputs, const LandmarkFolder &folder)
@@ -58,17 +55,33 @@ void addInputs(InputFiles &inputs, const LandmarkFolder &folder)
     inputs.insert(inputs.end(), folder.badFiles.begin(), folder.badFiles.end());
 }
 
-/// The form of the table: the given one, else the one of its suffix. Prints on stderr why the table
-/// cannot have its name.
-std::optional<TableForm> tableForm(const LandmarksOptions &options)
+/// Checks that a table may have this name.
+/// @param output  empty: there is no such table
+/// @param format  that of the table
+void checkNameOfTable(const std::string &output, Format format)
+{
+    if (output.empty() || output == "-")
+        return;
+    const std::filesystem::path file = pathFromUtf8(output);
+    const std::optional<Format> named = landmark_files::formatOf(file);
+    if (isModelName(file))
+        refuse(tr("%1: this is the name of a model, not of a table; give another name", output));
+    if (isMeasuresFile(file) || file.filename() == seriesTemplate({}))
+        refuse(tr("%1: this name is kept for the template and the measures of a series; give another name", output));
+    if (named && *named != format)
+        refuse(tr("%1: this table is a .%2; give it a name that ends so, or another format", output, suffixOf(format)));
+}
+
+/// The form of the table: the given one, else the one of its suffix. Checks the names.
+TableForm tableForm(const LandmarksOptions &options)
 {
     const std::optional<Format> named = landmark_files::formatOf(pathFromUtf8(options.output));
     const TableForm form = options.table.value_or(named == Format::Tps   ? TableForm::Tps
                                                   : named == Format::Nts ? TableForm::Nts
                                                                          : TableForm::Long);
     const Format format = form == TableForm::Tps ? Format::Tps : form == TableForm::Nts ? Format::Nts : Format::Csv;
-    if (!isNameOfTable(options.output, format) || !isNameOfTable(options.sliders, Format::Csv))
-        return std::nullopt;
+    checkNameOfTable(options.output, format);
+    checkNameOfTable(options.sliders, Format::Csv);
     return form;
 }
 
@@ -111,31 +124,25 @@ struct Placing {
     std::size_t input = 0; ///< index of the given name
 };
 
-/// Reads the files and folders with repeated placings. Prints errors on stderr.
+/// Reads the files and folders with repeated placings.
 /// @param inputs  gets the files of folders, also those that an output would replace
-/// @return empty if one cannot be used at all
-std::optional<std::vector<Placing>> readPlacings(const LandmarksOptions &options, InputFiles &inputs, ExitCode &code)
+std::vector<Placing> readPlacings(const LandmarksOptions &options, InputFiles &inputs, ExitCode &code)
 {
     std::vector<Placing> placings;
     for (std::size_t i = 0; i < options.repeats.size(); ++i) {
         const std::string &name = options.repeats[i];
         std::error_code ignored;
         if (name != "-" && std::filesystem::is_directory(pathFromUtf8(name), ignored)) {
-            std::optional<LandmarkFolder> folder = readFolder(name, options);
-            if (!folder)
-                return std::nullopt;
-            addInputs(inputs, *folder);
-            if (!folder->badFiles.empty())
+            LandmarkFolder folder = readFolder(name, options);
+            addInputs(inputs, folder);
+            if (!folder.badFiles.empty())
                 code = ExitCode::SomeRowsBad;
-            for (std::size_t k = 0; k < folder->sets.size(); ++k)
-                placings.push_back({std::move(folder->sets[k]), utf8FromPath(folder->files[k]), i});
+            for (std::size_t k = 0; k < folder.sets.size(); ++k)
+                placings.push_back({std::move(folder.sets[k]), utf8FromPath(folder.files[k]), i});
             continue;
         }
-        const std::optional<Format> format = formatOf(name, options.from, "--from");
-        std::optional<ReadLandmarks> read = format ? readFile(name, *format) : std::nullopt;
-        if (!read)
-            return std::nullopt;
-        for (LandmarkSet &set : read->sets) {
+        ReadLandmarks read = readFile(name, formatOf(name, options.from, "--from"));
+        for (LandmarkSet &set : read.sets) {
             set.placing = std::max(set.placing, placingOf(pathFromUtf8(name)));
             placings.push_back({std::move(set), name, i});
         }
@@ -218,31 +225,27 @@ void tellSingles(const std::vector<RepeatedSpecimen> &specimens)
 
 ExitCode makeTable(const LandmarksOptions &options)
 {
-    const std::optional<TableForm> form = tableForm(options);
-    const std::optional<LandmarkFolder> folder = form ? readFolder(options.folder, options) : std::nullopt;
-    if (!folder)
-        return ExitCode::UnusableInput;
+    const TableForm form = tableForm(options);
+    const LandmarkFolder folder = readFolder(options.folder, options);
     InputFiles inputs;
-    addInputs(inputs, *folder);
-    if (isOverInput(options.output, inputs) || isOverInput(options.sliders, inputs))
-        return ExitCode::UnusableInput;
+    addInputs(inputs, folder);
+    checkNotInput(options.output, inputs);
+    checkNotInput(options.sliders, inputs);
     std::vector<KeptMeasure> measures;
     MeasuredFolder found;
     if (!options.measures.empty()) {
         Result<std::vector<KeptMeasure>, LandmarkFileError> read = readMeasures(pathFromUtf8(options.measures));
-        if (!read) {
-            complain(errorText(read.error()));
-            return ExitCode::UnusableInput;
-        }
+        if (!read)
+            refuse(errorText(read.error()));
         measures = std::move(read).value();
         if (measures.empty())
             complain(tr("%1: there are no measures in the file", options.measures));
-        found = measured(*folder, measures);
+        found = measured(folder, measures);
         inputs.push_back(options.measures);
         inputs.insert(inputs.end(), found.models.begin(), found.models.end());
     }
     const std::string name = options.output == "-" ? "stdout" : options.output;
-    const auto table = specimenTable(folder->sets, *form, {measures, found.values}, {}, textsOf(options));
+    const auto table = specimenTable(folder.sets, form, {measures, found.values}, {}, options.texts());
     const ExitCode written = table ? write(options.output, WrittenLandmarks{table->text, table->notes}, inputs)
                                    : write(options.output, table.error(), inputs);
     if (written != ExitCode::Done)
@@ -254,36 +257,36 @@ ExitCode makeTable(const LandmarksOptions &options)
             complain(name + ": " + text);
     }
     inputs.push_back(options.output);
-    const ExitCode withSliders = writeSliders(options.sliders, table->sliders, inputs, written);
-    return withSliders == ExitCode::Done && !folder->badFiles.empty() ? ExitCode::SomeRowsBad : withSliders;
+    return std::max(writeSliders(options.sliders, table->sliders, inputs, written),
+                    folder.badFiles.empty() ? ExitCode::Done : ExitCode::SomeRowsBad);
 }
 
 ExitCode makeRepeats(const LandmarksOptions &options)
 {
-    if (!isNameOfTable(options.output, Format::Csv) || !isNameOfTable(options.errors, Format::Csv))
-        return ExitCode::UnusableInput;
+    checkNameOfTable(options.output, Format::Csv);
+    checkNameOfTable(options.errors, Format::Csv);
     InputFiles inputs = options.repeats;
-    if (isOverInput(options.output, inputs) || isOverInput(options.errors, inputs))
-        return ExitCode::UnusableInput;
+    const auto checkOutputs = [&] {
+        checkNotInput(options.output, inputs);
+        checkNotInput(options.errors, inputs);
+    };
+    checkOutputs();
     ExitCode code = ExitCode::Done;
-    const std::optional<std::vector<Placing>> placings = readPlacings(options, inputs, code);
-    if (!placings || isOverInput(options.output, inputs) || isOverInput(options.errors, inputs))
-        return ExitCode::UnusableInput;
+    const std::vector<Placing> placings = readPlacings(options, inputs, code);
+    checkOutputs();
     tellSameFiles(options.repeats);
-    const std::vector<RepeatedSpecimen> specimens = specimensOf(*placings);
+    const std::vector<RepeatedSpecimen> specimens = specimensOf(placings);
     tellSingles(specimens);
     if (std::all_of(specimens.begin(), specimens.end(),
-                    [](const RepeatedSpecimen &specimen) { return specimen.placings.size() < 2; })) {
-        complain(tr("no specimen was placed more than once, so there are no repeats to compare"));
-        return ExitCode::UnusableInput;
-    }
+                    [](const RepeatedSpecimen &specimen) { return specimen.placings.size() < 2; }))
+        refuse(tr("no specimen was placed more than once, so there are no repeats to compare"));
     if (!options.output.empty()) {
-        const ExitCode written = write(options.output, repeatsTable(specimens, textsOf(options)), inputs);
+        const ExitCode written = write(options.output, repeatsTable(specimens, options.texts()), inputs);
         if (written != ExitCode::Done)
             return written;
     }
     if (!options.errors.empty()) {
-        const ExitCode written = write(options.errors, errorsTable(specimens, textsOf(options)), inputs);
+        const ExitCode written = write(options.errors, errorsTable(specimens, options.texts()), inputs);
         if (written != ExitCode::Done)
             return written;
         for (const std::string &remark : errorRemarks(measurementErrorOf(specimens)))

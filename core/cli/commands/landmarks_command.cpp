@@ -1,11 +1,11 @@
 #include "core/cli/commands/landmarks_command.h"
-
 #include "core/base/path_text.h"
+#include "core/base/replace_file.h"
+#include "core/base/system_file.h"
 #include "core/base/translation.h"
-#include "core/cli/commands/landmark_streams.h"
-#include "core/cli/commands/landmark_tables.h"
-#include "core/cli/commands/opened_scene.h"
-#include "core/cli/rows/byte_stream.h"
+#include "core/cli/commands/command.h"
+#include "core/cli/commands/inputs.h"
+#include "core/cli/commands/refusal.h"
 #include "core/cli/terminal/progress_bar.h"
 #include "core/curves/curve_line.h"
 #include "core/curves/surface_mesh.h"
@@ -50,16 +50,14 @@ std::string nameOf(const Landmark &landmark, std::size_t index)
 /// Moves every landmark to the closest point of the mesh, and reports the distance.
 class Tying {
 public:
-    /// Opens the mesh. Prints errors on stderr.
-    static std::optional<Tying> to(const std::string &mesh)
+    explicit Tying(const std::string &mesh) : m_mesh(mesh)
     {
         const std::filesystem::path file = pathFromUtf8(mesh);
         const auto model = mesh::importModel(file, {});
-        if (!model) {
-            complain(importErrorText(model.error()));
-            return std::nullopt;
-        }
-        return Tying(mesh, utf8FromPath(file.filename()), ray::ClosestPlaces::build(*model, {}));
+        if (!model)
+            refuse(importErrorText(model.error()));
+        m_target = {utf8FromPath(file.filename()), ray::ClosestPlaces::build(*model, {})};
+        m_size = m_target.places->model().bounds.diagonal();
     }
 
     /// @param progress  counts landmarks
@@ -134,12 +132,6 @@ public:
     }
 
 private:
-    Tying(std::string mesh, std::string fileName, std::shared_ptr<const ray::ClosestPlaces> places)
-        : m_mesh(std::move(mesh)), m_target{std::move(fileName), std::move(places)},
-          m_size(m_target.places->model().bounds.diagonal())
-    {
-    }
-
     std::string m_mesh, m_farthestName;
     ray::TyingTarget m_target;
     std::shared_ptr<const curves::SurfaceMesh> m_surface; ///< built for the first curve
@@ -149,42 +141,34 @@ private:
 
 ExitCode convert(const LandmarksOptions &options)
 {
-    const std::optional<Format> from = formatOf(options.input, options.from, "--from");
-    const std::optional<Format> to = formatOf(options.output, options.to, "--to");
+    const Format from = formatOf(options.input, options.from, "--from");
+    const Format to = formatOf(options.output, options.to, "--to");
     InputFiles inputs{options.input};
     if (!options.mesh.empty())
         inputs.push_back(options.mesh);
-    if (!from || !to || isOverInput(options.output, inputs) || isOverInput(options.sliders, inputs))
-        return ExitCode::UnusableInput;
-    if (!options.sliders.empty() && (to == Format::SlicerJson || to == Format::MeshLabTemplate)) {
-        complain(
-            tr("%1: .%2 has no numbers for semilandmarks; write .csv, .tps or .nts", options.sliders, suffixOf(*to)));
-        return ExitCode::UnusableInput;
-    }
-    std::optional<ReadLandmarks> read = readFile(options.input, *from);
-    if (!read)
-        return ExitCode::UnusableInput;
+    checkNotInput(options.output, inputs);
+    checkNotInput(options.sliders, inputs);
+    if (!options.sliders.empty() && (to == Format::SlicerJson || to == Format::MeshLabTemplate))
+        refuse(tr("%1: .%2 has no numbers for semilandmarks; write .csv, .tps or .nts", options.sliders, suffixOf(to)));
+    ReadLandmarks read = readFile(options.input, from);
     if (!options.mesh.empty()) {
-        std::optional<Tying> tying = Tying::to(options.mesh);
-        if (!tying)
-            return ExitCode::UnusableInput;
-        for (std::string &file : tying->files())
+        Tying tying(options.mesh);
+        for (std::string &file : tying.files())
             inputs.push_back(std::move(file));
-        if (isOverInput(options.output, inputs))
-            return ExitCode::UnusableInput;
+        checkNotInput(options.output, inputs);
         std::size_t count = 0;
-        for (const LandmarkSet &set : read->sets)
+        for (const LandmarkSet &set : read.sets)
             count += set.landmarks.size();
         ProgressBar progress(count, ProgressBar::Unit::Points);
-        for (LandmarkSet &set : read->sets) {
-            tying->tie(set, progress);
-            tying->lead(set);
+        for (LandmarkSet &set : read.sets) {
+            tying.tie(set, progress);
+            tying.lead(set);
         }
-        tying->tellFarthest();
+        tying.tellFarthest();
     }
     const auto table =
-        convertedText(std::move(read->sets), *to,
-                      options.input == "-" ? std::string() : specimenOf(pathFromUtf8(options.input)), textsOf(options));
+        convertedText(std::move(read.sets), to,
+                      options.input == "-" ? std::string() : specimenOf(pathFromUtf8(options.input)), options.texts());
     if (!table)
         return write(options.output, table.error(), inputs);
     const ExitCode written = write(options.output, WrittenLandmarks{table->text, table->notes}, inputs);
@@ -192,15 +176,85 @@ ExitCode convert(const LandmarksOptions &options)
     return writeSliders(options.sliders, table->sliders, inputs, written);
 }
 
-} // namespace
+/// Checks that two results do not go to the same file, or both to stdout.
+/// @param b  empty: there is no such result, as for a
+void checkDistinct(const std::string &a, const std::string &b)
+{
+    const auto whole = [](const std::string &file) {
+        std::error_code ignored;
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(pathFromUtf8(file), ignored), ignored);
+    };
+    if (a.empty() || b.empty() || isStream(pathFromUtf8(a)))
+        return;
+    if (a != b && (a == "-" || b == "-" || (whole(a) != whole(b) && !isSameFile(pathFromUtf8(a), pathFromUtf8(b)))))
+        return;
+    refuse(tr("%1: two results cannot go to one file; give another name for one of them", a == "-" ? "stdout" : a));
+}
 
 ExitCode runLandmarks(const LandmarksOptions &options)
 {
-    if (isSameOutput(options.output, options.errors) || isSameOutput(options.output, options.sliders))
-        return ExitCode::UnusableInput;
+    checkDistinct(options.output, options.errors);
+    checkDistinct(options.output, options.sliders);
     if (!options.repeats.empty())
         return makeRepeats(options);
     return options.folder.empty() ? convert(options) : makeTable(options);
+}
+
+CLI::Option *addFormat(const Command &command, const char *name, std::optional<Format> &target, bool isWritten)
+{
+    return command.word(
+        name, isWritten ? writtenWords() : readWords(),
+        [&target](const std::string &given) { target = formatOfSuffix(given); },
+        [isWritten](const std::string &given) {
+            const auto format = formatOfSuffix(given);
+            return format && (!isWritten || landmark_files::isWritten(*format));
+        });
+}
+
+} // namespace
+
+void addLandmarks(CLI::App &app, Run &run)
+{
+    const Command command(app, "landmarks");
+    const auto options = std::make_shared<LandmarksOptions>();
+    CLI::Option *input = command.file("IN", options->input), *output = command.file("OUT", options->output);
+    CLI::Option *from = addFormat(command, "--from", options->from, false),
+                *to = addFormat(command, "--to", options->to, true);
+    CLI::Option *mesh = command.file("--mesh", options->mesh);
+    CLI::Option *folder = command.file("--table", options->folder)
+                              ->excludes(input)
+                              ->excludes(output)
+                              ->excludes(from)
+                              ->excludes(to)
+                              ->excludes(mesh);
+    CLI::Option *repeats = command.add("--repeats", options->repeats)
+                               ->excludes(input)
+                               ->excludes(output)
+                               ->excludes(to)
+                               ->excludes(mesh)
+                               ->excludes(folder)
+                               ->expected(1, CLI::detail::expected_max_vector_size);
+    command.file("--errors", options->errors)->needs(repeats);
+    command.file("--measures", options->measures)->needs(folder);
+    command.file("-o,--output", options->output);
+    command.file("--sliders", options->sliders)->excludes(repeats);
+    command.choice(
+        "--format", options->table,
+        {{"long", TableForm::Long}, {"wide", TableForm::Wide}, {"tps", TableForm::Tps}, {"nts", TableForm::Nts}});
+    command.flag("--spreadsheet-safe", options->isSpreadsheetSafe);
+    command.runs(run, options, [command](const LandmarksOptions &given) {
+        if (!command.has("--table") && !command.has("--repeats")) {
+            if (command.has("-o"))
+                throw CLI::RequiredError(tr("--table or --repeats (with -o)"));
+            for (const char *name : {"IN", "OUT"}) {
+                if (!command.has(name))
+                    throw CLI::RequiredError(tr("%1 (or --table)", name));
+            }
+        } else if (!command.has("-o") && !command.has("--errors")) {
+            throw CLI::RequiredError("-o,--output");
+        }
+        return runLandmarks(given);
+    });
 }
 
 } // namespace unprojector::cli

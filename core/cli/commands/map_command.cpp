@@ -1,11 +1,10 @@
-#include "core/cli/commands/map_command.h"
-
 #include "core/base/number_text.h"
 #include "core/base/translation.h"
-#include "core/cli/commands/opened_scene.h"
-#include "core/cli/rows/byte_stream.h"
+#include "core/cli/commands/command.h"
+#include "core/cli/commands/inputs.h"
+#include "core/cli/commands/refusal.h"
 #include "core/cli/terminal/progress_bar.h"
-#include "core/geometry/error_text.h"
+#include "core/maps/pixel_map.h"
 
 #include <algorithm>
 #include <array>
@@ -24,15 +23,21 @@ using namespace maps;
 using namespace base;
 namespace {
 
+struct MapOptions {
+    std::string scene; ///< a model, a scene or clicks; "-" is a scene from stdin
+    Quantity quantity = Quantity::FormulaMatrix;
+    std::string convention; ///< convention of a displacement; empty for the other quantities
+    Unit unit = Unit::World;
+    std::string size; ///< size of the view, "WxH"; empty: its own
+    std::optional<double> depth;
+    DepthFormat format; ///< format of the surfaces' depths
+    bool isJson = false;
+    std::string output; ///< a PFM file, "-" for stdout
+};
+
 /// 256 MB: the command keeps all numbers of a map until it is written, because it reports their
 /// median.
 constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 26;
-
-std::uint64_t pixelsOf(const Setup &setup)
-{
-    return static_cast<std::uint64_t>(setup.surface.widthPixels)
-           * static_cast<std::uint64_t>(setup.surface.heightPixels);
-}
 
 /// A part of the work on a progress bar; only the system can stop it.
 ray::Progress partOf(ProgressBar &bar, std::uint64_t amount)
@@ -53,33 +58,48 @@ bool hasSuffix(std::string_view name, std::string_view suffix)
                          [&isSame](char wanted, char given) { return isSame(given, wanted); });
 }
 
-/// Returns whether a map can be written to the output; prints errors on stderr.
-bool isOutputUsable(const MapOptions &options, const OpenedScene &opened)
+/// Checks that a map can be written to the output.
+void checkOutput(const MapOptions &options, const OpenedScene &opened)
 {
-    if (hasSuffix(options.output, ".png")) {
-        complain(tr("%1: the command writes float maps only; give a name that ends in .pfm (the window exports PNG)",
-                    options.output));
-        return false;
-    }
-    if (options.isJson && options.output == "-") {
-        complain(tr("the map and --json cannot both go to standard output; give a file for the map"));
-        return false;
-    }
-    return !isOverInput(options.output, opened.files);
+    if (hasSuffix(options.output, ".png"))
+        refuse(tr("%1: the command writes float maps only; give a name that ends in .pfm (the window exports PNG)",
+                  options.output));
+    if (options.isJson && options.output == "-")
+        refuse(tr("the map and --json cannot both go to standard output; give a file for the map"));
+    checkNotInput(options.output, opened.files);
 }
 
 /// The surfaces visible at each pixel. It must outlive the result of source().
 class Seen {
 public:
-    /// Builds it. Prints errors on stderr.
-    static std::unique_ptr<const Seen> of(const MapOptions &options, const OpenedScene &opened,
-                                          const Unprojector &unprojector);
+    Seen(const MapOptions &options, const OpenedScene &opened, const Unprojector &unprojector)
+        : m_setup(unprojector.setup()), m_depth(options.depth), m_format(options.format)
+    {
+        if (m_depth) {
+            if (needsRays(options.quantity))
+                refuse(tr("--depth: %1 needs surfaces; leave the depth out and give a model or a scene with objects",
+                          keyOf(options.quantity)));
+            needed(unitDepth(m_setup.depthRange, *m_depth), "--depth " + shortestText(*m_depth));
+            return;
+        }
+        const bool isAnySeen = std::any_of(opened.objects.begin(), opened.objects.end(),
+                                           [](const SceneObject &object) { return !object.isHidden; });
+        if (!isAnySeen)
+            refuse(tr("%1: no object is visible; --depth gives a depth to every pixel, from %2 on the near plane to %3 "
+                      "on the far plane",
+                      opened.name, shortestText(m_setup.depthRange.atNear), shortestText(m_setup.depthRange.atFar)));
+        checkReach(opened);
+        m_rays = raysOf(opened, unprojector);
+        if (m_rays->hasPoints())
+            complain(opened.name + ": " + noCloudsText());
+        m_pixels = needed(PixelRays::of(m_rays->rays()), opened.name);
+    }
 
     SurfaceSource source() const
     {
-        if (!m_rays)
+        if (m_depth)
             return {false, [this](const Rows &rows, const ray::Progress &) {
-                        return std::optional(surfacesAt(m_setup, m_depth, rows));
+                        return std::optional(surfacesAt(m_setup, *m_depth, rows));
                     }};
         return {true, [this](const Rows &rows, const ray::Progress &progress) {
                     return surfacesMet(*m_rays, *m_pixels, m_format, rows, progress);
@@ -87,56 +107,12 @@ public:
     }
 
 private:
-    Seen(const MapOptions &options, const Setup &setup)
-        : m_setup(setup), m_depth(options.depth), m_format(options.format)
-    {
-    }
-
     Setup m_setup;
-    double m_depth;
+    std::optional<double> m_depth;
     DepthFormat m_format;
     std::optional<ray::SceneRays> m_rays; ///< empty: the depth is given
     std::optional<PixelRays> m_pixels;
 };
-
-std::unique_ptr<const Seen> Seen::of(const MapOptions &options, const OpenedScene &opened,
-                                     const Unprojector &unprojector)
-{
-    const Setup &setup = unprojector.setup();
-    std::unique_ptr<Seen> seen(new Seen(options, setup));
-    if (options.isDepthGiven) {
-        if (needsRays(options.quantity)) {
-            complain(tr("--depth: %1 needs surfaces; leave the depth out and give a model or a scene with objects",
-                        keyOf(options.quantity)));
-            return nullptr;
-        }
-        if (const Result<double> valid = unitDepth(setup.depthRange, options.depth); !valid) {
-            complain("--depth " + shortestText(options.depth) + ": " + errorText(valid.error()));
-            return nullptr;
-        }
-        return seen;
-    }
-    const bool isAnySeen = std::any_of(opened.objects.begin(), opened.objects.end(),
-                                       [](const SceneObject &object) { return !object.isHidden; });
-    if (!isAnySeen) {
-        complain(tr("%1: no object is visible; --depth gives a depth to every pixel, from %2 on the near plane to %3 "
-                    "on the far plane",
-                    opened.name, shortestText(setup.depthRange.atNear), shortestText(setup.depthRange.atFar)));
-        return nullptr;
-    }
-    if (!areReachable(opened))
-        return nullptr;
-    seen->m_rays = raysOf(opened, unprojector);
-    if (seen->m_rays->hasPoints())
-        complain(opened.name + ": " + maps::noCloudsText());
-    const Result<PixelRays> pixels = PixelRays::of(seen->m_rays->rays());
-    if (!pixels) {
-        complain(opened.name + ": " + errorText(pixels.error()));
-        return nullptr;
-    }
-    seen->m_pixels = *pixels;
-    return seen;
-}
 
 /// Three digits, enough to read a scale.
 std::string threeDigits(double value)
@@ -179,56 +155,89 @@ std::string statisticsJson(const MapOptions &options, const MapStatistics &stati
     return text + "}\n";
 }
 
-} // namespace
-
 ExitCode runMap(const MapOptions &options)
 {
-    const std::optional<OpenedScene> opened = openScene(options.scene);
-    if (!opened || !isOutputUsable(options, *opened))
-        return ExitCode::UnusableInput;
-    const std::optional<Setup> setup = setupOf(*opened, options.size);
-    if (!setup)
-        return ExitCode::UnusableInput;
-    if (pixelsOf(*setup) > kMostPixels) {
-        complain(tr("a view of %1x%2 is too large for a map; give a smaller --size, of at most %3 pixels",
-                    setup->surface.widthPixels, setup->surface.heightPixels, kMostPixels));
-        return ExitCode::UnusableInput;
-    }
-    const Result<Unprojector> unprojector = Unprojector::of(*setup);
-    if (!unprojector) {
-        complain(opened->name + ": " + errorText(unprojector.error()));
-        return ExitCode::UnusableInput;
-    }
-    ByteSink sink(options.output, opened->files); // an unwritable output is reported before the computation
-    if (!sink.isOpen())
-        return ExitCode::UnusableInput;
-    ProgressBar bar(pixelsOf(*setup), ProgressBar::Unit::Points);
-    const std::unique_ptr<const Seen> seen = Seen::of(options, *opened, *unprojector);
-    if (!seen)
-        return ExitCode::UnusableInput;
+    const OpenedScene opened = openScene(options.scene);
+    checkOutput(options, opened);
+    const Setup setup = setupOf(opened, options.size);
+    const std::uint64_t pixels = pixelsOf(setup);
+    if (pixels > kMostPixels)
+        refuse(tr("a view of %1x%2 is too large for a map; give a smaller --size, of at most %3 pixels",
+                  setup.surface.widthPixels, setup.surface.heightPixels, kMostPixels));
+    const Unprojector unprojector = needed(Unprojector::of(setup), opened.name);
+    Output sink(options.output, opened.files); // an unwritable output is reported before the computation
+    ProgressBar bar(pixels, ProgressBar::Unit::Points);
+    const Seen seen(options, opened, unprojector);
     Question question{options.quantity, options.unit, OtherProgram::Paper};
     if (const NamedConvention *convention = conventionNamed(options.convention))
         question.other = convention->other;
-    auto map = pixelMap(question, *unprojector, seen->source(), opened->objects, partOf(bar, pixelsOf(*setup)));
+    auto result = pixelMap(question, unprojector, seen.source(), opened.objects, partOf(bar, pixels));
     bar.finish();
-    if (!map) {
-        complain(opened->name + ": " + errorText(map.error()));
-        return ExitCode::UnusableInput;
-    }
-    std::optional<PixelMap> made = std::move(map).value();
-    writePfm(*made, [&sink](std::string_view part) { sink.write(part); });
+    std::optional<PixelMap> map = needed(std::move(result), opened.name);
+    writePfm(*map, [&sink](std::string_view part) { sink.write(part); });
     if (const ExitCode written = sink.finish(); written != ExitCode::Done)
         return written;
-    const MapStatistics statistics = statisticsOf(std::move(*made));
+    const MapStatistics statistics = statisticsOf(std::move(*map));
     if (statistics.count == 0)
-        complain(tr("%1: no pixel has a value; the map holds NaN only", opened->name));
+        complain(tr("%1: no pixel has a value; the map holds NaN only", opened.name));
     if (!options.isJson) {
-        complain(statisticsText(options, statistics, pixelsOf(*setup)));
+        complain(statisticsText(options, statistics, pixels));
         return ExitCode::Done;
     }
-    ByteSink json("-", opened->files);
-    json.write(statisticsJson(options, statistics, setup->surface));
+    ByteSink json("-", opened.files);
+    json.write(statisticsJson(options, statistics, setup.surface));
     return json.finish();
+}
+
+std::string conventionNames()
+{
+    // Chinese help is wrapped on display.
+    const std::size_t mostInLine = language() == Language::English ? 80 : std::string::npos;
+    std::string names, line;
+    for (const NamedConvention &convention : namedConventions()) {
+        if (line.size() + convention.key.size() > mostInLine) {
+            names += line + '\n';
+            line.clear();
+        }
+        line += std::string(convention.key) + ", ";
+    }
+    return names + line.substr(0, line.size() - 2);
+}
+
+} // namespace
+
+void addMap(CLI::App &app, Run &run)
+{
+    const Command command(app, "map");
+    const auto options = std::make_shared<MapOptions>();
+    command.modelOrScene(options->scene);
+    std::map<std::string, Quantity> quantities;
+    for (const Quantity quantity : kQuantities)
+        quantities.emplace(keyOf(quantity), quantity);
+    command.choice("--what", options->quantity, quantities)->default_str("")->required();
+    command.word(
+        "--convention", conventionNames(), [options](const std::string &given) { options->convention = given; },
+        [](const std::string &given) { return conventionNamed(given) != nullptr; });
+    command.choice("--unit", options->unit, {{"world", Unit::World}, {"ulp", Unit::Ulps}});
+    command.add("--size", options->size);
+    command.add("--depth", options->depth);
+    command.choice("--depth-buffer", options->format,
+                   {{"16", DepthFormat(16)},
+                    {"24", DepthFormat(24)},
+                    {"32", DepthFormat(32)},
+                    {"float", DepthFormat::floatingPoint()}});
+    command.flag("--json", options->isJson);
+    command.file("-o,--output", options->output)->required();
+    command.runs(run, options, [](const MapOptions &given) {
+        const bool isOfOther = given.quantity == Quantity::Displacement;
+        if (isOfOther && given.convention.empty())
+            throw CLI::RequiredError(tr("--convention (with --what displacement)"));
+        if (!isOfOther && !given.convention.empty())
+            throw CLI::ValidationError(
+                "--convention " + given.convention,
+                tr("is for --what displacement, not for --what %1; leave one of them out", keyOf(given.quantity)));
+        return runMap(given);
+    });
 }
 
 } // namespace unprojector::cli

@@ -1,10 +1,10 @@
-#include "core/cli/commands/matrices_command.h"
-
 #include "core/base/identifier.h"
 #include "core/base/translation.h"
-#include "core/cli/rows/byte_stream.h"
+#include "core/cli/commands/command.h"
+#include "core/cli/commands/refusal.h"
 #include "core/cli/rows/scene_input.h"
-#include "core/geometry/error_text.h"
+#include "core/geometry/api_conventions.h"
+#include "core/matrices/matrix_format.h"
 
 #include <cmath>
 #include <vector>
@@ -15,6 +15,15 @@ using namespace matrices;
 using namespace scene_file;
 using namespace base;
 namespace {
+
+enum class MatricesFormat { Text, Json, C, NumPy, Latex };
+
+struct MatricesOptions {
+    std::string scene;
+    std::optional<Api> conventions;     ///< empty: the scene's
+    std::optional<MatrixLayout> layout; ///< empty: the conventions' own
+    MatricesFormat format = MatricesFormat::Text;
+};
 
 struct NamedMatrix {
     std::string name; ///< an identifier of C and Python
@@ -226,35 +235,41 @@ Result<Written> writtenCamera(const MatricesOptions &options, const SceneFile &s
     return result;
 }
 
-} // namespace
-
 ExitCode runMatrices(const MatricesOptions &options)
 {
-    const std::optional<SceneFile> scene = readScene(options.scene);
-    if (!scene)
-        return ExitCode::UnusableInput;
-    const Result<Written> camera = writtenCamera(options, *scene);
-    if (!camera) {
-        complain(options.scene + ": " + errorText(camera.error()));
-        return ExitCode::UnusableInput;
-    }
-    const std::vector<NamedMatrix> matrices = matricesOf(*scene, *camera);
+    const SceneFile scene = needed(readScene(options.scene));
+    const Written camera = needed(writtenCamera(options, scene), options.scene);
+    const std::vector<NamedMatrix> matrices = matricesOf(scene, camera);
     for (const NamedMatrix &m : matrices) {
         for (const double entry : memoryOrder(m.matrix)) {
-            if (!std::isfinite(entry)) {
-                complain(tr("%1: %2: its numbers leave the range of double precision", options.scene, m.name));
-                return ExitCode::UnusableInput;
-            }
+            if (!std::isfinite(entry))
+                refuse(tr("%1: %2: its numbers leave the range of double precision", options.scene, m.name));
         }
     }
-    const std::vector<NamedRows> others = camera->hasClip ? std::vector<NamedRows>() : openCvRows(camera->camera);
-    if (!camera->hasClip && !camera->camera.intrinsics)
+    const std::vector<NamedRows> others = camera.hasClip ? std::vector<NamedRows>() : openCvRows(camera.camera);
+    if (!camera.hasClip && !camera.camera.intrinsics)
         complain(tr("%1: no camera matrix K: OpenCV's camera is a perspective, this projection is not", options.scene));
-    ByteSink sink("-", filesOf(*scene, options.scene));
-    if (!sink.isOpen())
-        return ExitCode::UnusableInput;
-    sink.write(written(matrices, others, options, *camera));
+    Output sink("-", filesOf(scene, options.scene));
+    sink.write(written(matrices, others, options, camera));
     return sink.finish();
+}
+
+} // namespace
+
+void addMatrices(CLI::App &app, Run &run)
+{
+    const Command command(app, "matrices");
+    const auto options = std::make_shared<MatricesOptions>();
+    command.file("SCENE", options->scene)->required();
+    command.conventions(options->conventions);
+    command.choice("--layout", options->layout, {{"column", MatrixLayout::Column}, {"row", MatrixLayout::Row}});
+    command.choice("--format", options->format,
+                   {{"text", MatricesFormat::Text},
+                    {"json", MatricesFormat::Json},
+                    {"c", MatricesFormat::C},
+                    {"numpy", MatricesFormat::NumPy},
+                    {"latex", MatricesFormat::Latex}});
+    command.runs(run, options, runMatrices);
 }
 
 } // namespace unprojector::cli

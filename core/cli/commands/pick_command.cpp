@@ -1,49 +1,241 @@
-#include "core/cli/commands/pick_command.h"
-
+#include "core/base/columns.h"
+#include "core/base/number_text.h"
 #include "core/base/parallel.h"
+#include "core/base/printable.h"
 #include "core/base/translation.h"
-#include "core/cli/commands/opened_scene.h"
-#include "core/cli/commands/pick_texts.h"
+#include "core/cli/commands/command.h"
+#include "core/cli/commands/inputs.h"
+#include "core/cli/commands/refusal.h"
 #include "core/cli/rows/block_pipeline.h"
 #include "core/cli/rows/number_table.h"
 #include "core/cli/rows/row_layout.h"
-#include "core/geometry/error_text.h"
+#include "core/cli/rows/row_writer.h"
+#include "core/cli/terminal/exit_code.h"
+#include "core/ray/scene_rays.h"
+#include "core/ray/snap.h"
+#include "core/scene/measures.h"
+#include "core/scene_file/json_text.h"
+#include "core/scene_file/ray_on_mesh.h"
+
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+#include <nlohmann/json.hpp>
 
 #include <atomic>
-#include <charconv>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace unprojector::cli {
 using namespace geometry;
 using namespace unproject;
 using namespace ray;
 using namespace base;
+using namespace mesh;
+using namespace scene;
+using scene_file::jsonLine;
+using scene_file::jsonNumber;
+using scene_file::RayOnMesh;
 namespace {
+
+struct PickOptions {
+    std::string scene;                  ///< a model, a scene or clicks; "-" is a scene from stdin
+    std::string input = "-";            ///< CSV of positions, read if `positions` is empty
+    std::vector<std::string> positions; ///< "X,Y", device pixels
+    std::string size;                   ///< size of the view, "WxH"; empty: its own
+    Snap snap = Snap::Surface;
+    bool hasEdges = false;             ///< adds columns with the edge inside each pixel, for rows
+    bool isJson = false;               ///< for `positions`
+    RowFormat format = RowFormat::Csv; ///< for rows
+    bool isHeaderless = false;
+    unsigned threads = 0; ///< 0: one per core
+};
+
+std::string spaced(const glm::dvec3 &v, const glm::dvec3 &off = glm::dvec3(0.0))
+{
+    return shortestText(v.x, off.x) + ' ' + shortestText(v.y, off.y) + ' ' + shortestText(v.z, off.z);
+}
+
+/// The share of the uncertainty that may be lost by dropping digits.
+constexpr double kLeftOut = 0.1;
+
+std::string boundsText(const WorldVector &uncertainty)
+{
+    const auto withWhatIsLeftOut = [](double bound) { return boundText((1.0 + kLeftOut) * bound); };
+    return withWhatIsLeftOut(uncertainty.x) + ' ' + withWhatIsLeftOut(uncertainty.y) + ' '
+           + withWhatIsLeftOut(uncertainty.z);
+}
+
+/// @param vertex  vertex number in the file
+glm::dvec3 halfGapOf(const SceneObject &object, std::uint32_t vertex)
+{
+    const Model::VertexPlace place = object.model->vertexOf(vertex).value();
+    return halfGapAt(object.model->meshes[place.mesh], place.vertex, glm::dmat3(worldFromObject(object.transform)));
+}
+
+/// The uncertainty of an object's own coordinates.
+glm::dvec3 objectBounds(const SceneObject &object, const WorldVector &uncertainty)
+{
+    const glm::dmat3 objectFromWorld = glm::inverse(glm::dmat3(worldFromObject(object.transform)));
+    glm::dvec3 bounds(0.0);
+    for (int axis = 0; axis < 3; ++axis)
+        bounds += glm::abs(objectFromWorld[axis]) * uncertainty[axis];
+    return bounds;
+}
+
+/// A pick as one JSON object on one line.
+std::string pickJson(const DevicePoint &position, const RayOnMesh &ray)
+{
+    nlohmann::ordered_json json;
+    json["pixel"] = nlohmann::ordered_json::array({jsonNumber(position.x), jsonNumber(position.y)});
+    json.update(jsonOf(ray));
+    return jsonLine(json) + '\n';
+}
+
+/// A pick as text of several lines, with significant digits only. A vertex has as many digits as
+/// identify its floats; a computed coordinate has digits to a tenth of its ±.
+std::string pickText(const DevicePoint &position, Snap snap, const RayOnMesh &ray,
+                     const std::vector<SceneObject> &objects)
+{
+    const std::optional<SceneHit> &hit = ray.hit;
+    std::string text = tr("pixel %1 %2", shortestText(position.x), shortestText(position.y)) + '\n';
+    const auto add = [&text](const std::string &name, const std::string &value) {
+        text += "  " + padded(name, 13) + value + '\n';
+    };
+    const auto addEdge = [&] {
+        if (!ray.edge)
+            return;
+        const std::string object = printableLine(ray.edgeObject);
+        const std::string away = shortestText(std::abs(ray.edge->behind), 0.01 * std::abs(ray.edge->behind));
+        add(tr("pixel edge"), !hit                     ? tr("beside it lies %1", object)
+                              : !ray.edge->object      ? tr("beside it is the background")
+                              : ray.edge->behind < 0.0 ? tr("%1 before it lies %2", away, object)
+                                                       : tr("%1 behind it lies %2", away, object));
+    };
+    if (!hit) {
+        text += "  " + nothingText(snap) + '\n';
+        addEdge();
+        return text;
+    }
+    const SceneObject &object = objects[hit->object];
+    const auto rounded = [](const WorldPoint &point, const WorldVector &uncertainty) {
+        return spaced(point.coordinates(), kLeftOut * uncertainty.coordinates());
+    };
+    const auto distanceText = [&hit](double distance) {
+        return shortestText(distance, kLeftOut * length(hit->uncertainty));
+    };
+    add(tr("object|row"), printableLine(object.name));
+    if (hit->triangle)
+        add(tr("triangle|row"), tr("%1, at %2", hit->triangle->triangle, spaced(hit->triangle->barycentric)));
+    add(tr("world|row"), rounded(hit->world, hit->uncertainty));
+    add("+-", boundsText(hit->uncertainty));
+    add(tr("object point"), spaced(hit->objectPoint.coordinates(), kLeftOut * objectBounds(object, hit->uncertainty)));
+    if (hit->triangle)
+        add(tr("normal|row"), spaced(hit->triangle->normal.coordinates()));
+    add(tr("distance|row"), distanceText(hit->distance));
+    add(tr("vertex|row"), tr("%1 at %2, %3 away", hit->vertex.id,
+                             spaced(hit->vertex.world.coordinates(), halfGapOf(object, hit->vertex.id)),
+                             distanceText(hit->vertex.distance)));
+    if (hit->triangle) {
+        const NearEdge &edge = hit->triangle->edge;
+        add(tr("edge|row"), tr("%1 to %2, at %3, %4 away", edge.ids[0], edge.ids[1],
+                               rounded(edge.world, edge.uncertainty), distanceText(edge.distance)));
+    }
+    addEdge();
+    return text;
+}
+
+/// The columns of a pick in a table.
+/// @param hasEdges  with the edge inside the pixel
+std::vector<std::string> pickColumns(bool hasEdges)
+{
+    std::vector<std::string> columns{"x",        "y",        "z",        "object",   "triangle",  "u",
+                                     "v",        "w",        "object_x", "object_y", "object_z",  "normal_x",
+                                     "normal_y", "normal_z", "distance", "vertex",   "edge_from", "edge_to",
+                                     "dx",       "dy",       "dz"};
+    if (hasEdges)
+        columns.insert(columns.end(), {"pixel_edge", "beyond_edge", "behind"});
+    return columns;
+}
+
+/// Writes the cells of a pick. The cells of the hit are empty where nothing was hit, those of the
+/// edge where there is none.
+void writePick(RowWriter &writer, const RayOnMesh &ray, bool hasEdges)
+{
+    const std::optional<SceneHit> &hit = ray.hit;
+    const auto three = [&writer](const glm::dvec3 &v) {
+        for (int k = 0; k < 3; ++k)
+            writer.numberOrNothing(v[k]);
+    };
+    const auto nothing = [&writer](std::size_t cells) {
+        for (std::size_t k = 0; k < cells; ++k)
+            writer.nothing();
+    };
+    const auto writeEdge = [&] {
+        if (!hasEdges)
+            return;
+        if (!ray.edge)
+            return nothing(3);
+        writer.number(1);
+        if (!ray.edge->object)
+            return nothing(2);
+        writer.text(ray.edgeObject);
+        if (hit)
+            writer.numberOrNothing(ray.edge->behind);
+        else
+            nothing(1);
+    };
+    if (!hit) {
+        nothing(pickColumns(false).size());
+        return writeEdge();
+    }
+    three(hit->world.coordinates());
+    writer.text(ray.object);
+    if (hit->triangle) {
+        writer.number(hit->triangle->triangle);
+        three(hit->triangle->barycentric);
+    } else {
+        nothing(4);
+    }
+    three(hit->objectPoint.coordinates());
+    if (hit->triangle)
+        three(hit->triangle->normal.coordinates());
+    else
+        nothing(3);
+    writer.numberOrNothing(hit->distance);
+    writer.number(hit->vertex.id);
+    if (hit->triangle) {
+        for (const std::uint32_t id : hit->triangle->edge.ids)
+            writer.number(id);
+    } else {
+        nothing(2);
+    }
+    three(hit->uncertainty.coordinates());
+    writeEdge();
+}
 
 const ColumnNames kPositionColumns{"px", "py", ""};
 
-/// Parses "X,Y"; prints errors on stderr.
-std::optional<DevicePoint> positionGiven(const std::string &text)
+/// Parses "X,Y".
+DevicePoint positionGiven(const std::string &text)
 {
-    DevicePoint position;
-    const char *end = text.data() + text.size();
-    const auto x = std::from_chars(text.data(), end, position.x);
-    const bool hasComma = x.ec == std::errc{} && x.ptr != end && *x.ptr == ',';
-    const auto y = std::from_chars(hasComma ? x.ptr + 1 : end, end, position.y);
-    if (hasComma && y.ec == std::errc{} && y.ptr == end && std::isfinite(position.x) && std::isfinite(position.y))
-        return position;
-    complain(tr("--at %1: give device pixels from the top left corner, as in 400.5,300.5", text));
-    return std::nullopt;
+    const std::size_t comma = std::min(text.find(','), text.size());
+    const auto x = finiteNumberIn(text.substr(0, comma)),
+               y = finiteNumberIn(text.substr(std::min(comma + 1, text.size())));
+    if (!x || !y)
+        refuse(tr("--at %1: give device pixels from the top left corner, as in 400.5,300.5", text));
+    return {*x, *y};
 }
 
 /// The hit at a position, with its names and the edge in its pixel.
 /// @param hasEdge  whether to search for the edge: it takes a hundred times as long as the ray
-scene_file::RayOnMesh withEdge(const SceneRays &rays, const DevicePoint &position, const std::optional<SceneHit> &hit,
-                               bool hasEdge, const OpenedScene &opened)
+RayOnMesh withEdge(const SceneRays &rays, const DevicePoint &position, const std::optional<SceneHit> &hit, bool hasEdge,
+                   const OpenedScene &opened)
 {
     const auto nameOf = [&](std::size_t object) { return opened.objects[object].name; };
-    scene_file::RayOnMesh ray{hit, hit ? nameOf(hit->object) : std::string()};
+    RayOnMesh ray{hit, hit ? nameOf(hit->object) : std::string()};
     if (hasEdge && rays.rays().isInPicture(position) && (!hit || hit->triangle)) {
         const DevicePixel pixel{static_cast<int>(std::floor(position.x)), static_cast<int>(std::floor(position.y))};
         ray.edge = edgeInPixel(rays, pixelCenter(pixel), hit);
@@ -106,9 +298,7 @@ private:
                                      result.messages);
         }
         const bool hasEdges = m_task.options.hasEdges;
-        writePick(writer,
-                  hit ? withEdge(m_task.rays, position, *hit, hasEdges, m_task.opened) : scene_file::RayOnMesh{},
-                  hasEdges);
+        writePick(writer, hit ? withEdge(m_task.rays, position, *hit, hasEdges, m_task.opened) : RayOnMesh{}, hasEdges);
     }
 
     const Task &m_task;
@@ -117,19 +307,15 @@ private:
 
 ExitCode pickRows(const PickOptions &options, const OpenedScene &opened, const SceneRays &rays, ByteSink &sink)
 {
-    ByteSource source(options.input);
-    if (!source.isOpen())
-        return ExitCode::UnusableInput;
+    Input source(options.input);
     LineBlocks blocks(source);
-    const std::optional<NumberColumns> columns = readHeader(blocks, source, {kPositionColumns});
-    if (!columns)
-        return ExitCode::UnusableInput;
+    const NumberColumns columns = needed(readHeader(blocks, source, {kPositionColumns}));
     std::atomic<std::size_t> outside = 0;
     const Task task{options,
                     opened,
                     rays,
-                    NumberReader(source.name(), *columns),
-                    RowLayout(*columns, pickColumns(options.hasEdges), options.format),
+                    NumberReader(source.name(), columns),
+                    RowLayout(columns, pickColumns(options.hasEdges), options.format),
                     outside};
     if (!options.isHeaderless) {
         std::string header;
@@ -138,14 +324,13 @@ ExitCode pickRows(const PickOptions &options, const OpenedScene &opened, const S
     }
     const unsigned threads = options.threads > 0 ? options.threads : base::coreCount();
     ExitCode code = runBlocks(blocks, source, sink, threads, [&] { return BlockWorker(Worker(task)); });
-    if (outside > 0 && code == ExitCode::Done)
-        code = ExitCode::SomeRowsBad;
-    // Empty cells alone would look like background.
-    if (outside > 0)
+    if (outside > 0) { // empty cells alone would look like background
+        code = std::max(code, ExitCode::SomeRowsBad);
         complain(
             source.name() + ": "
             + tr(outside == 1 ? "%1 pixel lies outside %2 and has no hit" : "%1 pixels lie outside %2 and have no hit",
                  outside.load(), viewportText(rays.rays().setup())));
+    }
     return code;
 }
 
@@ -169,56 +354,55 @@ ExitCode pickPositions(const PickOptions &options, const std::vector<DevicePoint
             continue;
         }
         const bool isVertex = options.snap == Snap::Vertex; // the file defines its coordinate
-        const scene_file::RayOnMesh ray = withEdge(rays, position, *hit, !isVertex, opened);
+        const RayOnMesh ray = withEdge(rays, position, *hit, !isVertex, opened);
         if (options.isJson)
             sink.write(pickJson(position, ray));
         else
             sink.print(pickText(position, options.snap, ray, opened.objects));
     }
-    const ExitCode written = sink.finish();
-    return written == ExitCode::Done ? code : written;
+    return std::max(sink.finish(), code);
 }
-
-} // namespace
 
 ExitCode runPick(const PickOptions &options)
 {
     std::vector<DevicePoint> positions;
-    for (const std::string &text : options.positions) {
-        const std::optional<DevicePoint> position = positionGiven(text);
-        if (!position)
-            return ExitCode::UnusableInput;
-        positions.push_back(*position);
-    }
-    if (positions.empty() && options.scene == "-" && options.input == "-") {
-        complain(tr("the scene and the pixels cannot both come from standard input; give a file for one of them"));
-        return ExitCode::UnusableInput;
-    }
-    const std::optional<OpenedScene> opened = openScene(options.scene);
-    if (!opened)
-        return ExitCode::UnusableInput;
-    if (!areReachable(*opened))
-        return ExitCode::UnusableInput;
-    InputFiles inputs = opened->files;
+    for (const std::string &text : options.positions)
+        positions.push_back(positionGiven(text));
+    if (positions.empty() && options.scene == "-" && options.input == "-")
+        refuse(tr("the scene and the pixels cannot both come from standard input; give a file for one of them"));
+    const OpenedScene opened = openScene(options.scene);
+    checkReach(opened);
+    InputFiles inputs = opened.files;
     if (positions.empty())
         inputs.push_back(options.input);
     // Output appended to the input would be read as input, endlessly.
-    ByteSink sink("-", inputs);
-    if (!sink.isOpen())
-        return ExitCode::UnusableInput;
-    const std::optional<Setup> setup = setupOf(*opened, options.size);
-    if (!setup)
-        return ExitCode::UnusableInput;
-    const Result<Unprojector> unprojector = Unprojector::of(*setup);
-    if (!unprojector) {
-        complain(opened->name + ": " + errorText(unprojector.error()));
-        return ExitCode::UnusableInput;
-    }
-    if (opened->objects.empty())
-        complain(tr("%1: the scene has no objects; rays will hit nothing", opened->name));
-    const SceneRays rays = raysOf(*opened, *unprojector);
-    return positions.empty() ? pickRows(options, *opened, rays, sink)
-                             : pickPositions(options, positions, *opened, rays, sink);
+    Output sink("-", inputs);
+    const Unprojector unprojector = needed(Unprojector::of(setupOf(opened, options.size)), opened.name);
+    if (opened.objects.empty())
+        complain(tr("%1: the scene has no objects; rays will hit nothing", opened.name));
+    const SceneRays rays = raysOf(opened, unprojector);
+    return positions.empty() ? pickRows(options, opened, rays, sink)
+                             : pickPositions(options, positions, opened, rays, sink);
+}
+
+} // namespace
+
+void addPick(CLI::App &app, Run &run)
+{
+    const Command command(app, "pick");
+    const auto options = std::make_shared<PickOptions>();
+    command.modelOrScene(options->scene);
+    CLI::Option *input = command.file("PIXELS", options->input);
+    CLI::Option *at = command.add("--at", options->positions)->allow_extra_args(false)->excludes(input);
+    command.add("--size", options->size);
+    command.choice("--snap", options->snap,
+                   {{"surface", Snap::Surface}, {"vertex", Snap::Vertex}, {"edge", Snap::Edge}, {"face", Snap::Face}});
+    command.flag("--edges", options->hasEdges)->excludes(at);
+    command.flag("--json", options->isJson)->needs(at);
+    for (CLI::Option *option : command.table(options->format, options->isHeaderless))
+        option->excludes(at);
+    command.count("--threads", options->threads, 64);
+    command.runs(run, options, runPick);
 }
 
 } // namespace unprojector::cli

@@ -1,19 +1,25 @@
-#include "core/cli/commands/points_command.h"
-
 #include "core/base/translation.h"
 #include "core/cameras/lens.h"
-#include "core/cli/commands/clicks_command.h"
-#include "core/cli/commands/lens_option.h"
+#include "core/cli/commands/command.h"
+#include "core/cli/commands/inputs.h"
+#include "core/cli/commands/refusal.h"
 #include "core/cli/rows/row_layout.h"
-#include "core/geometry/error_text.h"
+#include "core/cli/rows/row_stream.h"
+#include "core/cli/terminal/exit_code.h"
+#include "core/unproject/answers.h"
 #include "core/unproject/batch/click_batch.h"
+#include "core/unproject/object_from_world.h"
 
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace unprojector::cli {
 using namespace geometry;
@@ -21,6 +27,16 @@ using namespace scene_file;
 using namespace unproject;
 using namespace base;
 namespace {
+
+struct PointsOptions {
+    RowOptions rows;
+    std::vector<Method> methods{Method::Formula, Method::Matrix};
+    bool isPixel = false;   ///< px and py are pixel indices and mean the pixels' centres
+    std::string distortion; ///< coefficients or a file: px and py are of a distorted image; empty: of a pinhole's
+};
+
+/// The input columns of a click.
+const ColumnNames kClickColumns{"px", "py", "depth"};
 
 /// The reason why a method does not apply to the scene, and the remedy.
 std::string noMethodText(Method method, const Error &error)
@@ -42,6 +58,50 @@ std::optional<std::pair<std::size_t, std::size_t>> comparedPlaces(const std::vec
         return std::nullopt;
     return std::pair(static_cast<std::size_t>(formula - methods.begin()),
                      static_cast<std::size_t>(matrix - methods.begin()));
+}
+
+/// The names of the computed columns: three for each method, and "difference" if both the formulas
+/// and the matrix are chosen.
+std::vector<std::string> pointColumns(const std::vector<Method> &methods)
+{
+    std::vector<std::string> names;
+    for (const Method method : methods) {
+        for (const std::string &coordinate : pointColumnsOf(keyOf(method)))
+            names.push_back(coordinate);
+    }
+    if (comparedPlaces(methods))
+        names.emplace_back("difference");
+    return names;
+}
+
+/// Writes the cells of a point by each method, and of the difference; empty where there is no
+/// number.
+/// @param points  in the order of `methods`; empty where a method has none
+/// @return whether all existing points and their difference are finite
+bool writePoints(RowWriter &writer, const std::vector<Method> &methods,
+                 const std::vector<std::optional<glm::dvec3>> &points)
+{
+    bool isAllFinite = true;
+    const auto write = [&](double value) {
+        isAllFinite = isAllFinite && std::isfinite(value);
+        writer.numberOrNothing(value);
+    };
+    for (const std::optional<glm::dvec3> &point : points) {
+        for (int k = 0; k < 3; ++k) {
+            if (point)
+                write((*point)[k]);
+            else
+                writer.nothing();
+        }
+    }
+    if (const auto compared = comparedPlaces(methods)) {
+        const std::optional<glm::dvec3> &a = points[compared->first], &b = points[compared->second];
+        if (a && b)
+            write(glm::length(*a - *b));
+        else
+            writer.nothing();
+    }
+    return isAllFinite;
 }
 
 /// The data shared by all rows.
@@ -202,70 +262,131 @@ private:
     std::vector<std::optional<glm::dvec3>> m_points; ///< of one row
 };
 
-} // namespace
-
-std::vector<std::string> pointColumns(const std::vector<Method> &methods)
+/// A click's point by one method in the requested space.
+Result<glm::dvec3> pointOf(const Unprojector &unprojector, const WindowPoint &click, Method method,
+                           const BatchSpace &space)
 {
-    std::vector<std::string> names;
-    for (const Method method : methods) {
-        for (const std::string &coordinate : pointColumnsOf(keyOf(method)))
-            names.push_back(coordinate);
+    const auto coordinates = [](const auto &point) {
+        return point ? Result<glm::dvec3>(point->coordinates()) : Result<glm::dvec3>(point.error());
+    };
+    switch (space.kind) {
+    case BatchSpace::Kind::Eye: return coordinates(unprojector.eyeAt(method, click));
+    case BatchSpace::Kind::World: return coordinates(unprojector.worldAt(method, click));
+    case BatchSpace::Kind::Object: break;
     }
-    if (comparedPlaces(methods))
-        names.emplace_back("difference");
+    const Result<ObjectFromWorld> object = ObjectFromWorld::of(space.worldFromObject);
+    return object ? coordinates(unprojector.objectAt(method, click, *object)) : Result<glm::dvec3>(object.error());
+}
+
+/// The input and result columns of a click.
+std::vector<std::string> clickColumns(const PointsOptions &options)
+{
+    std::vector<std::string> names(kClickColumns.begin(), kClickColumns.end());
+    for (std::string &name : pointColumns(options.methods))
+        names.push_back(std::move(name));
     return names;
 }
 
-bool writePoints(RowWriter &writer, const std::vector<Method> &methods,
-                 const std::vector<std::optional<glm::dvec3>> &points)
-{
-    bool isAllFinite = true;
-    const auto write = [&](double value) {
-        isAllFinite = isAllFinite && std::isfinite(value);
-        writer.numberOrNothing(value);
-    };
-    for (const std::optional<glm::dvec3> &point : points) {
-        for (int k = 0; k < 3; ++k) {
-            if (point)
-                write((*point)[k]);
-            else
-                writer.nothing();
-        }
+class ClickRows {
+public:
+    ClickRows(const PointsOptions &options, std::size_t count)
+        : m_options(options), m_isOnly(count == 1), m_names(clickColumns(options)),
+          m_writer(options.rows.format, m_names, m_text)
+    {
+        if (!options.rows.isHeaderless)
+            m_writer.header();
     }
-    if (const auto compared = comparedPlaces(methods)) {
-        const std::optional<glm::dvec3> &a = points[compared->first], &b = points[compared->second];
-        if (a && b)
-            write(glm::length(*a - *b));
+
+    /// Writes the row of a click. Prints errors on stderr.
+    void add(std::size_t index, const Click &click)
+    {
+        const BatchSpace space = needed(batchSpace(m_options.rows.space, click.scene));
+        const Setup setup = setupOf(click.scene);
+        const Unprojector unprojector = needed(Unprojector::of(setup), nameOf(index));
+        const DevicePoint device = deviceFromWindow(setup.surface, click.window);
+        for (const double number : {device.x, device.y, click.window.z})
+            m_writer.number(number);
+        if (click.hit)
+            write(index, unprojector, click.window, space);
         else
-            writer.nothing();
+            writeBackground(index);
+        m_writer.endRow();
     }
-    return isAllFinite;
+
+    ExitCode finish(ByteSink &sink) const
+    {
+        sink.write(m_text);
+        return std::max(sink.finish(), m_code);
+    }
+
+private:
+    std::string nameOf(std::size_t index) const
+    {
+        const std::string file = m_options.rows.scene == "-" ? "stdin" : m_options.rows.scene;
+        return file + (m_isOnly ? "" : ": [" + std::to_string(index) + ']');
+    }
+
+    void writeBackground(std::size_t index)
+    {
+        m_code = ExitCode::SomeRowsBad;
+        complain(nameOf(index) + ": "
+                 + tr("background: nothing was drawn there, so the click has no point, only a ray"));
+        for (std::size_t k = kClickColumns.size(); k < m_names.size(); ++k)
+            m_writer.nothing();
+    }
+
+    void write(std::size_t index, const Unprojector &unprojector, const WindowPoint &click, const BatchSpace &space)
+    {
+        std::vector<std::optional<glm::dvec3>> points;
+        for (const Method method : m_options.methods) {
+            const Result<glm::dvec3> point = pointOf(unprojector, click, method, space);
+            points.push_back(point ? std::optional(*point) : std::nullopt);
+            if (!point) {
+                m_code = ExitCode::SomeRowsBad;
+                complain(nameOf(index) + ": " + std::string(keyOf(method)) + ": " + errorText(point.error()));
+            }
+        }
+        writePoints(m_writer, m_options.methods, points);
+    }
+
+    const PointsOptions &m_options;
+    bool m_isOnly;
+    std::vector<std::string> m_names;
+    std::string m_text;
+    RowWriter m_writer;
+    ExitCode m_code = ExitCode::Done;
+};
+
+/// Computes each click again with its own scene, one row per click. A click on the background has no
+/// point and counts as a bad row.
+ExitCode runClicks(const PointsOptions &options, const std::vector<Click> &clicks)
+{
+    if (!options.distortion.empty())
+        refuse(tr("--distortion is for tables of pixels; the window's clicks have no distortion"));
+    if (options.isPixel)
+        refuse(tr("--pixel is for tables of pixels; clicks already have the centres of their pixels"));
+    Output sink("-", filesOf(clicks, options.rows.scene));
+    ClickRows rows(options, clicks.size());
+    for (std::size_t i = 0; i < clicks.size(); ++i)
+        rows.add(i, clicks[i]);
+    return rows.finish(sink);
 }
 
 ExitCode runPoints(const PointsOptions &options)
 {
-    const std::optional<SceneOrClicks> given = sceneOrClicks(options.rows.scene);
-    if (!given)
-        return ExitCode::UnusableInput;
-    if (const auto *clicks = std::get_if<std::vector<Click>>(&*given); clicks && !options.rows.isInputGiven) {
-        if (options.distortion.empty())
-            return runClicks(options, *clicks);
-        complain(tr("--distortion is for tables of pixels; the window's clicks have no distortion"));
-        return ExitCode::UnusableInput;
-    }
-    const std::unique_ptr<RowStream> rows = openRows(options.rows, *given, {kClickColumns});
+    const SceneOrClicks given = needed(sceneOrClicks(options.rows.scene));
+    if (const auto *clicks = std::get_if<std::vector<Click>>(&given); clicks && !options.rows.isInputGiven)
+        return runClicks(options, *clicks);
+    const std::unique_ptr<RowStream> rows = openRows(options.rows, given, {kClickColumns});
     if (!rows)
-        return ExitCode::UnusableInput;
+        throw Refused();
     const Setup &setup = rows->setup;
     const std::vector<std::string> results = pointColumns(options.methods);
     Task task{options, NumberReader(rows->source.name(), rows->columns),       setup.depthRange,
               {},      RowLayout(rows->columns, results, options.rows.format), results.size(),
               {}};
-    if (!options.distortion.empty()) {
+    if (!options.distortion.empty())
         task.lens = sceneLens(options.distortion, setup, options.rows.scene);
-        if (!task.lens)
-            return ExitCode::UnusableInput;
-    }
     bool isUsable = false;
     for (const Method method : options.methods) {
         const Result<ClickBatch> batch = ClickBatch::of(method, setup, rows->space);
@@ -276,9 +397,29 @@ ExitCode runPoints(const PointsOptions &options)
             complain(options.rows.scene + ": " + noMethodText(method, batch.error()));
     }
     if (!isUsable)
-        return ExitCode::UnusableInput;
-
+        throw Refused();
     return runRows(*rows, options.rows, task.layout.names(), [&] { return BlockWorker(Worker(task)); });
+}
+
+} // namespace
+
+void addPoints(CLI::App &app, Run &run)
+{
+    const Command command(app, "points");
+    const auto options = std::make_shared<PointsOptions>();
+    command.rows(options->rows);
+    command.choice("--method", options->methods,
+                   {{"all", {kMethods.begin(), kMethods.end()}},
+                    {"both", {Method::Formula, Method::Matrix}},
+                    {"formula", {Method::Formula}},
+                    {"matrix", {Method::Matrix}},
+                    {"matrixInFloat", {Method::MatrixInFloat}}});
+    command.flag("--pixel", options->isPixel);
+    command.add("--distortion", options->distortion);
+    command.runs(run, options, [command](PointsOptions &given) {
+        given.rows.isInputGiven = command.has("POINTS");
+        return runPoints(given);
+    });
 }
 
 } // namespace unprojector::cli

@@ -1,10 +1,9 @@
-#include "core/cli/commands/project_command.h"
-
 #include "core/base/translation.h"
 #include "core/cameras/lens.h"
-#include "core/cli/commands/lens_option.h"
+#include "core/cli/commands/command.h"
+#include "core/cli/commands/inputs.h"
+#include "core/cli/commands/refusal.h"
 #include "core/cli/rows/row_layout.h"
-#include "core/geometry/error_text.h"
 #include "core/unproject/pixel_projection.h"
 
 #include <glm/geometric.hpp>
@@ -119,36 +118,42 @@ private:
     NumberRows m_rows;
 };
 
+struct ProjectOptions {
+    RowOptions rows;        ///< space: world or object:NAME
+    std::string distortion; ///< coefficients or a file: px and py are of a distorted image; empty: of the pinhole's
+};
+
+/// Reads points, writes every stage on their way to the window and the input of `unproject points`: px,
+/// py and the depth. That depth is window_z. For a point on the near or far plane within rounding it is
+/// the plane's depth, because window_z may lie slightly outside the depth range.
+ExitCode runProject(const ProjectOptions &options)
+{
+    const std::string &scene = options.rows.scene;
+    const SceneOrClicks given = needed(sceneOrClicks(scene));
+    // The preferred names first: users write x, y, z; `unproject points` writes the others.
+    const std::unique_ptr<RowStream> rows = openRows(options.rows, given, {{"x", "y", "z"}, pointColumnsOf("formula")});
+    if (!rows)
+        throw Refused();
+    Task task{options.rows.format,
+              NumberReader(rows->source.name(), rows->columns),
+              RowLayout(rows->columns, kResults, options.rows.format),
+              rows->setup,
+              needed(PixelProjection::of(rows->setup, rows->space), scene),
+              {}};
+    if (!options.distortion.empty())
+        task.lens = sceneLens(options.distortion, rows->setup, scene);
+    return runRows(*rows, options.rows, task.layout.names(), [&] { return BlockWorker(Worker(task)); });
+}
+
 } // namespace
 
-ExitCode runProject(const RowOptions &options, const std::string &distortion)
+void addProject(CLI::App &app, Run &run)
 {
-    const std::optional<SceneOrClicks> given = sceneOrClicks(options.scene);
-    if (!given)
-        return ExitCode::UnusableInput;
-    // The preferred names first: users write x, y, z; `unproject points` writes the others.
-    const std::unique_ptr<RowStream> rows = openRows(options, *given, {{"x", "y", "z"}, pointColumnsOf("formula")});
-    if (!rows)
-        return ExitCode::UnusableInput;
-    const Setup &setup = rows->setup;
-    const Result<PixelProjection> projection = PixelProjection::of(setup, rows->space);
-    if (!projection) {
-        complain(options.scene + ": " + errorText(projection.error()));
-        return ExitCode::UnusableInput;
-    }
-    std::optional<SceneLens> lens;
-    if (!distortion.empty()) {
-        lens = sceneLens(distortion, setup, options.scene);
-        if (!lens)
-            return ExitCode::UnusableInput;
-    }
-    const Task task{options.format,
-                    NumberReader(rows->source.name(), rows->columns),
-                    RowLayout(rows->columns, kResults, options.format),
-                    setup,
-                    *projection,
-                    lens};
-    return runRows(*rows, options, task.layout.names(), [&] { return BlockWorker(Worker(task)); });
+    const Command command(app, "project");
+    const auto options = std::make_shared<ProjectOptions>();
+    command.rows(options->rows);
+    command.add("--distortion", options->distortion);
+    command.runs(run, options, runProject);
 }
 
 } // namespace unprojector::cli

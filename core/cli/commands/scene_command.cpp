@@ -1,11 +1,11 @@
 #include "core/cli/commands/scene_command.h"
-
+#include "core/base/path_text.h"
 #include "core/base/translation.h"
-#include "core/cli/commands/camera_scene.h"
-#include "core/cli/commands/camera_texts.h"
+#include "core/cameras/lens.h"
+#include "core/cli/commands/command.h"
+#include "core/cli/commands/inputs.h"
 #include "core/cli/commands/matrix_taker.h"
-#include "core/cli/commands/size_text.h"
-#include "core/cli/rows/byte_stream.h"
+#include "core/cli/commands/refusal.h"
 #include "core/geometry/condition_number.h"
 #include "core/matrices/decomposition.h"
 #include "core/matrices/matrix_format.h"
@@ -17,16 +17,94 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace unprojector::cli {
+using namespace cameras;
 using namespace geometry;
 using namespace matrices;
 using namespace scene_file;
 using base::tr;
 namespace {
+
+/// Adds the objects of --objects to a scene, and their files to the inputs.
+/// @return their bounds, empty without objects
+Box addObjects(const SceneOptions &options, InputFiles &inputs, SceneFile &scene)
+{
+    Box bounds;
+    const std::filesystem::path sceneFile = base::pathFromUtf8(options.output == "-" ? "scene.json" : options.output);
+    for (const std::string &file : options.objects) {
+        const OpenedScene opened = openScene(file);
+        inputs.insert(inputs.end(), opened.files.begin(), opened.files.end());
+        for (const scene::SceneObject &object : opened.objects) {
+            scene.objects.push_back(sceneFileObject(object, sceneFile));
+            if (!object.isHidden)
+                bounds.add(scene::boundsOf(object));
+        }
+    }
+    return bounds;
+}
+
+/// Writes a scene after the reader has accepted it: that checks a scene's limits.
+ExitCode writeScene(const SceneOptions &options, const InputFiles &inputs, const SceneFile &scene)
+{
+    Output sink(options.output, inputs);
+    const auto written = sceneText(scene);
+    const auto readAgain = written ? parseScene(*written, options.output == "-" ? "scene" : options.output)
+                                   : Result<SceneFile, SceneFileError>(written.error());
+    if (!readAgain)
+        refuse(sceneErrorText(readAgain.error()));
+    sink.write(*written);
+    return sink.finish();
+}
+
+/// The size of --size, else of --window.
+std::optional<SizeGiven> imageSize(const SceneOptions &options)
+{
+    const std::string &given = options.size.empty() ? options.window : options.size;
+    return given.empty() ? std::nullopt : std::optional(sizeGiven(options.size.empty() ? "--window" : "--size", given));
+}
+
+/// Makes a scene from another program's camera. Assumptions are printed on stderr.
+/// @return nothing if the texts have no known program's form
+std::optional<ExitCode> runCameraScene(const SceneOptions &options, const GivenTexts &given)
+{
+    CameraChoices choices = options.camera;
+    if (const auto size = imageSize(options))
+        choices.size = ImageSize{size->width, size->height};
+    const auto read = readCamera(given.texts, choices);
+    if (!read)
+        return std::nullopt;
+    if (!*read)
+        refuse(cameraErrorText(read->error(), given.name));
+    SceneFile scene;
+    InputFiles inputs = given.files;
+    const Box bounds = addObjects(options, inputs, scene);
+    const ForeignCamera &camera = **read;
+    const auto converted = sceneCamera(camera, choices, bounds.isEmpty() ? std::nullopt : std::optional(bounds));
+    if (!converted)
+        refuse(cameraErrorText(converted.error(), given.name));
+    if (converted->distortion)
+        refuse(given.name + ": "
+               + tr("the lens distorts the image (%1), and a scene has no lens. If the pixels are those of the "
+                    "undistorted image, give --undistorted. Else make the scene with --undistorted and give the "
+                    "coefficients to 'unproject points --distortion'",
+                    coefficientsText(*converted->distortion)));
+    for (const std::string &sentence : converted->assumed)
+        complain(given.name + ": " + sentence);
+
+    scene.windowWidth = converted->size.width;
+    scene.windowHeight = converted->size.height;
+    scene.isWindowFixed = true; // another size would move the principal point
+    scene.viewport = Viewport{0.0, 0.0, double(converted->size.width), double(converted->size.height)};
+    std::visit([&scene](const auto &lens) { scene.projection = lens; }, converted->projection);
+    scene.view = converted->eyeFromWorld;
+    scene.conventions = options.conventions;
+    return writeScene(options, inputs, scene);
+}
 
 std::string pasteErrorText(const PasteError &error, const std::string &name)
 {
@@ -39,24 +117,19 @@ std::string pasteErrorText(const PasteError &error, const std::string &name)
 /// Sets the window's size: the requested one, or up to the viewport's edge.
 /// @param viewport   in pixels from the bottom left; where pixels count from the top, from the
 ///         window's top left corner with y up
-/// @return in pixels from the bottom left; empty if there is no such window, with a message on
-///         stderr
-std::optional<Viewport> setWindow(const SceneOptions &options, Viewport viewport, bool isFromTop, SceneFile &scene)
+/// @return in pixels from the bottom left
+Viewport setWindow(const SceneOptions &options, Viewport viewport, bool isFromTop, SceneFile &scene)
 {
     const double bottomFromTop = -viewport.y;
     if (!options.window.empty()) {
-        const std::optional<SizeGiven> size = sizeGiven("--window", options.window);
-        if (!size)
-            return std::nullopt;
-        scene.windowWidth = size->width;
-        scene.windowHeight = size->height;
+        const SizeGiven size = sizeGiven("--window", options.window);
+        scene.windowWidth = size.width;
+        scene.windowHeight = size.height;
     } else {
         const double width = std::ceil(viewport.x + viewport.width),
                      height = std::ceil(isFromTop ? bottomFromTop : viewport.y + viewport.height);
-        if (!(width >= 1.0 && height >= 1.0 && width <= kMostWindowPixels && height <= kMostWindowPixels)) {
-            complain(tr("viewport: it reaches beyond any window; give four numbers, x y width height, in pixels"));
-            return std::nullopt;
-        }
+        if (!(width >= 1.0 && height >= 1.0 && width <= kMostWindowPixels && height <= kMostWindowPixels))
+            refuse(tr("viewport: it reaches beyond any window; give four numbers, x y width height, in pixels"));
         scene.windowWidth = static_cast<int>(width);
         scene.windowHeight = static_cast<int>(height);
         if (viewport.x > 0.0 || (isFromTop ? bottomFromTop - viewport.height : viewport.y) > 0.0)
@@ -75,22 +148,19 @@ bool isOriginTop(const SceneOptions &options)
 }
 
 /// Sets viewport, depth range and window.
-/// @return whether they are valid; prints errors on stderr
-bool setViewport(const SceneOptions &options, const MatrixTaker &taker, const PastedScene &pasted,
+void setViewport(const SceneOptions &options, const MatrixTaker &taker, const PastedScene &pasted,
                  const std::string &name, SceneFile &scene)
 {
     if (!pasted.viewportMatrix) {
         scene.viewport = setWindow(options, *pasted.viewport, false, scene);
-        return scene.viewport.has_value();
+        return;
     }
     const auto &[viewport, depthRange] = taker.viewport(*pasted.viewportMatrix);
-    if (viewport.height < 0.0) {
-        complain(name + ": viewport: "
-                 + tr(isOriginTop(options)
-                          ? "its matrix flips y, as for pixels counted from the bottom: give its --conventions"
-                          : "its matrix flips y, as for pixels counted from the top: give its --conventions"));
-        return false;
-    }
+    if (viewport.height < 0.0)
+        refuse(name + ": viewport: "
+               + tr(isOriginTop(options)
+                        ? "its matrix flips y, as for pixels counted from the bottom: give its --conventions"
+                        : "its matrix flips y, as for pixels counted from the top: give its --conventions"));
     if (!isWindowsOwn(depthRange))
         complain(
             name + ": viewport: "
@@ -101,7 +171,6 @@ bool setViewport(const SceneOptions &options, const MatrixTaker &taker, const Pa
                  numberText(depthRange.atNear, Digits::Double, 5), numberText(depthRange.atFar, Digits::Double, 5)));
     scene.depthRange = depthRange;
     scene.viewport = setWindow(options, viewport, isOriginTop(options), scene);
-    return scene.viewport.has_value();
 }
 
 /// Deviation of a matrix from any multiple of another one, relative to its largest entry; 1 where
@@ -225,7 +294,7 @@ void setMatrices(const SceneOptions &options, const MatrixTaker &taker, const Pa
 std::string joined(const GivenTexts &given)
 {
     std::string text;
-    for (const cameras::NamedText &one : given.texts)
+    for (const NamedText &one : given.texts)
         text += (text.empty() ? "" : "\n") + one.text;
     return text;
 }
@@ -247,8 +316,7 @@ Result<PastedScene, PasteError> partsOf(const SceneOptions &options, const std::
         parts.projection = calls->parts.projection;
     if (calls->parts.viewport)
         parts.viewport = calls->parts.viewport;
-    const std::string &given = options.size.empty() ? options.window : options.size;
-    const auto size = given.empty() ? std::nullopt : sizeGiven(options.size.empty() ? "--window" : "--size", given);
+    const auto size = imageSize(options);
     if (!parts.viewport && !parts.viewportMatrix && size)
         parts.viewport = Viewport{0.0, 0.0, double(size->width), double(size->height)};
     PasteError missing;
@@ -279,20 +347,18 @@ ExitCode sceneFromMatrices(const SceneOptions &options, const GivenTexts &given)
         const PasteError &error = read.error();
         const std::vector<std::string> &words = options.fromMatrices.empty() ? options.from : options.fromMatrices;
         const auto camera = options.isAboutMatrices() && options.fromMatrices.empty()
-                                ? cameras::readCamera(given.texts, options.camera)
+                                ? readCamera(given.texts, options.camera)
                                 : std::nullopt;
         if (camera)
-            complain(tr("%1: the text is of a camera, and %2 is only about matrices; leave it out", given.name,
-                        optionAboutMatrices(options)));
-        else if (error.word.empty() && error.all == 0 && given.files.empty() && words.size() == 1)
-            complain(words[0] + ": " + tr("there is no such file"));
-        else if (options.fromMatrices.empty())
-            complain(tr("%1: no camera of a known program, and no matrices (%2); the manual lists the programs under "
-                        "Cameras of other programs",
-                        given.name, pasteErrorText(error, given.name)));
-        else
-            complain(pasteErrorText(error, given.name));
-        return ExitCode::UnusableInput;
+            refuse(tr("%1: the text is of a camera, and %2 is only about matrices; leave it out", given.name,
+                      optionAboutMatrices(options)));
+        if (error.word.empty() && error.all == 0 && given.files.empty() && words.size() == 1)
+            refuse(words[0] + ": " + tr("there is no such file"));
+        if (options.fromMatrices.empty())
+            refuse(tr("%1: no camera of a known program, and no matrices (%2); the manual lists the programs under "
+                      "Cameras of other programs",
+                      given.name, pasteErrorText(error, given.name)));
+        refuse(pasteErrorText(error, given.name));
     }
     if (!options.camera.isNothing())
         complain(given.name + ": "
@@ -301,12 +367,12 @@ ExitCode sceneFromMatrices(const SceneOptions &options, const GivenTexts &given)
 
     SceneFile scene;
     InputFiles inputs = given.files;
-    if (!addObjects(options, inputs, scene))
-        return ExitCode::UnusableInput;
+    addObjects(options, inputs, scene);
     const MatrixTaker taker(options, given.name);
     PastedScene numbers = std::move(read).value();
-    if (!taker.tellOrders(numbers) || !setViewport(options, taker, numbers, given.name, scene))
-        return ExitCode::UnusableInput;
+    if (!taker.tellOrders(numbers))
+        throw Refused();
+    setViewport(options, taker, numbers, given.name, scene);
     setMatrices(options, taker, numbers, scene);
     for (const std::string &aside : numbers.aside)
         complain(tr("%1: %2: its numbers belong to no matrix, and are not used", given.name, aside));
@@ -330,19 +396,54 @@ std::optional<std::string> modelAmong(const GivenTexts &given)
 ExitCode runScene(const SceneOptions &options)
 {
     const bool isFromMatrices = !options.fromMatrices.empty();
-    const std::optional<GivenTexts> given =
+    const GivenTexts given =
         isFromMatrices ? givenTexts(options.fromMatrices, "--from-matrices") : givenTexts(options.from, "--from");
-    if (!given)
-        return ExitCode::UnusableInput;
-    if (const auto model = modelAmong(*given)) {
-        complain(tr("%1: this is a model, not a camera; give it with --objects", *model));
-        return ExitCode::UnusableInput;
-    }
+    if (const auto model = modelAmong(given))
+        refuse(tr("%1: this is a model, not a camera; give it with --objects", *model));
     if (!options.isAboutMatrices()) {
-        if (const std::optional<ExitCode> made = runCameraScene(options, *given))
+        if (const std::optional<ExitCode> made = runCameraScene(options, given))
             return *made;
     }
-    return sceneFromMatrices(options, *given);
+    return sceneFromMatrices(options, given);
+}
+
+void addScene(CLI::App &app, Run &run)
+{
+    const Command command(app, "scene");
+    const auto options = std::make_shared<SceneOptions>();
+    CameraChoices &camera = options->camera;
+    CLI::Option *from = command.add("FILE,--from", options->from)->expected(1, 64);
+    command.add("--from-matrices", options->fromMatrices)->expected(1, 64)->excludes(from);
+    command.add("--image", camera.image);
+    command.add("--size", options->size);
+    command.add("--near", camera.nearDistance);
+    command.add("--far", camera.farDistance);
+    std::map<std::string, std::optional<EyeAxes>> axes;
+    for (const EyeAxes one : kEyeAxes)
+        axes.emplace(keyOf(one), one);
+    command.choice("--axes", camera.axes, axes);
+    command.choice("--pose", camera.direction,
+                   {{keyOf(PoseDirection::WorldToCamera), PoseDirection::WorldToCamera},
+                    {keyOf(PoseDirection::CameraToWorld), PoseDirection::CameraToWorld}});
+    command.choice("--pixel-centers", camera.centres,
+                   {{"integer", PixelCentres::AtIntegers}, {"half", PixelCentres::AtHalves}});
+    command.flag("--undistorted", camera.isUndistorted);
+    command.add("--objects", options->objects)->expected(1, 64);
+    command.choice("--order", options->order, {{"column", NumberOrder::ByColumns}, {"row", NumberOrder::ByRows}});
+    CLI::Option *depth =
+        command.choice("--depth", options->depth,
+                       {{"minus-one-to-one", NdcDepth::MinusOneToOne}, {"zero-to-one", NdcDepth::ZeroToOne}});
+    CLI::Option *y = command.choice("--y", options->isYDown, {{"up", false}, {"down", true}});
+    command.flag("--reversed", options->isReversed);
+    command.conventions(options->conventions)->excludes(depth)->excludes(y);
+    command.flag("--orthonormal", options->isOrthonormal);
+    command.add("--window", options->window);
+    command.file("-o,--output", options->output)->default_str("-");
+    command.runs(run, options, [command](const SceneOptions &given) {
+        if (!command.has("--from") && !command.has("--from-matrices"))
+            throw CLI::RequiredError(tr("%1 (or --from-matrices)", "FILE"));
+        return runScene(given);
+    });
 }
 
 } // namespace unprojector::cli

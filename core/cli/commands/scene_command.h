@@ -32,6 +32,7 @@ struct SceneOptions {
     bool isAboutMatrices() const { return conventions || order || depth || isYDown || isReversed || isOrthonormal; }
 };
 
+/// Throws Refused.
 ExitCode runScene(const SceneOptions &options);
 
 } // namespace unprojector::cli

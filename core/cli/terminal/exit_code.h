@@ -2,7 +2,7 @@
 
 namespace unprojector::cli {
 
-/// The command's exit status.
+/// The command's exit status, the worst last.
 enum class ExitCode {
     Done = 0,
     SomeRowsBad = 1,   ///< the other rows were computed

@@ -14,9 +14,6 @@ namespace {
 constexpr std::size_t kColumns = 80;
 constexpr std::size_t kDescriptions = 30; ///< column in which descriptions begin
 
-constexpr const char *kTypeNames[] = {marked("FILE"),  marked("FOLDER"), marked("MODEL"),
-                                      marked("SPACE"), marked("TEXT"),   marked("WORD")};
-
 /// Replaces the library's colons behind Chinese words by Chinese ones; they occupy as many columns
 /// as a colon and a blank.
 std::string withChineseColons(const std::string &text)
@@ -89,8 +86,6 @@ std::shared_ptr<CLI::Formatter> helpFormatter()
           std::pair("REQUIRED", tr("REQUIRED")), std::pair("Needs", tr("Needs")),
           std::pair("Excludes", tr("Excludes"))})
         formatter->label(word, label);
-    for (const char *type : kTypeNames)
-        formatter->label(type, tr(type));
     return formatter;
 }
 
@@ -102,15 +97,6 @@ void nameGroups(CLI::App &app)
         command->group(tr("Subcommands"));
         nameGroups(*command);
     }
-}
-
-std::string typeName(const std::string &english)
-{
-    for (const char *type : kTypeNames) {
-        if (english == type)
-            return tr(type);
-    }
-    return english;
 }
 
 } // namespace unprojector::cli

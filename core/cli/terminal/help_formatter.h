@@ -14,7 +14,4 @@ std::shared_ptr<CLI::Formatter> helpFormatter();
 /// Sets the headings of the groups of options and commands, once all are added.
 void nameGroups(CLI::App &app);
 
-/// The word for an argument to type, such as "FILE", in the user's language.
-std::string typeName(const std::string &english);
-
 } // namespace unprojector::cli
