@@ -21,8 +21,8 @@ ONLY = [
     (r"(?:new|public|make_unique<)\s*Q(?:Plain)?TextEdit\b|QGraphicsTextItem|setReadOnly\(false\)", "gui",
      "gui/widgets/plain_text_box.cpp gui/widgets/plain_text_box.h", "a paste of nothing ends the program: PlainTextBox"),
 ]
-GHOSTS = ("are said|are told|besides|come about|comes about|is said|is told|let go|lets go|nobody|somebody|take apart|tell apart|"
-          "told apart|turned round|turn round|whatever|what is to be|wherever|whoever|there is nothing of")
+GHOSTS = ("are said|are told|besides|come about|comes about|is said|is told|let go|lets go|nobody|somebody|take apart|tell apart|told apart|"
+          "turned round|turn round|whatever|what is to be|wherever|whoever|there is nothing of")
 found: list[str] = []
 
 
@@ -94,9 +94,9 @@ def words() -> None:
             found.append(f"{where}: “{match.group()}” is no term: {text.strip()[:80] if len(text) < 500 else ''}")
 
 
-def told(code: str):
-    """The literals in the first argument of each tr() and marked(); those side by side are one."""
-    for call in re.finditer(r"(?<!\w)(?:tr|marked)\(", code):
+def told(code: str, calls: str):
+    """The literals in the first argument of each call; those side by side are one."""
+    for call in re.finditer(rf"(?<!\w)(?:{calls})\(", code):
         depth, texts, isBeside = 0, [], False
         for token in re.finditer(r'"((?:\\.|[^"\\])*)"|\'(?:\\.|[^\'])\'|\S', code[call.end():]):
             if token[1] is not None:
@@ -116,10 +116,10 @@ def shape(text: str) -> list[str]:
 
 def twins() -> None:
     catalogue = json.loads((RESOURCES / "translations/unproject_zh_CN.json").read_text(encoding="utf8"))
-    said = {text for _, code in sources("core") for text in told(re.sub(r"//[^\"\n]*$", "", code, flags=re.MULTILINE))}
-    said |= {mistake[key] for mistake in json.loads((RESOURCES / "doctor/mistakes.json").read_text(encoding="utf8")) for key in ("name", "sentence")}
-    found.extend(f"core: no Chinese for: {text}" for text in sorted(said - catalogue.keys()))
-    found.extend(f"unproject_zh_CN.json: core has no such text: {text}" for text in sorted(catalogue.keys() - said))
+    said = {mistake[key] for mistake in json.loads((RESOURCES / "doctor/mistakes.json").read_text(encoding="utf8")) for key in ("name", "sentence")}
+    for room, calls in ("core", "tr|marked"), ("gui", "marked"):
+        said.update(*(told(re.sub(r"//[^\"\n]*$", "", code, flags=re.MULTILINE), calls) for _, code in sources(room)))
+    found.extend(f"unproject_zh_CN.json and core: only one has: {text}" for text in sorted(said ^ catalogue.keys()))
     pairs = [("core: " + key, key, text) for key, text in catalogue.items()]
     for source, translation in messages_of_window():
         if translation.get("type") or not "".join(translation.itertext()).strip():

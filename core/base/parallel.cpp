@@ -1,9 +1,12 @@
 #include "core/base/parallel.h"
 
+#include "core/base/translation.h"
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
 #include <future>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -80,7 +83,8 @@ void inParallel(std::size_t count, const std::function<void(double)> &report,
     helpers.reserve(helperCount);
     try {
         while (helpers.size() < helperCount) {
-            helpers.emplace_back([&queue] {
+            helpers.emplace_back([&queue, isEnglish = language() == Language::English] {
+                const auto english = isEnglish ? std::make_unique<InEnglish>() : nullptr;
                 while (queue.runNext()) {
                 }
             });

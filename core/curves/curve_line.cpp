@@ -34,7 +34,7 @@ glm::dvec3 wayFrom(const WorldPoint &a, const WorldPoint &b)
 } // namespace
 
 Result<CurveLine, CurveError> lineThrough(const SurfaceMesh &mesh, std::span<const Landmark *const> points,
-                                          CurveKind kind, const glm::dmat4 &worldFromObject, const GoesOn &goesOn)
+                                          CurveKind kind, const glm::dmat4 &worldFromObject, const Progress &goesOn)
 {
     if (points.size() < 2)
         return CurveError{CurveError::Code::TooFew, 0};
@@ -50,7 +50,7 @@ Result<CurveLine, CurveError> lineThrough(const SurfaceMesh &mesh, std::span<con
     CurveLine line;
     std::vector<glm::dvec3> gradients(points.size(), glm::dvec3(0.0));
     for (std::size_t i = 1; i < points.size(); ++i) {
-        const GoesOn pieceGoesOn = [&](double share) {
+        const Progress pieceGoesOn = [&](double share) {
             return !goesOn || goesOn((double(i - 1) + share) / double(points.size() - 1));
         };
         Result<SurfacePath, PathError> piece =

@@ -37,7 +37,7 @@ struct CurveError {
 geometry::Result<CurveLine, CurveError> lineThrough(const SurfaceMesh &mesh,
                                                     std::span<const landmarks::Landmark *const> points,
                                                     landmarks::CurveKind kind, const glm::dmat4 &worldFromObject,
-                                                    const GoesOn &goesOn);
+                                                    const Progress &goesOn);
 
 /// Points in equal steps along a path, including both its ends.
 /// @param count  at least 2

@@ -136,7 +136,7 @@ bool leadAroundBends(TriangleStrip &strip, const StripPath &path, const PlacedMe
 
 /// The geodesic that a strip leads to.
 Result<StripPath, PathError> straightened(TriangleStrip strip, const PlacedMesh &mesh, const PathEnd &from,
-                                          const PathEnd &to, const GoesOn &goesOn)
+                                          const PathEnd &to, const Progress &goesOn)
 {
     std::optional<StripPath> best;
     for (;;) {
@@ -162,7 +162,7 @@ struct Straight {
 
 /// The geodesic of the strip that A* finds in a corridor.
 Result<Straight, PathError> straightWithin(const Corridor &corridor, const PlacedMesh &mesh, const PathEnd &from,
-                                           const PathEnd &to, const GoesOn &goesOn)
+                                           const PathEnd &to, const Progress &goesOn)
 {
     const Result<TriangleStrip, PathError> strip = stripWithin(corridor, mesh, from, to, goesOn);
     if (!strip)
@@ -176,7 +176,7 @@ Result<Straight, PathError> straightWithin(const Corridor &corridor, const Place
 /// The geodesic of a long way: of the one along the wave, of the one in the rings around the wave,
 /// and of those in the rings around the best one, the shortest.
 Result<StripPath, PathError> alongWave(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
-                                       const GoesOn &goesOn)
+                                       const Progress &goesOn)
 {
     constexpr double kWave = 0.7; // share of the time
     const Result<Corridor, PathError> wave =
@@ -184,7 +184,7 @@ Result<StripPath, PathError> alongWave(const PlacedMesh &mesh, const PathEnd &fr
     if (!wave)
         return wave.error();
     double left = 1.0 - kWave;
-    const GoesOn within = [&](double share) { return goesOn(1.0 - left * (1.0 - share / 2.0)); };
+    const Progress within = [&](double share) { return goesOn(1.0 - left * (1.0 - share / 2.0)); };
     Result<Straight, PathError> best = straightWithin(*wave, mesh, from, to, within);
     if (!best && best.error() == PathError::NotConnected) {
         // The wave passed a corner at which sheets touch without a common edge.
@@ -216,14 +216,15 @@ Result<StripPath, PathError> alongWave(const PlacedMesh &mesh, const PathEnd &fr
 } // namespace
 
 Result<SurfacePath, PathError> geodesic(const SurfaceMesh &mesh, const SurfacePlace &from, const SurfacePlace &to,
-                                        const glm::dmat4 &worldFromObject, const GoesOn &goesOn, std::size_t mostEdges)
+                                        const glm::dmat4 &worldFromObject, const Progress &goesOn,
+                                        std::size_t mostEdges)
 {
     const PlacedMesh placed(mesh, worldFromObject);
     const PathEnd start(placed, from), goal(placed, to);
     // The limit of edges is reached early on a long way.
     constexpr double kShort = 0.1;
     double done = 0.0; // shares never decrease
-    const auto goes = [&](double first, double last) -> GoesOn {
+    const auto goes = [&](double first, double last) -> Progress {
         return [&, first, last](double share) {
             done = std::max(done, first + (last - first) * share);
             return !goesOn || goesOn(done);

@@ -32,7 +32,7 @@ public:
     {
     }
 
-    Result<SurfacePath, PathError> shortest(const GoesOn &goesOn) const
+    Result<SurfacePath, PathError> shortest(const Progress &goesOn) const
     {
         std::optional<SurfacePath> best;
         for (const std::uint32_t triangle : m_from.triangles()) {
@@ -61,7 +61,7 @@ private:
     bool isCut(std::uint32_t a, std::uint32_t b) const { return (above(a) >= 0.0) != (above(b) >= 0.0); }
 
     Result<SurfacePath, PathError> walked(std::uint32_t triangle, std::uint32_t a, std::uint32_t b,
-                                          const GoesOn &goesOn) const
+                                          const Progress &goesOn) const
     {
         SurfacePath path;
         path.places.push_back(WorldPoint(m_from.place()));
@@ -102,7 +102,7 @@ private:
 } // namespace
 
 Result<SurfacePath, PathError> planeSection(const SurfaceMesh &mesh, const SurfacePlace &from, const SurfacePlace &to,
-                                            const glm::dmat4 &worldFromObject, const GoesOn &goesOn)
+                                            const glm::dmat4 &worldFromObject, const Progress &goesOn)
 {
     const PlacedMesh placed(mesh, worldFromObject);
     const PathEnd start(placed, from), goal(placed, to);

@@ -3,7 +3,7 @@
 #include "core/base/path_text.h"
 #include "core/base/translation.h"
 #include "core/curves/curve_line.h"
-#include "core/mesh/import/import_error_text.h"
+#include "core/mesh/import/mesh_import.h"
 
 #include <vector>
 
@@ -29,10 +29,10 @@ std::string reasonOf(const CurveError &error, const std::vector<const Landmark *
 } // namespace
 
 Result<landmarks::Measure, std::string> ScanSurface::length(std::span<const Landmark *const> points,
-                                                            const GoesOn &goesOn)
+                                                            const Progress &goesOn)
 {
     bool isStopped = false;
-    const GoesOn progress = [&](double share) {
+    const Progress progress = [&](double share) {
         isStopped = goesOn && !goesOn(share);
         return !isStopped;
     };
@@ -41,7 +41,7 @@ Result<landmarks::Measure, std::string> ScanSurface::length(std::span<const Land
         if (isStopped)
             return tr("it was cancelled");
         if (!model) {
-            m_problem = mesh::importErrorText(model.error());
+            m_problem = model.error().message();
         } else {
             m_target.name = base::utf8FromPath(m_file.filename());
             m_target.places = ray::ClosestPlaces::build(*model, progress);

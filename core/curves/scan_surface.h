@@ -26,7 +26,7 @@ public:
     /// @return or the reason why there is none, a clause: the file cannot be read, a landmark is
     ///         farther from the surface than ray::kFarFromMesh, or there is no path
     geometry::Result<landmarks::Measure, std::string> length(std::span<const landmarks::Landmark *const> points,
-                                                             const GoesOn &goesOn);
+                                                             const Progress &goesOn);
 
 private:
     std::filesystem::path m_file;

@@ -22,7 +22,7 @@ constexpr std::uint32_t kNone = SurfaceMesh::kNone;
 
 class Search {
 public:
-    Search(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to, const GoesOn &goesOn)
+    Search(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to, const Progress &goesOn)
         : m_mesh(mesh), m_from(from), m_to(to), m_goesOn(goesOn)
     {
     }
@@ -144,7 +144,7 @@ private:
 
     const PlacedMesh &m_mesh;
     const PathEnd &m_from, &m_to;
-    const GoesOn &m_goesOn;
+    const Progress &m_goesOn;
     const Corridor *m_corridor = nullptr; ///< none: the whole surface
     double m_share = 0.0;                 ///< done, if only the goal's distance in a straight line were left
     std::vector<Node> m_nodes;            ///< kPlaces per edge
@@ -158,14 +158,14 @@ private:
 } // namespace
 
 Result<std::optional<TriangleStrip>, PathError> stripBetween(const PlacedMesh &mesh, const PathEnd &from,
-                                                             const PathEnd &to, const GoesOn &goesOn,
+                                                             const PathEnd &to, const Progress &goesOn,
                                                              std::size_t mostEdges)
 {
     return Search(mesh, from, to, goesOn).run(mostEdges);
 }
 
 Result<TriangleStrip, PathError> stripWithin(const Corridor &corridor, const PlacedMesh &mesh, const PathEnd &from,
-                                             const PathEnd &to, const GoesOn &goesOn)
+                                             const PathEnd &to, const Progress &goesOn)
 {
     Search search(mesh, from, to, goesOn);
     search.stayIn(corridor);

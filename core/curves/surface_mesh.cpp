@@ -1,5 +1,7 @@
 #include "core/curves/surface_mesh.h"
 
+#include "core/mesh/numbering.h"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -15,43 +17,6 @@ namespace {
 
 /// Triangles between calls of progress.
 constexpr std::size_t kStep = 1 << 16;
-
-std::size_t hashOf(const glm::dvec3 &place)
-{
-    std::uint64_t hash = 0x9e3779b97f4a7c15u;
-    for (int i = 0; i < 3; ++i) {
-        hash ^= std::bit_cast<std::uint64_t>(place[i] + 0.0); // -0 is 0
-        hash *= 0xff51afd7ed558ccdu;
-        hash ^= hash >> 32;
-    }
-    return static_cast<std::size_t>(hash);
-}
-
-/// Numbers positions in order of arrival; equal positions get the same number.
-class PlaceNumbers {
-public:
-    PlaceNumbers(std::vector<glm::dvec3> &places, std::size_t most)
-        : m_places(places), m_slots(std::bit_ceil(2 * most + 1), SurfaceMesh::kNone)
-    {
-    }
-    std::uint32_t of(const glm::dvec3 &place)
-    {
-        const std::size_t mask = m_slots.size() - 1;
-        for (std::size_t slot = hashOf(place) & mask;; slot = (slot + 1) & mask) {
-            if (m_slots[slot] == SurfaceMesh::kNone) {
-                m_slots[slot] = static_cast<std::uint32_t>(m_places.size());
-                m_places.push_back(place);
-                return m_slots[slot];
-            }
-            if (m_places[m_slots[slot]] == place)
-                return m_slots[slot];
-        }
-    }
-
-private:
-    std::vector<glm::dvec3> &m_places;
-    std::vector<std::uint32_t> m_slots;
-};
 
 std::optional<SurfacePlace> onTriangleWith(const SurfaceMesh &mesh, std::uint32_t a, std::uint32_t b, double share)
 {
@@ -82,7 +47,7 @@ std::shared_ptr<const SurfaceMesh> SurfaceMesh::build(const Model &model, const 
     surface->m_ofVertex.assign(vertices, kNone);
     const std::size_t triangles = model.triangleCount();
     surface->m_corners.reserve(triangles);
-    PlaceNumbers numbers(surface->m_places, std::min<std::size_t>(vertices, 3 * triangles));
+    Numbering<glm::dvec3> numbers(std::min<std::size_t>(vertices, 3 * triangles));
     for (std::size_t m = 0; m < model.meshes.size(); ++m) {
         const Mesh &mesh = model.meshes[m];
         for (std::size_t i = 0; i < mesh.triangleCount(); ++i) {
@@ -93,12 +58,13 @@ std::shared_ptr<const SurfaceMesh> SurfaceMesh::build(const Model &model, const 
                 const std::size_t vertex = mesh.vertexAt(3 * i + k);
                 std::uint32_t &corner = surface->m_ofVertex[model.vertexNumber(m, vertex)];
                 if (corner == kNone)
-                    corner = numbers.of(mesh.position(vertex));
+                    corner = numbers.add(mesh.position(vertex));
                 corners[k] = corner;
             }
             surface->m_corners.push_back(corners);
         }
     }
+    surface->m_places = std::move(numbers.keys());
     if (!goesOn(0.7))
         return nullptr;
     // Triangles without three distinct corners are skipped; their neighbours are adjacent to each

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/landmarks/landmark.h"
 #include "core/mesh/mesh.h"
 #include "core/ray/box_tree.h"
@@ -13,7 +14,7 @@
 #include <vector>
 
 namespace unprojector::curves {
-using ray::Progress;
+using base::Progress;
 
 /// The triangles of a model as one surface. Corners with identical coordinates are one corner, even
 /// where the file repeats them per triangle, as STL and split normals do. Built once per model, for

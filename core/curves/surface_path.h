@@ -23,10 +23,6 @@ enum class PathError {
     Stopped,
 };
 
-/// Called repeatedly with the share done in [0, 1], which never decreases; returns false to stop the
-/// work.
-using GoesOn = std::function<bool(double share)>;
-
 /// The edges that the search of a geodesic visits before it follows a wave instead.
 inline constexpr std::size_t kMostEdges = 1 << 16;
 
@@ -50,12 +46,12 @@ inline constexpr std::size_t kMostEdges = 1 << 16;
 /// @param mostEdges        another limit, for comparisons
 geometry::Result<SurfacePath, PathError> geodesic(const SurfaceMesh &mesh, const SurfacePlace &from,
                                                   const SurfacePlace &to, const glm::dmat4 &worldFromObject,
-                                                  const GoesOn &goesOn, std::size_t mostEdges = kMostEdges);
+                                                  const Progress &goesOn, std::size_t mostEdges = kMostEdges);
 
 /// The section of the surface by a plane through both points, along the mean of their normals. Of
 /// its two ways from one point to the other, it is the shorter one.
 geometry::Result<SurfacePath, PathError> planeSection(const SurfaceMesh &mesh, const SurfacePlace &from,
                                                       const SurfacePlace &to, const glm::dmat4 &worldFromObject,
-                                                      const GoesOn &goesOn);
+                                                      const Progress &goesOn);
 
 } // namespace unprojector::curves

@@ -22,7 +22,7 @@ struct TriangleStrip {
 /// @param mostEdges  see geodesic
 /// @return nothing if the search would visit more edges; NotConnected, Stopped
 geometry::Result<std::optional<TriangleStrip>, PathError> stripBetween(const PlacedMesh &mesh, const PathEnd &from,
-                                                                       const PathEnd &to, const GoesOn &goesOn,
+                                                                       const PathEnd &to, const Progress &goesOn,
                                                                        std::size_t mostEdges);
 
 /// Triangles, sorted.
@@ -34,14 +34,14 @@ using Corridor = std::vector<std::uint32_t>;
 /// per corner.
 /// @return NotConnected, Stopped
 geometry::Result<Corridor, PathError> corridorBetween(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
-                                                      const GoesOn &goesOn);
+                                                      const Progress &goesOn);
 /// Some rings of triangles around others, which may come in any order.
 Corridor corridorAbout(const SurfaceMesh &mesh, Corridor triangles);
 
 /// The strip of stripBetween, searched only in a corridor.
 /// @return NotConnected, Stopped
 geometry::Result<TriangleStrip, PathError> stripWithin(const Corridor &corridor, const PlacedMesh &mesh,
-                                                       const PathEnd &from, const PathEnd &to, const GoesOn &goesOn);
+                                                       const PathEnd &from, const PathEnd &to, const Progress &goesOn);
 
 /// The shortest path within a strip.
 struct StripPath {

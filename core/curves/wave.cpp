@@ -80,7 +80,7 @@ std::vector<std::uint32_t> cornersOf(const SurfaceMesh &mesh, const std::vector<
 
 class Wave {
 public:
-    Wave(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to, const GoesOn &goesOn)
+    Wave(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to, const Progress &goesOn)
         : m_mesh(mesh), m_from(from), m_to(to), m_goesOn(goesOn), m_corners(mesh.mesh().cornerCount())
     {
     }
@@ -214,7 +214,7 @@ private:
 
     const PlacedMesh &m_mesh;
     const PathEnd &m_from, &m_to;
-    const GoesOn &m_goesOn;
+    const Progress &m_goesOn;
     std::vector<Corner> m_corners;
     using Open = std::pair<double, std::uint32_t>; ///< distance, corner
     std::priority_queue<Open, std::vector<Open>, std::greater<>> m_open;
@@ -223,7 +223,7 @@ private:
 } // namespace
 
 Result<Corridor, PathError> corridorBetween(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
-                                            const GoesOn &goesOn)
+                                            const Progress &goesOn)
 {
     return Wave(mesh, from, to, goesOn).run();
 }

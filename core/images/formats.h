@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/images/byte_order.h"
+#include "core/base/byte_order.h"
 #include "core/images/number_image.h"
 
 #include <algorithm>

@@ -9,6 +9,7 @@
 
 namespace unprojector::images {
 using base::tr;
+using base::withSwappedBytes;
 namespace {
 
 bool isSpace(char c)

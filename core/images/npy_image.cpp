@@ -9,6 +9,7 @@
 
 namespace unprojector::images {
 using base::tr;
+using base::withSwappedBytes;
 namespace {
 
 /// The dictionary of a header: {'descr': '<f4', 'fortran_order': False, 'shape': (480, 640), }
@@ -204,11 +205,11 @@ std::optional<std::string> headerText(ImageBytes &bytes)
     bytes.moveTo(kMagic);
     if (!bytes.read(reinterpret_cast<char *>(start.data()), 4))
         return std::nullopt;
-    std::size_t length = start[2] | std::size_t{start[3]} << 8;
+    std::size_t length = base::numberAt<std::uint16_t>(start.data() + 2);
     if (start[0] >= 2) {
         if (!bytes.read(reinterpret_cast<char *>(start.data()) + 4, 2))
             return std::nullopt;
-        length |= std::size_t{start[4]} << 16 | std::size_t{start[5]} << 24;
+        length = base::numberAt<std::uint32_t>(start.data() + 2);
     }
     if (start[0] < 1 || start[0] > 3 || length > kMostText)
         return std::nullopt;

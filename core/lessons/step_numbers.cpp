@@ -3,6 +3,7 @@
 #include "core/base/expression.h"
 #include "core/base/json_number.h"
 #include "core/base/number_text.h"
+#include "core/base/path_text.h"
 #include "core/geometry/error_text.h"
 #include "core/lessons/statements.h"
 #include "core/matrices/matrix_factors.h"
@@ -213,10 +214,10 @@ Result<Scene, LessonError> sceneOf(const Step &step)
         return LessonError{scene_file::sceneErrorText(file.error())};
     auto objects = opening::objectsOf(*file, {}, [](const std::filesystem::path &model) {
         return opening::ReadModel(
-            ImportError{ImportErrorCode::NotFound, model, {}}); // a lesson has no files except its own
+            base::Error{.text = "a lesson has no files except its own", .file = base::utf8FromPath(model)});
     });
     if (!objects)
-        return failed(where, objects.error());
+        return failed(where, objects.error().message());
     Result<Scene, scene_file::SceneFileError> scene = scene_file::sceneFromFile(*file, {}, std::move(objects).value());
     if (!scene) {
         scene_file::SceneFileError error = scene.error();

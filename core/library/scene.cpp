@@ -18,7 +18,7 @@
 namespace unprojector {
 namespace {
 
-Result<Scene> madeOf(geometry::Result<opening::OpenedScene, opening::OpeningError> opened)
+Result<Scene> madeOf(base::Expected<opening::OpenedScene, base::Error> opened)
 {
     if (!opened)
         return publicError(opened.error());

@@ -1,20 +1,16 @@
 #include "core/library/scene_data.h"
 
 #include "core/library/internal.h"
-#include "core/mesh/import/note_text.h"
 #include "core/scene/measures.h"
 
 namespace unprojector {
 
-Error publicError(const opening::OpeningError &error)
+Error publicError(const base::Error &error)
 {
-    Error::Kind kind = Error::Kind::Value;
-    switch (error.kind) {
-    case opening::OpeningError::Kind::Value: break;
-    case opening::OpeningError::Kind::File: kind = Error::Kind::File; break;
-    case opening::OpeningError::Kind::NoFile: kind = Error::Kind::MissingFile; break;
-    }
-    return {kind, error.message};
+    return {error.kind == base::Error::Kind::NoFile ? Error::Kind::MissingFile
+            : error.kind == base::Error::Kind::File ? Error::Kind::File
+                                                    : Error::Kind::Value,
+            error.message()};
 }
 
 namespace {
@@ -34,8 +30,8 @@ SceneObject publicObject(const scene::SceneObject &object)
         result.highest = box.highest;
     }
     result.isHidden = object.isHidden;
-    for (const mesh::ModelNote &note : object.model->notes)
-        result.notes.push_back(mesh::noteText(note));
+    for (const base::Note &note : object.model->notes)
+        result.notes.push_back(note.text());
     return result;
 }
 

@@ -25,7 +25,7 @@ struct Scene::Data {
     mutable std::vector<std::shared_ptr<const ray::RayCaster>> casters;
 };
 
-Error publicError(const opening::OpeningError &error);
+Error publicError(const base::Error &error);
 
 /// The way of the library's own code into a Scene.
 struct SceneAccess {

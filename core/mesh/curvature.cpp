@@ -1,7 +1,7 @@
 #include "core/mesh/curvature.h"
 
 #include "core/base/parallel.h"
-#include "core/mesh/position_hash.h"
+#include "core/mesh/numbering.h"
 #include "core/mesh/soup_numbers.h"
 
 #include <glm/common.hpp>
@@ -25,30 +25,6 @@ constexpr double kCellOfRadius = 0.015, kCellOfSpacing = 1.0;
 /// The weight of a cluster ends at this many cells. With fewer, the grid would show.
 constexpr double kReachCells = 2.5;
 constexpr std::size_t kTrianglesBetweenReports = 500'000, kPlacesAtOnce = 20'000;
-
-struct Cancelled {};
-
-/// Reports steps of the work, each with its share of the time.
-class Reporter {
-public:
-    explicit Reporter(const CurvatureProgress &progress) : m_progress(progress) {}
-
-    void beginStep(double share)
-    {
-        m_begin = m_end;
-        m_end += share;
-    }
-    /// @throws Cancelled
-    void report(double shareOfStep) const
-    {
-        if (m_progress && !m_progress(std::min(1.0, m_begin + shareOfStep * (m_end - m_begin))))
-            throw Cancelled{};
-    }
-
-private:
-    const CurvatureProgress &m_progress;
-    double m_begin = 0.0, m_end = 0.0;
-};
 
 struct Triangle {
     std::array<std::uint32_t, 3> corners; ///< places
@@ -103,7 +79,7 @@ public:
 
     /// Calls a function with every triangle that has an area.
     template <class Function>
-    void forEach(const Reporter &reporter, const Function &function) const
+    void forEach(base::Reporter &reporter, const Function &function) const
     {
         const std::size_t count = m_corners.size() / 3;
         for (std::size_t number = 0; number < count; ++number) {
@@ -140,7 +116,7 @@ struct PlaceSums {
     double radius = 0.0; ///< root of the mean squared distance from the middle
 };
 
-PlaceSums placeSums(const Surface &surface, const Reporter &reporter)
+PlaceSums placeSums(const Surface &surface, base::Reporter &reporter)
 {
     PlaceSums sums{std::vector<glm::vec3>(surface.placeCount()), std::vector<float>(surface.placeCount())};
     const glm::dvec3 zero = surface.placeCount() > 0 ? surface.place(0) : glm::dvec3(0.0);
@@ -174,15 +150,15 @@ struct Cluster {
 
 class Clusters {
 public:
-    Clusters(const Surface &surface, const PlaceSums &sums, double cell, Reporter &reporter)
+    Clusters(const Surface &surface, const PlaceSums &sums, double cell, base::Reporter &reporter)
         : m_surface(surface), m_reach(kReachCells * cell), m_ofPlaces(surface.placeCount())
     {
         gather(sums, cell);
-        reporter.beginStep(0.15);
+        reporter.beginStage(0.2, 0.35);
         connect(reporter);
-        reporter.beginStep(0.25);
+        reporter.beginStage(0.35, 0.6);
         const std::vector<glm::vec3> normals = smoothNormals(reporter);
-        reporter.beginStep(0.15);
+        reporter.beginStage(0.6, 0.75);
         // Over a triangle, normals are interpolated linearly; the divergence of each corner's part
         // is its normal times the gradient of its weight, which is across the opposite edge.
         surface.forEach(reporter, [&](const Triangle &triangle) {
@@ -196,10 +172,10 @@ public:
         });
     }
 
-    std::vector<float> curvatures(Reporter &reporter) const
+    std::vector<float> curvatures(base::Reporter &reporter) const
     {
         std::vector<float> values(m_surface.placeCount());
-        reporter.beginStep(0.25);
+        reporter.beginStage(0.75, 1.0);
         forEachPlace(reporter, [&](std::size_t place) {
             double bend = 0.0, area = 0.0;
             forEachWeight(place, [&](const Cluster &cluster, double weight) {
@@ -220,7 +196,7 @@ private:
     struct KeyHash {
         std::size_t operator()(const Key &key) const
         {
-            std::uint64_t hash = mixed(0x2545f4914f6cdd1dull, static_cast<std::uint32_t>(key.direction));
+            std::uint64_t hash = mixed(kHashStart, static_cast<std::uint32_t>(key.direction));
             for (const std::int64_t each : key.cell)
                 hash = mixed(hash, static_cast<std::uint32_t>(each));
             return static_cast<std::size_t>(hash);
@@ -258,7 +234,7 @@ private:
             cluster.center /= cluster.area;
     }
 
-    void connect(const Reporter &reporter)
+    void connect(base::Reporter &reporter)
     {
         std::vector<std::uint64_t> pairs; // both ways round
         m_surface.forEach(reporter, [&](const Triangle &triangle) {
@@ -299,14 +275,13 @@ private:
     }
 
     template <class Function>
-    void forEachPlace(const Reporter &reporter, const Function &function) const
+    void forEachPlace(base::Reporter &reporter, const Function &function) const
     {
-        base::inParallelRanges(
-            m_surface.placeCount(), kPlacesAtOnce, [&](double share) { reporter.report(share); },
-            [&](std::size_t begin, std::size_t end) {
-                for (std::size_t place = begin; place < end; ++place)
-                    function(place);
-            });
+        base::inParallelRanges(m_surface.placeCount(), kPlacesAtOnce, reporter.part(),
+                               [&](std::size_t begin, std::size_t end) {
+                                   for (std::size_t place = begin; place < end; ++place)
+                                       function(place);
+                               });
     }
 
     /// Calls a function with the clusters around a place and their weights: its own, and the
@@ -330,7 +305,7 @@ private:
             add(m_clusters[m_neighbors[i]], 0.0);
     }
 
-    std::vector<glm::vec3> smoothNormals(const Reporter &reporter) const
+    std::vector<glm::vec3> smoothNormals(base::Reporter &reporter) const
     {
         std::vector<glm::vec3> normals(m_surface.placeCount());
         forEachPlace(reporter, [&](std::size_t place) {
@@ -373,12 +348,11 @@ double quantile(const std::vector<float> &values, const std::vector<float> &area
     return 0.0;
 }
 
-Curvature computed(const Model &model, Reporter &reporter)
+Curvature computed(const Model &model, base::Reporter &reporter)
 {
     reporter.report(0.0);
-    reporter.beginStep(0.10);
     const Surface surface(model);
-    reporter.beginStep(0.10);
+    reporter.beginStage(0.1, 0.2);
     const PlaceSums sums = placeSums(surface, reporter);
     Curvature curvature;
     std::vector<float> values(surface.placeCount());
@@ -405,17 +379,15 @@ Curvature computed(const Model &model, Reporter &reporter)
 
 } // namespace
 
-Curvature curvatureOf(const Model &model, const CurvatureProgress &progress)
-{
-    Reporter reporter(progress);
-    try {
-        Curvature curvature = computed(model, reporter);
-        if (progress)
-            progress(1.0);
-        return curvature;
-    } catch (const Cancelled &) {
-        return {};
-    }
+Curvature curvatureOf(const Model &model, const base::Progress &progress)
+try {
+    base::Reporter reporter(progress);
+    Curvature curvature = computed(model, reporter);
+    if (progress)
+        progress(1.0);
+    return curvature;
+} catch (const base::Stopped &) {
+    return {};
 }
 
 } // namespace unprojector::mesh

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/mesh/mesh.h"
 
-#include <functional>
 #include <vector>
 
 namespace unprojector::mesh {
@@ -17,9 +17,6 @@ struct Curvature {
     double smoothingDistance = 0.0;
 };
 
-/// Called with the share done in [0, 1], which never decreases; returning false cancels.
-using CurvatureProgress = std::function<bool(double share)>;
-
 /// Computes the mean curvature H = (k1 + k2) / 2 as half the divergence of the surface's normals:
 /// 1/r on a sphere, 1/(2 r) on a cylinder, 0 on a plane and on a minimal surface.
 ///
@@ -31,6 +28,6 @@ using CurvatureProgress = std::function<bool(double share)>;
 /// vertices. Triangles without an area, or with numbers that are not finite, do not count. It is
 /// only for display.
 /// @return without meshes if cancelled
-Curvature curvatureOf(const Model &model, const CurvatureProgress &progress = {});
+Curvature curvatureOf(const Model &model, const base::Progress &progress = {});
 
 } // namespace unprojector::mesh

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/note.h"
 #include "core/geometry/box.h"
 
 #include <glm/vec2.hpp>
@@ -86,45 +87,6 @@ inline glm::dvec3 Mesh::fromOrigin(std::size_t vertex) const
     return {withRemainder(p.x, r.x), withRemainder(p.y, r.y), withRemainder(p.z, r.z)};
 }
 
-/// An import note: a part of a model file that is not shown, or is shown changed.
-struct ModelNote {
-    enum class Kind {
-        TextureMissing,    ///< detail: the file that is missing or unreadable
-        TextureUnusable,   ///< detail: its file, which is damaged, of an unknown kind, or far too large
-        TextureScaledDown, ///< detail: its file, count: its new width in pixels
-        MaterialsMissing,  ///< detail: the file of materials that is missing or unreadable
-        MaterialUnknown,   ///< detail: a name that is missing in the file's materials, count: how many such names
-        LinesLeftOut,      ///< count: lines, and points beside triangles
-        FacesLeftOut,      ///< count: faces that refer to vertices missing in the file
-        TexcoordsLeftOut,  ///< count: faces that refer to texture coordinates missing in the file
-        NormalsLeftOut,    ///< count: faces that refer to normals missing in the file; normals are computed instead
-        NumbersLeftOut,    ///< count: vertices with surplus words after their coordinates
-        ColorsUndeclared,  ///< numbers after the coordinates are used as colours, which the header does not declare
-        WeightsLeftOut,    ///< count: vertices with a weight for rational curves, which is ignored
-        LinesUnknown,      ///< count: lines that begin with a word unknown to the format; detail: the first
-        BytesLeftOut,      ///< count: bytes after all that the file declares
-        PartLeftOut,       ///< detail: the format's name for it, such as an extension; count: how many, or 0
-        ElementsLeftOut,   ///< detail: an element of a PLY file that is ignored; count: how many the file has
-        NodesLeftOut,      ///< count: meshes that no node of the shown scene uses
-        NodesListedAgain,  ///< count: nodes that the scene lists twice, or lists beside one of their ancestors
-        CornersLeftOut,    ///< count: corners after the last whole triangle of a part of a mesh
-        FlatTriangles,     ///< count: triangles that have no area in single precision
-        TooSmallToDraw,    ///< detail: the model's size, less than graphics cards can draw
-        SceneMissing,      ///< the file has no scene: all its nodes are shown
-        PositionsMissing,  ///< count: parts of meshes without any positions
-        PictureUnknown,    ///< count: textures whose image is of an unknown kind
-        ExtensionLeftOut,  ///< detail: a glTF extension that the file requires, and that moves no vertex
-        SubstituteShown,   ///< detail: a glTF extension that changes the shape, and that the file does not require
-        SkinsApplied,      ///< count: nodes whose meshes are posed by the joints of their skins
-        MeshesHidden,      ///< count: nodes with meshes that the file hides
-        ReadOutside,       ///< detail: a file outside the model's folder that was read; count: how many such files
-    };
-    Kind kind;
-    std::size_t count = 0;
-    std::string detail; ///< UTF-8, as in the file
-    friend bool operator==(const ModelNote &, const ModelNote &) = default;
-};
-
 class SoupNumbers;
 
 /// The contents of one model file.
@@ -139,7 +101,7 @@ struct Model {
     /// The vertex numbers of a triangle soup, computed on first use. A soup has one mesh. Null for
     /// other models.
     std::shared_ptr<SoupNumbers> soupNumbers;
-    std::vector<ModelNote> notes; ///< differences from the file
+    std::vector<base::Note> notes; ///< what is not shown as the file has it
     /// The other files that were read: material libraries, buffers. Textures name their own files.
     std::vector<std::filesystem::path> otherFiles;
 

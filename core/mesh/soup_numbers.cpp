@@ -2,7 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/mesh/mesh.h"
-#include "core/mesh/position_hash.h"
+#include "core/mesh/numbering.h"
 
 #include <algorithm>
 #include <bit>

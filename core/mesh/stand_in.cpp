@@ -1,6 +1,7 @@
 #include "core/mesh/stand_in.h"
 
 #include "core/mesh/closed_surface.h"
+#include "core/mesh/numbering.h"
 
 #include <glm/geometric.hpp>
 
@@ -19,78 +20,41 @@ namespace {
 constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr std::size_t kElementsBetweenReports = std::size_t{1} << 18;
 
-/// Forwards the share done from time to time.
-class Reporter {
+/// Reports from time to time.
+class Steps {
 public:
-    Reporter(const StandInProgress &progress, std::size_t total) : m_progress(progress), m_total(total) {}
-    /// @return whether to continue
-    bool step()
+    Steps(const base::Progress &progress, std::size_t total) : m_reporter(progress), m_total(total) {}
+    void next()
     {
-        if (++m_done % kElementsBetweenReports == 0 && m_progress && !m_isEnded)
-            m_isEnded = !m_progress(std::min(1.0, static_cast<double>(m_done) / static_cast<double>(m_total)));
-        return !m_isEnded;
+        if (++m_done % kElementsBetweenReports == 0)
+            m_reporter.report(static_cast<double>(m_done) / static_cast<double>(m_total));
     }
-    bool isEnded() const { return m_isEnded; }
 
 private:
-    const StandInProgress &m_progress;
+    base::Reporter m_reporter;
     std::size_t m_total;
     std::size_t m_done = 0;
-    bool m_isEnded = false;
 };
 
 /// Numbers the cells of a grid in the order of first use.
 class Cells {
 public:
-    explicit Cells(double width) : m_perUnit(1.0 / width), m_slots(std::size_t{1} << 16, kNone) {}
+    explicit Cells(double width) : m_perUnit(1.0 / width) {}
 
     std::uint32_t at(const glm::dvec3 &place)
     {
-        const std::uint64_t key = keyOf(place);
-        std::size_t slot = slotOf(key);
-        while (m_slots[slot] != kNone) {
-            if (m_keys[m_slots[slot]] == key)
-                return m_slots[slot];
-            slot = (slot + 1) & (m_slots.size() - 1);
-        }
-        m_slots[slot] = static_cast<std::uint32_t>(m_keys.size());
-        m_keys.push_back(key);
-        if (2 * m_keys.size() > m_slots.size())
-            grow();
-        return static_cast<std::uint32_t>(m_keys.size() - 1);
+        // Fine enough for a few hundred thousand cells of a surface.
+        constexpr double kHalf = 1 << 20;
+        std::array<std::uint32_t, 3> cell{};
+        for (int axis = 0; axis < 3; ++axis)
+            cell[static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>(
+                std::clamp(std::floor(place[axis] * m_perUnit), -kHalf, kHalf - 1.0) + kHalf);
+        return m_numbers.add(cell);
     }
 
 private:
-    /// A key of 21 bits an axis: fine enough for a few hundred thousand cells of a surface.
-    std::uint64_t keyOf(const glm::dvec3 &place) const
-    {
-        std::uint64_t key = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            constexpr double kHalf = 1 << 20;
-            const double cell = std::clamp(std::floor(place[axis] * m_perUnit), -kHalf, kHalf - 1.0);
-            key = key << 21 | static_cast<std::uint64_t>(cell + kHalf);
-        }
-        return key;
-    }
-    std::size_t slotOf(std::uint64_t key) const
-    {
-        key = (key ^ (key >> 31)) * 0x9e3779b97f4a7c15ull;
-        return (key ^ (key >> 29)) & (m_slots.size() - 1);
-    }
-    void grow()
-    {
-        m_slots.assign(2 * m_slots.size(), kNone);
-        for (std::size_t i = 0; i < m_keys.size(); ++i) {
-            std::size_t slot = slotOf(m_keys[i]);
-            while (m_slots[slot] != kNone)
-                slot = (slot + 1) & (m_slots.size() - 1);
-            m_slots[slot] = static_cast<std::uint32_t>(i);
-        }
-    }
-
     double m_perUnit;
-    std::vector<std::uint64_t> m_keys;
-    std::vector<std::uint32_t> m_slots;
+    Numbering<std::array<std::uint32_t, 3>> m_numbers{std::size_t{1} << 15};
 };
 
 /// The sums over the vertices in one cell.
@@ -143,7 +107,7 @@ void removeRepeated(std::vector<std::array<std::uint32_t, 3>> &triangles)
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
 }
 
-Mesh clustered(const Mesh &mesh, double width, Reporter &reporter)
+Mesh clustered(const Mesh &mesh, double width, Steps &steps)
 {
     Mesh coarse;
     coarse.kind = mesh.kind;
@@ -171,10 +135,13 @@ Mesh clustered(const Mesh &mesh, double width, Reporter &reporter)
     };
     std::vector<std::array<std::uint32_t, 3>> triangles;
     if (mesh.kind == Mesh::Kind::Points) {
-        for (std::size_t point = 0; point < mesh.pointCount() && reporter.step(); ++point)
+        for (std::size_t point = 0; point < mesh.pointCount(); ++point) {
+            steps.next();
             clusterAt(point);
+        }
     } else {
-        for (std::size_t t = 0; t < mesh.triangleCount() && reporter.step(); ++t) {
+        for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+            steps.next();
             const std::array corners{clusterAt(3 * t), clusterAt(3 * t + 1), clusterAt(3 * t + 2)};
             const glm::dvec3 a(mesh.positions[mesh.vertexAt(3 * t)]);
             const glm::dvec3 b(mesh.positions[mesh.vertexAt(3 * t + 1)]);
@@ -223,16 +190,14 @@ Mesh clustered(const Mesh &mesh, double width, Reporter &reporter)
 
 } // namespace
 
-Model standInFor(const Model &model, std::size_t most, const StandInProgress &progress)
-{
+Model standInFor(const Model &model, std::size_t most, const base::Progress &progress)
+try {
     Model coarse;
     coarse.name = model.name;
-    Reporter reporter(progress, model.triangleCount() + model.pointCount());
+    Steps steps(progress, model.triangleCount() + model.pointCount());
     const double width = cellWidth(model, most);
     for (const Mesh &mesh : model.meshes) {
-        Mesh next = clustered(mesh, width, reporter);
-        if (reporter.isEnded())
-            return {};
+        Mesh next = clustered(mesh, width, steps);
         // Drops meshes smaller than a cell: triangles without indices would be drawn in vertex
         // order.
         if (mesh.kind == Mesh::Kind::Points || !next.indices.empty())
@@ -241,6 +206,8 @@ Model standInFor(const Model &model, std::size_t most, const StandInProgress &pr
     coarse.textures = model.textures;
     coarse.bounds = model.bounds;
     return coarse;
+} catch (const base::Stopped &) {
+    return {};
 }
 
 } // namespace unprojector::mesh

@@ -1,14 +1,11 @@
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/mesh/mesh.h"
 
 #include <cstddef>
-#include <functional>
 
 namespace unprojector::mesh {
-
-/// Called with the share done in [0, 1], which never decreases; returning false cancels.
-using StandInProgress = std::function<bool(double share)>;
 
 /// Builds a coarse model to draw while the view moves. A grid cell merges the vertices of a mesh in
 /// it into their mean; triangles with corners in three different cells remain (Rossignac and Borrel
@@ -18,6 +15,6 @@ using StandInProgress = std::function<bool(double share)>;
 /// @param most  approximate number of triangles and points
 /// @param progress  may be empty
 /// @return a model without meshes if cancelled
-Model standInFor(const Model &model, std::size_t most, const StandInProgress &progress = {});
+Model standInFor(const Model &model, std::size_t most, const base::Progress &progress = {});
 
 } // namespace unprojector::mesh

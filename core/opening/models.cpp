@@ -3,7 +3,6 @@
 #include "core/base/path_text.h"
 #include "core/base/translation.h"
 #include "core/examples/examples.h"
-#include "core/mesh/import/import_error_text.h"
 
 #include <algorithm>
 #include <new>
@@ -28,7 +27,7 @@ ModelFiles::State ModelFiles::stateOf(const std::filesystem::path &file)
     return state;
 }
 
-ReadModel ModelFiles::read(const std::filesystem::path &file, const ImportProgress &progress,
+ReadModel ModelFiles::read(const std::filesystem::path &file, const base::Progress &progress,
                            const std::function<bool(Model &)> &prepare)
 {
     std::error_code error;
@@ -43,7 +42,7 @@ ReadModel ModelFiles::read(const std::filesystem::path &file, const ImportProgre
             known = found->second.model.lock();
     }
     if (known && progress && !progress(1.0))
-        return ImportError{ImportErrorCode::Cancelled, file, {}};
+        return stoppedReading(file);
     if (known)
         return known;
     auto imported = importModel(file, progress);
@@ -52,9 +51,9 @@ ReadModel ModelFiles::read(const std::filesystem::path &file, const ImportProgre
     const std::shared_ptr<Model> model = std::move(imported).value();
     try {
         if (prepare && !prepare(*model))
-            return ImportError{ImportErrorCode::Cancelled, file, {}};
+            return stoppedReading(file);
     } catch (const std::bad_alloc &) {
-        return ImportError{ImportErrorCode::OutOfMemory, file, {}};
+        return tooLargeForMemory(file);
     }
     if (state.isKnown) {
         const std::lock_guard lock(m_mutex);
@@ -90,7 +89,7 @@ std::vector<std::filesystem::path> modelFiles(const SceneFile &scene, const std:
     return files;
 }
 
-Result<std::vector<SceneObject>, std::string>
+base::Expected<std::vector<SceneObject>, base::Error>
 objectsOf(const SceneFile &scene, const std::filesystem::path &sceneFile,
           const std::function<ReadModel(const std::filesystem::path &)> &read)
 {
@@ -103,12 +102,12 @@ objectsOf(const SceneFile &scene, const std::filesystem::path &sceneFile,
             const auto &bundled = examples::bundledModels();
             const auto found = bundled.find(object.bundled);
             if (found == bundled.end())
-                return base::tr("there is no bundled model \"%1\"", object.bundled);
+                return base::Error{base::tr("there is no bundled model \"%1\"", object.bundled)};
             model = found->second;
         } else if (!model) {
             ReadModel of = read(file);
             if (!of)
-                return object.name + ": " + importErrorText(of.error());
+                return base::Error{.text = of.error().message(), .subject = object.name, .kind = of.error().kind};
             model = models[file] = std::move(of).value();
         }
         objects.push_back({object.name, file, std::move(model), object.transform, object.isHidden, object.extra});

@@ -18,7 +18,7 @@
 namespace unprojector::opening {
 
 using ModelPointer = std::shared_ptr<const mesh::Model>;
-using ReadModel = geometry::Result<ModelPointer, mesh::ImportError>;
+using ReadModel = base::Expected<ModelPointer, base::Error>;
 
 /// A cache of the models in use, one per file. It keeps no model alive. All functions may be called
 /// from any thread.
@@ -28,8 +28,8 @@ public:
     /// read; else imported.
     /// @param progress  may be empty
     /// @param prepare   called with an imported model; returning false cancels; may be empty
-    /// @return the errors of importModel; Cancelled; OutOfMemory if `prepare` throws std::bad_alloc
-    ReadModel read(const std::filesystem::path &file, const mesh::ImportProgress &progress = {},
+    /// @return the errors of importModel; OutOfMemory too if `prepare` throws std::bad_alloc
+    ReadModel read(const std::filesystem::path &file, const base::Progress &progress = {},
                    const std::function<bool(mesh::Model &)> &prepare = {});
 
 private:
@@ -64,8 +64,8 @@ std::vector<std::filesystem::path> modelFiles(const scene_file::SceneFile &scene
 /// Returns a scene's objects with their models: the bundled ones by name, the others from `read`,
 /// which is called once per file.
 /// @param sceneFile  as above
-/// @return the error of the first model that cannot be read, in the language of base::tr()
-geometry::Result<std::vector<scene::SceneObject>, std::string>
+/// @return the error of the first model that cannot be read; its subject is the object
+base::Expected<std::vector<scene::SceneObject>, base::Error>
 objectsOf(const scene_file::SceneFile &scene, const std::filesystem::path &sceneFile,
           const std::function<ReadModel(const std::filesystem::path &file)> &read);
 

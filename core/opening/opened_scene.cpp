@@ -2,7 +2,6 @@
 
 #include "core/base/path_text.h"
 #include "core/geometry/error_text.h"
-#include "core/mesh/import/import_error_text.h"
 #include "core/scene/opening_view.h"
 #include "core/scene/reach.h"
 #include "core/scene_file/scene_error_text.h"
@@ -17,28 +16,19 @@ using namespace scene;
 using namespace scene_file;
 using namespace base;
 
-OpeningError openingError(const ImportError &error)
+base::Error openingError(const SceneFileError &error)
 {
-    const bool isFile = error.code == ImportErrorCode::IsDirectory || error.code == ImportErrorCode::NotReadable;
-    return {error.code == ImportErrorCode::NotFound ? OpeningError::Kind::NoFile
-            : isFile                                ? OpeningError::Kind::File
-                                                    : OpeningError::Kind::Value,
-            importErrorText(error)};
-}
-
-OpeningError openingError(const SceneFileError &error)
-{
-    OpeningError::Kind kind = OpeningError::Kind::Value;
+    base::Error::Kind kind = base::Error::Kind::Value;
     switch (error.code) {
-    case SceneFileErrorCode::NotFound: kind = OpeningError::Kind::NoFile; break;
+    case SceneFileErrorCode::NotFound: kind = base::Error::Kind::NoFile; break;
     case SceneFileErrorCode::IsDirectory:
     case SceneFileErrorCode::NotAFile:
     case SceneFileErrorCode::NotReadable:
     case SceneFileErrorCode::NotWritable:
-    case SceneFileErrorCode::ChangedMeanwhile: kind = OpeningError::Kind::File; break;
+    case SceneFileErrorCode::ChangedMeanwhile: kind = base::Error::Kind::File; break;
     default: break;
     }
-    return {kind, sceneErrorText(error)};
+    return {.text = sceneErrorText(error), .kind = kind};
 }
 
 std::vector<std::string> filesOf(const std::filesystem::path &file, const Model &model)
@@ -51,29 +41,26 @@ std::vector<std::string> filesOf(const std::filesystem::path &file, const Model 
     return files;
 }
 
-Result<OpenedScene, OpeningError> openModel(const std::filesystem::path &file)
+Expected<OpenedScene, base::Error> openModel(const std::filesystem::path &file)
 {
     const auto model = importModel(file, {});
     if (!model)
-        return openingError(model.error());
+        return model.error();
     return OpenedScene{
         {{utf8FromPath(file.filename()), file, *model, {}}}, std::nullopt, utf8FromPath(file), filesOf(file, **model)};
 }
 
-Result<OpenedScene, OpeningError> withModels(SceneFile scene, const std::filesystem::path &path,
-                                             const std::string &name)
+Expected<OpenedScene, base::Error> withModels(SceneFile scene, const std::filesystem::path &path,
+                                              const std::string &name)
 {
     OpenedScene opened{{}, std::move(scene), name, {path.empty() ? "-" : utf8FromPath(path)}};
     ModelFiles store;
-    OpeningError::Kind kind = OpeningError::Kind::Value;
-    auto objects = objectsOf(*opened.file, path, [&](const std::filesystem::path &of) {
-        ReadModel read = store.read(of);
-        if (!read)
-            kind = openingError(read.error()).kind;
-        return read;
-    });
-    if (!objects)
-        return OpeningError{kind, name + ": " + objects.error()};
+    auto objects = objectsOf(*opened.file, path, [&store](const std::filesystem::path &of) { return store.read(of); });
+    if (!objects) {
+        base::Error error = objects.error();
+        error.file = name;
+        return error;
+    }
     opened.objects = std::move(objects).value();
     for (const SceneObject &object : opened.objects) {
         if (object.file.empty())
@@ -84,12 +71,11 @@ Result<OpenedScene, OpeningError> withModels(SceneFile scene, const std::filesys
     return opened;
 }
 
-std::optional<OpeningError> unreachable(const OpenedScene &opened)
+std::optional<base::Error> unreachable(const OpenedScene &opened)
 {
     for (const SceneObject &object : opened.objects) {
         if (const Check valid = reachable(object); !valid)
-            return OpeningError{OpeningError::Kind::Value,
-                                opened.name + ": " + object.name + ": " + geometry::errorText(valid.error())};
+            return base::Error{geometry::errorText(valid.error()), object.name, opened.name};
     }
     return std::nullopt;
 }
@@ -117,7 +103,7 @@ ray::SceneRays raysOf(const OpenedScene &opened, const unproject::Unprojector &u
     return {unprojector, opened.objects, castersOf(opened.objects), clipPlanes};
 }
 
-Result<Setup, OpeningError> setupOf(const OpenedScene &opened, const std::optional<Surface> &size)
+Expected<Setup, base::Error> setupOf(const OpenedScene &opened, const std::optional<Surface> &size)
 {
     if (opened.file && !size)
         return scene_file::setupOf(*opened.file);
@@ -141,7 +127,7 @@ Result<Setup, OpeningError> setupOf(const OpenedScene &opened, const std::option
     const Result<Setup> setup = scene::setupOf(scene, surface, groundUnder(boundsOf(scene)).box);
     if (setup)
         return *setup;
-    return OpeningError{OpeningError::Kind::Value, opened.name + ": " + geometry::errorText(setup.error())};
+    return base::Error{.text = geometry::errorText(setup.error()), .file = opened.name};
 }
 
 } // namespace unprojector::opening

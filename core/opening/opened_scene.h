@@ -13,19 +13,7 @@
 
 namespace unprojector::opening {
 
-/// The reason why a scene cannot be opened.
-struct OpeningError {
-    enum class Kind {
-        Value, ///< the contents of a file
-        File,  ///< a file that cannot be read
-        NoFile ///< a file that does not exist
-    };
-    Kind kind = Kind::Value;
-    std::string message; ///< names the file; in the language of base::tr()
-};
-
-OpeningError openingError(const mesh::ImportError &error);
-OpeningError openingError(const scene_file::SceneFileError &error);
+base::Error openingError(const scene_file::SceneFileError &error);
 
 /// A scene, or a model as the window shows it on opening, with all models read.
 struct OpenedScene {
@@ -39,16 +27,16 @@ struct OpenedScene {
 std::vector<std::string> filesOf(const std::filesystem::path &file, const mesh::Model &model);
 
 /// Opens a model's file as a scene.
-geometry::Result<OpenedScene, OpeningError> openModel(const std::filesystem::path &file);
+base::Expected<OpenedScene, base::Error> openModel(const std::filesystem::path &file);
 
 /// Reads the models of a scene, each file once.
 /// @param path  the scene's file, which the models' paths are relative to; empty: standard input
 /// @param name  of the scene, for messages
-geometry::Result<OpenedScene, OpeningError> withModels(scene_file::SceneFile scene, const std::filesystem::path &path,
-                                                       const std::string &name);
+base::Expected<OpenedScene, base::Error> withModels(scene_file::SceneFile scene, const std::filesystem::path &path,
+                                                    const std::string &name);
 
 /// The first object that does not lie within the range of computation; empty: all do.
-std::optional<OpeningError> unreachable(const OpenedScene &opened);
+std::optional<base::Error> unreachable(const OpenedScene &opened);
 
 /// The ray casters of the objects: null for hidden ones. Objects of one model share its caster.
 std::vector<std::shared_ptr<const ray::RayCaster>> castersOf(const std::vector<scene::SceneObject> &objects);
@@ -63,7 +51,7 @@ constexpr int kUsualWidth = 800, kUsualHeight = 600;
 /// window's setup on opening. With a size, the setup that the window uses at that size.
 /// @param size  device pixels; its ratio is not used
 /// @pre check(*size)
-geometry::Result<geometry::Setup, OpeningError> setupOf(const OpenedScene &opened,
-                                                        const std::optional<geometry::Surface> &size);
+base::Expected<geometry::Setup, base::Error> setupOf(const OpenedScene &opened,
+                                                     const std::optional<geometry::Surface> &size);
 
 } // namespace unprojector::opening

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/progress.h"
+
 #include <glm/vec3.hpp>
 
 #include <array>
@@ -12,9 +14,7 @@
 
 namespace unprojector::ray {
 
-/// Called with the share done in [0, 1], which never decreases; returning false cancels. Called
-/// from any thread, one at a time; throws nothing.
-using Progress = std::function<bool(double share)>;
+using base::Progress;
 
 /// A bounding volume hierarchy: a binary tree of boxes by the surface area heuristic, built on all
 /// cores. It is plain C++, for queries that Embree lacks and for builds without Embree.

@@ -61,7 +61,7 @@ class SceneCurves::Surfaces {
 public:
     /// @return null if `isEnded` or goesOn requests a stop. Throws std::bad_alloc.
     std::shared_ptr<const curves::SurfaceMesh> of(const std::shared_ptr<const Model> &model,
-                                                  const curves::GoesOn &goesOn)
+                                                  const base::Progress &goesOn)
     {
         const std::lock_guard lock(m_mutex);
         std::erase_if(m_kept, [](const auto &entry) { return entry.second.first.expired(); });
@@ -120,13 +120,13 @@ QString faultOf(const curves::CurveError &error, const std::vector<Landmark> &la
 
 /// @return `isComputing` stays set if it was cancelled
 template <class Request, class Surfaces>
-SceneCurves::Line worked(const Request &request, Surfaces &surfaces, const curves::GoesOn &goesOn)
+SceneCurves::Line worked(const Request &request, Surfaces &surfaces, const base::Progress &goesOn)
 {
     SceneCurves::Line line;
     try {
         // The shares of the surface, which takes no time if it exists, and of the line.
         constexpr double kSurface = 0.3;
-        const auto goesOnFrom = [&goesOn](double from, double to) -> curves::GoesOn {
+        const auto goesOnFrom = [&goesOn](double from, double to) -> base::Progress {
             return [&goesOn, from, to](double share) { return !goesOn || goesOn(from + (to - from) * share); };
         };
         const std::shared_ptr<const curves::SurfaceMesh> surface =

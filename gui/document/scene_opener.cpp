@@ -29,7 +29,7 @@ struct LoadedModel {
 /// The files that could be read, in the requested order, and the errors of the others.
 struct Loaded {
     std::vector<LoadedModel> models;
-    std::vector<ImportError> errors;
+    std::vector<base::Error> errors;
 };
 
 std::vector<SceneObject> objectsOf(const std::vector<LoadedModel> &models)
@@ -52,8 +52,11 @@ Result<Scene, QString> sceneOf(const Opening &asked, const std::vector<LoadedMod
         const auto isIt = [&file](const LoadedModel &loaded) { return loaded.file == file; };
         return opening::ReadModel(std::find_if(models.begin(), models.end(), isIt)->model);
     });
-    if (!objects)
-        return SceneOpener::tr("%1: %2").arg(origin.name, ended(objects.error()));
+    if (!objects) {
+        base::Error error = objects.error();
+        error.file = origin.name.toStdString();
+        return errorText(error);
+    }
     Result<Scene, SceneFileError> scene = sceneFromFile(asked.contents, origin.file, std::move(objects).value());
     if (!scene) {
         SceneFileError reason = scene.error();
@@ -74,7 +77,7 @@ void addNote(const std::vector<std::string> &keys, const QString &note, Opening 
 
 void add(const Loaded &loaded, Opened &opened)
 {
-    for (const ImportError &error : loaded.errors)
+    for (const base::Error &error : loaded.errors)
         opened.errors << errorText(error);
     if (opened.opening.kind != Opening::Kind::SceneFile) {
         opened.objects = objectsOf(loaded.models);

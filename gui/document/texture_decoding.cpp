@@ -1,5 +1,6 @@
 #include "gui/document/texture_decoding.h"
 
+#include "core/base/translation.h"
 #include "gui/text/error_text.h"
 
 #include <QBuffer>
@@ -12,6 +13,7 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace base;
 using namespace mesh;
 
 namespace {
@@ -34,7 +36,7 @@ std::shared_ptr<const Image> imageFrom(const QImage &picture)
     return image;
 }
 
-void decode(Texture &texture, std::vector<ModelNote> &notes)
+void decode(Texture &texture, std::vector<Note> &notes)
 {
     const std::string name = pathText(texture.file.filename()).toStdString();
     QByteArray bytes = QByteArray::fromRawData(reinterpret_cast<const char *>(texture.encoded.data()),
@@ -55,12 +57,17 @@ void decode(Texture &texture, std::vector<ModelNote> &notes)
     if (picture.width() > kMostTexturePixels || picture.height() > kMostTexturePixels)
         picture = picture.scaled(kMostTexturePixels, kMostTexturePixels, Qt::KeepAspectRatio, Qt::SmoothTransformation);
     if (picture.isNull()) {
-        notes.push_back({ModelNote::Kind::TextureUnusable, 0, name});
+        notes.push_back(
+            {marked("the image \"%1\" is damaged, too large or of an unknown format: its surfaces are shown "
+                    "without it; convert it to PNG or JPEG, or make it smaller"),
+             {name}});
     } else {
         texture.image = imageFrom(picture);
         if (isScaledDown)
-            notes.push_back(
-                {ModelNote::Kind::TextureScaledDown, static_cast<std::size_t>(texture.image->widthPixels), name});
+            notes.push_back({marked(texture.image->widthPixels == 1
+                                        ? "the image \"%1\" is too large and is shown with a width of %2 pixel"
+                                        : "the image \"%1\" is too large and is shown with a width of %2 pixels"),
+                             {name, std::to_string(texture.image->widthPixels)}});
     }
     texture.encoded = {};
 }
@@ -71,12 +78,18 @@ void decodeTextures(Model &model, const std::function<bool()> &goOn)
 {
     // Qt's limit is too low: 128 MB are an image of 5,800 by 5,800 pixels. kMostPixels replaces it.
     QImageReader::setAllocationLimit(0);
+    bool isAnyUnusable = false;
     for (Texture &texture : model.textures) {
         if (!goOn())
             return;
-        if (!texture.encoded.empty())
-            decode(texture, model.notes);
+        if (texture.encoded.empty())
+            continue;
+        decode(texture, model.notes);
+        isAnyUnusable = isAnyUnusable || !texture.image;
     }
+    if (isAnyUnusable && !QImageReader::supportedImageFormats().contains("jpeg"))
+        model.notes.push_back(
+            {marked("JPEG is not supported here: Qt's plugin for it is missing; convert the file to PNG")});
 }
 
 } // namespace unprojector::gui

@@ -1,7 +1,7 @@
 #include "gui/text/error_text.h"
 
+#include "core/base/path_text.h"
 #include "core/geometry/error_text.h"
-#include "core/mesh/import/import_error_text.h"
 #include "core/scene_file/scene_error_text.h"
 #include "gui/text/sentences.h"
 
@@ -10,8 +10,9 @@
 #include <QRegularExpression>
 #include <QTextDocument>
 
+#include <utility>
+
 namespace unprojector::gui {
-using namespace mesh;
 using namespace scene_file;
 using namespace geometry;
 namespace {
@@ -107,9 +108,11 @@ QString errorText(const base::ExpressionError &error, const QString &typed)
     Q_UNREACHABLE();
 }
 
-QString errorText(const ImportError &error)
+QString errorText(base::Error error)
 {
-    return Errors::tr("%1: %2", "a file: the message about it").arg(pathText(error.file), ended(reasonText(error)));
+    const QString file = pathText(base::pathFromUtf8(std::exchange(error.file, {})));
+    const QString text = ended(error.message());
+    return file.isEmpty() ? text : Errors::tr("%1: %2", "a file: the message about it").arg(file, text);
 }
 
 } // namespace unprojector::gui

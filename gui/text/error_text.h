@@ -1,17 +1,20 @@
 #pragma once
 
+#include "core/base/error.h"
 #include "core/base/expression.h"
 #include "core/geometry/result.h"
-#include "core/mesh/import/mesh_import.h"
 #include "core/scene_file/scene_file_error.h"
 
 #include <QString>
+
+#include <filesystem>
 
 namespace unprojector::gui {
 
 /// Core's errors as sentences for the window.
 QString errorText(const geometry::Error &error);
-QString errorText(const mesh::ImportError &error);
+/// "FILE: text." of an error without a line.
+QString errorText(base::Error error);
 /// Names the file and the position in it.
 QString errorText(const scene_file::SceneFileError &error);
 /// Explains why a typed text is not a number, with the position of the error.

@@ -1,17 +1,11 @@
 #include "gui/text/note_text.h"
 
-#include "core/mesh/import/note_text.h"
 #include "gui/text/sentences.h"
 
 #include <QCoreApplication>
-#include <QImageReader>
 #include <QStringList>
 
-#include <algorithm>
-
 namespace unprojector::gui {
-using namespace mesh;
-
 namespace {
 
 struct NoteTexts {
@@ -25,17 +19,11 @@ QString ofFile(const QString &fileName, const QString &said)
 
 } // namespace
 
-QString notesText(const QString &fileName, const std::vector<ModelNote> &notes)
+QString notesText(const QString &fileName, const std::vector<base::Note> &notes)
 {
     QStringList sentences;
-    for (const ModelNote &note : notes)
-        sentences << sentence(mesh::noteText(note));
-    const bool isUnusable = std::any_of(notes.begin(), notes.end(), [](const ModelNote &note) {
-        return note.kind == ModelNote::Kind::TextureUnusable;
-    });
-    if (isUnusable && !QImageReader::supportedImageFormats().contains("jpeg"))
-        sentences << NoteTexts::tr(
-            "JPEG is not supported here: Qt's plugin for it is missing. Convert the file to PNG.");
+    for (const base::Note &note : notes)
+        sentences << sentence(note.text());
     return sentences.isEmpty() ? QString() : ofFile(fileName, joinSentences(sentences));
 }
 

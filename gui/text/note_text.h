@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/base/note.h"
 #include "core/landmark_files/landmark_file.h"
-#include "core/mesh/mesh.h"
 
 #include <QString>
 
@@ -10,7 +10,7 @@
 namespace unprojector::gui {
 
 /// A model's import notes: core's sentences after the file's name; empty without any.
-QString notesText(const QString &fileName, const std::vector<mesh::ModelNote> &notes);
+QString notesText(const QString &fileName, const std::vector<base::Note> &notes);
 /// The import notes of a landmark file: core's words, a line each, after the file's name.
 QString landmarkNotesText(const QString &fileName, const std::vector<landmark_files::LandmarkNote> &notes);
 

@@ -5728,10 +5728,6 @@ Both are scaled to fit.</source>
         <comment>a file: the message about it</comment>
         <translation>%1：%2</translation>
     </message>
-    <message>
-        <source>JPEG is not supported here: Qt&apos;s plugin for it is missing. Convert the file to PNG.</source>
-        <translation>此处无法读取 JPEG：缺少 Qt 的相应插件。请转换为 PNG。</translation>
-    </message>
 </context>
 <context>
     <name>unprojector::gui::NumberGrid</name>

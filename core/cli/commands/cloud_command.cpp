@@ -1,3 +1,4 @@
+#include "core/base/byte_order.h"
 #include "core/base/number_text.h"
 #include "core/base/translation.h"
 #include "core/cli/commands/command.h"
@@ -10,7 +11,7 @@
 #include "core/clouds/depth_cloud.h"
 #include "core/clouds/depth_numbers.h"
 #include "core/clouds/organized_cloud.h"
-#include "core/images/byte_order.h"
+#include "core/geometry/error_text.h"
 
 #include <algorithm>
 #include <array>
@@ -53,7 +54,7 @@ template <class Scalar>
 void makeLittleEndian([[maybe_unused]] std::span<Scalar> values)
 {
     if constexpr (std::endian::native == std::endian::big) {
-        std::ranges::transform(values, values.begin(), images::withSwappedBytes<Scalar>);
+        std::ranges::transform(values, values.begin(), withSwappedBytes<Scalar>);
     }
 }
 

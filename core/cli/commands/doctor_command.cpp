@@ -449,7 +449,7 @@ ExitCode runDoctor(const DoctorOptions &options)
     if (given.points.empty())
         throw Refused();
     const Result<Diagnosis> diagnosis = diagnose(scene, given.points);
-    if (!diagnosis && diagnosis.error().code == ErrorCode::DepthOutsideRange)
+    if (!diagnosis && diagnosis.error().code == geometry::ErrorCode::DepthOutsideRange)
         refuse(depthRefused(given, diagnosis.error().value, scene.setup));
     const Diagnosis found = needed(diagnosis, options.scene);
     if (options.isJson)

@@ -7,7 +7,6 @@
 #include "core/cli/commands/refusal.h"
 #include "core/cli/rows/byte_stream.h"
 #include "core/cli/rows/csv_line.h"
-#include "core/mesh/import/note_text.h"
 #include "core/scene/measures.h"
 
 #include <cmath>
@@ -85,8 +84,8 @@ std::vector<std::string> notesOf(const std::vector<SceneObject> &objects)
     std::vector<std::string> notes;
     std::unordered_set<std::string> known;
     for (const SceneObject &object : objects) {
-        for (const ModelNote &note : object.model->notes) {
-            const std::string text = (objects.size() > 1 ? object.name + ": " : std::string()) + mesh::noteText(note);
+        for (const Note &note : object.model->notes) {
+            const std::string text = (objects.size() > 1 ? object.name + ": " : std::string()) + note.text();
             if (known.insert(text).second)
                 notes.push_back(text);
         }

@@ -56,10 +56,10 @@ bool isMeantAsScene(const std::string &file)
 namespace {
 
 template <class Value>
-Value neededOf(Result<Value, opening::OpeningError> result)
+Value neededOf(Expected<Value, base::Error> result)
 {
     if (!result)
-        refuse(result.error().message);
+        refuse(result.error().message());
     return std::move(result).value();
 }
 
@@ -76,8 +76,8 @@ OpenedScene openScene(const std::string &file)
 
 void checkReach(const OpenedScene &opened)
 {
-    if (const std::optional<opening::OpeningError> error = opening::unreachable(opened))
-        refuse(error->message);
+    if (const std::optional<base::Error> error = opening::unreachable(opened))
+        refuse(error->message());
 }
 
 std::uint64_t pixelsOf(const Setup &setup)

@@ -12,7 +12,6 @@
 #include "core/landmark_files/landmark_folder.h"
 #include "core/landmark_files/sliders.h"
 #include "core/landmark_files/specimen_table.h"
-#include "core/mesh/import/import_error_text.h"
 #include "core/mesh/import/mesh_import.h"
 #include "core/ray/tie_landmark.h"
 
@@ -55,7 +54,7 @@ public:
         const std::filesystem::path file = pathFromUtf8(mesh);
         const auto model = mesh::importModel(file, {});
         if (!model)
-            refuse(importErrorText(model.error()));
+            refuse(model.error().message());
         m_target = {utf8FromPath(file.filename()), ray::ClosestPlaces::build(*model, {})};
         m_size = m_target.places->model().bounds.diagonal();
     }

@@ -39,7 +39,7 @@ struct DracoMesh {
 
 /// Unpacks the data of KHR_draco_mesh_compression. Positions keep the rounding of the compression.
 /// @param expected  by the file: damaged data could ask for any amount of memory
-/// Throws Failure (Malformed) if the data are damaged or of another version than glTF's, or if they
+/// Throws Damage if the data are damaged or of another version than glTF's, or if they
 /// lack the expected counts or attributes.
 /// @pre hasDraco()
 DracoMesh unpackedDraco(std::span<const std::uint8_t> bytes, std::span<const DracoRequest> requests,

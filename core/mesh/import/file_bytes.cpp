@@ -18,36 +18,34 @@ constexpr std::size_t kBytesInTask = 4 << 20;
 
 } // namespace
 
-FileBytes::FileBytes(const std::filesystem::path &file, ProgressReporter *progress)
+FileBytes::FileBytes(const std::filesystem::path &file, base::Reporter *progress)
 {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(file, error);
     if (error)
-        throw Failure(ImportErrorCode::NotReadable, base::systemErrorText(error));
+        failUnreadable(base::systemErrorText(error));
     // A pipe or a device has no size and may never end.
     if (!std::filesystem::is_regular_file(status))
-        throw Failure(ImportErrorCode::NotReadable, tr("it is a pipe or a device"));
+        failUnreadable(tr("it is a pipe or a device"));
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     if (error || !std::ifstream(file, std::ios::binary))
-        throw Failure(ImportErrorCode::NotReadable);
+        failUnreadable();
     m_size = static_cast<std::size_t>(size);
     m_bytes = std::make_unique_for_overwrite<std::uint8_t[]>(m_size);
 
-    std::function<void(double)> report;
-    if (progress)
-        report = [progress](double share) { progress->report(share); };
+    const std::function<void(double)> report = progress ? progress->part() : nullptr;
     base::inParallelRanges(m_size, kBytesInTask, report, [&](std::size_t begin, std::size_t end) {
         std::ifstream stream;
         stream.rdbuf()->pubsetbuf(nullptr, 0); // unbuffered: bytes are read directly to their destination
         stream.open(file, std::ios::binary);
         stream.seekg(static_cast<std::streamoff>(begin));
         if (!stream)
-            throw Failure(ImportErrorCode::NotReadable);
+            failUnreadable();
         if (stream.read(reinterpret_cast<char *>(m_bytes.get() + begin), static_cast<std::streamsize>(end - begin)))
             return;
         if (stream.eof())
             failMalformed(tr("another program shortened it while it was read; open it again when that is done"));
-        throw Failure(ImportErrorCode::NotReadable);
+        failUnreadable();
     });
 }
 

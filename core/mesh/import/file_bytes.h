@@ -14,8 +14,8 @@ namespace unprojector::mesh::reader {
 /// file crashes its readers.
 class FileBytes {
 public:
-    /// Throws Failure (NotReadable; Malformed if the file shrinks while it is read; Cancelled).
-    explicit FileBytes(const std::filesystem::path &file, ProgressReporter *progress = nullptr);
+    /// Throws base::Error, base::Stopped.
+    explicit FileBytes(const std::filesystem::path &file, base::Reporter *progress = nullptr);
 
     std::span<const std::uint8_t> bytes() const { return {m_bytes.get(), m_size}; }
 

@@ -10,7 +10,7 @@ namespace unprojector::mesh::reader {
 /// Unpacks the primitives packed by KHR_draco_mesh_compression, and gives them accessors as if the
 /// file had the data unpacked.
 /// @param meshes  the numbers of the shown meshes
-/// Throws Failure: Malformed if the data are damaged or contradict the file; Unsupported if the
+/// Throws Damage if the data are damaged or contradict the file; base::Error if the
 /// program is built without Draco and the file has no fallback.
 void unpackDraco(GltfFile &file, const std::set<std::uint64_t> &meshes);
 

@@ -10,6 +10,7 @@
 #include <string>
 
 namespace unprojector::mesh::reader {
+using base::marked;
 using base::tr;
 
 namespace {
@@ -225,14 +226,13 @@ const Json *extensionOf(const Json &object, const char *name)
 void failWithoutLibrary(std::string_view name)
 {
     const Unpacker unpacker = unpackerOf(name);
-    throw Failure(
-        ImportErrorCode::Unsupported,
+    failUnsupported(
         tr("it needs the glTF extension %1, and this program was built without the library %2, which unpacks it; "
            "build it with -D%3=ON, or export the file without the extension",
            name, unpacker.library, unpacker.option));
 }
 
-void checkExtensions(const GltfFile &file, std::vector<ModelNote> &notes)
+void checkExtensions(const GltfFile &file, std::vector<base::Note> &notes)
 {
     const std::set<std::string> required = namesIn(file, "extensionsRequired");
     for (const std::string &name : required) {
@@ -242,21 +242,27 @@ void checkExtensions(const GltfFile &file, std::vector<ModelNote> &notes)
             if (!unpackerOf(name).isThere)
                 failWithoutLibrary(name);
             break;
-        case GltfExtension::LeavesShape: notes.push_back({ModelNote::Kind::ExtensionLeftOut, 0, name}); break;
+        case GltfExtension::LeavesShape:
+            notes.push_back({marked("the glTF extension \"%1\", which the file requires, is not applied: the shape is "
+                                    "whole without it, but colours, light, motion or data may be missing"),
+                             {name}});
+            break;
         case GltfExtension::ChangesShape:
-            throw Failure(ImportErrorCode::Unsupported,
-                          tr("it needs the glTF extension %1, which is not supported; export it without", name));
+            failUnsupported(tr("it needs the glTF extension %1, which is not supported; export it without", name));
         case GltfExtension::Unknown:
-            throw Failure(ImportErrorCode::Unsupported,
-                          tr("it needs the glTF extension %1, which is not known here and may change the shape; export "
-                             "it without",
-                             name));
+            failUnsupported(
+                tr("it needs the glTF extension %1, which is not known here and may change the shape; export "
+                   "it without",
+                   name));
         }
     }
     for (const std::string &name : namesIn(file, "extensionsUsed")) {
         const GltfExtension meaning = gltfExtension(name);
         if (meaning == GltfExtension::ChangesShape || (meaning == GltfExtension::Unpacked && !unpackerOf(name).isThere))
-            notes.push_back({ModelNote::Kind::SubstituteShown, 0, name});
+            notes.push_back(
+                {marked("the glTF extension \"%1\" is not supported: the shape that the file has without it "
+                        "is shown"),
+                 {name}});
     }
 }
 

@@ -23,15 +23,15 @@ GltfExtension gltfExtension(std::string_view name);
 /// The value of an object's extension, or null.
 const Json *extensionOf(const Json &object, const char *name);
 
-/// Throws Failure (Unsupported): the program is built without the library that unpacks an
+/// Throws base::Error: the program is built without the library that unpacks an
 /// extension.
 /// @pre  gltfExtension(name) is Unpacked
 [[noreturn]] void failWithoutLibrary(std::string_view name);
 
 /// Adds a note for each required extension that is not applied, and for each optional one that
 /// changes the shape.
-/// Throws Failure (Unsupported) if a required one changes the shape, or may, or needs a missing
+/// Throws base::Error if a required one changes the shape, or may, or needs a missing
 /// library.
-void checkExtensions(const GltfFile &file, std::vector<ModelNote> &notes);
+void checkExtensions(const GltfFile &file, std::vector<base::Note> &notes);
 
 } // namespace unprojector::mesh::reader

@@ -1,5 +1,6 @@
 #include "core/mesh/import/gltf_file.h"
 
+#include "core/base/byte_order.h"
 #include "core/base/json_syntax.h"
 #include "core/base/translation.h"
 #include "core/mesh/import/gltf_extensions.h"
@@ -26,8 +27,7 @@ constexpr std::uint32_t kBinChunk = 0x004e4942;
 
 std::uint32_t wordAt(std::span<const std::uint8_t> bytes, std::size_t at)
 {
-    return std::uint32_t{bytes[at]} | std::uint32_t{bytes[at + 1]} << 8 | std::uint32_t{bytes[at + 2]} << 16
-           | std::uint32_t{bytes[at + 3]} << 24;
+    return base::numberAt<std::uint32_t>(bytes.data() + at);
 }
 
 bool isGlb(const Source &source)
@@ -37,8 +37,7 @@ bool isGlb(const Source &source)
 
 [[noreturn]] void failOtherVersion(const std::string &version)
 {
-    throw Failure(ImportErrorCode::Unsupported,
-                  tr("it is glTF %1, and only glTF 2.0 can be read; convert it to glTF 2.0", version));
+    failUnsupported(tr("it is glTF %1, and only glTF 2.0 can be read; convert it to glTF 2.0", version));
 }
 
 struct Chunks {
@@ -46,7 +45,7 @@ struct Chunks {
     std::span<const std::uint8_t> binary;
 };
 
-Chunks chunksOfGlb(const Source &source, std::vector<ModelNote> &notes)
+Chunks chunksOfGlb(const Source &source, std::vector<base::Note> &notes)
 {
     std::span<const std::uint8_t> bytes = source.bytes;
     if (bytes.size() < 4 || wordAt(bytes, 0) != kGlbMagic)
@@ -61,8 +60,7 @@ Chunks chunksOfGlb(const Source &source, std::vector<ModelNote> &notes)
     };
     if (declared > bytes.size() || declared < 20)
         failOtherSize();
-    if (const std::size_t more = bytesThatMean(bytes.subspan(declared)); more > 0)
-        notes.push_back({ModelNote::Kind::BytesLeftOut, more, {}});
+    noteBytesBehind(notes, bytesThatMean(bytes.subspan(declared)));
     bytes = bytes.first(declared);
     Chunks chunks;
     for (std::size_t at = 12; at + 8 <= bytes.size();) {
@@ -287,7 +285,7 @@ std::optional<std::vector<std::uint8_t>> dataFromUri(std::string_view uri)
     return fromBase64(uri.substr(comma + 1));
 }
 
-GltfFile::GltfFile(const Source &source, std::vector<ModelNote> &notes) : m_source(source), m_notes(notes)
+GltfFile::GltfFile(const Source &source, std::vector<base::Note> &notes) : m_source(source), m_notes(notes)
 {
     m_isGlb = isGlb(source);
     const Chunks chunks = m_isGlb ? chunksOfGlb(source, m_notes) : Chunks{source.text(), {}};
@@ -358,7 +356,7 @@ GltfFile::Buffer GltfFile::readBuffer(const std::string &address)
     try {
         buffer.file = std::make_unique<FileBytes>(file);
         m_bufferFiles.push_back(file);
-    } catch (const Failure &) {
+    } catch (const base::Error &) {
         failMalformed(tr("the file \"%1\", which it needs, cannot be read; check its permissions", address));
     }
     noteIfOutside(m_notes, m_source.file, file, address);

@@ -19,14 +19,14 @@ namespace unprojector::mesh::reader {
 
 using Json = nlohmann::json;
 
-/// A glTF or GLB file: its JSON, and the bytes that it refers to. All functions throw Failure
-/// (Malformed) if the file violates glTF 2.0.
+/// A glTF or GLB file: its JSON, and the bytes that it refers to. All functions throw Damage
+/// if the file violates glTF 2.0.
 class GltfFile {
 public:
     /// @param notes  gets one for each file read outside the model's folder
-    /// Throws Failure (Malformed) if the file is neither glTF nor GLB, Failure (Unsupported) for
+    /// Throws Damage if the file is neither glTF nor GLB, base::Error for
     /// another version than 2.
-    GltfFile(const Source &source, std::vector<ModelNote> &notes);
+    GltfFile(const Source &source, std::vector<base::Note> &notes);
 
     const Source &source() const { return m_source; }
     const Json &root() const { return m_root; }
@@ -69,7 +69,7 @@ private:
     std::span<const std::uint8_t> bytesOf(const Json &view);
 
     const Source &m_source;
-    std::vector<ModelNote> &m_notes;
+    std::vector<base::Note> &m_notes;
     Json m_root;
     bool m_isGlb = false;
     std::span<const std::uint8_t> m_binary;         ///< GLB's chunk
@@ -79,7 +79,7 @@ private:
 };
 
 /// The contents of a "data:" address; nothing for any other address.
-/// Throws Failure (Malformed) if they are broken.
+/// Throws Damage if they are broken.
 std::optional<std::vector<std::uint8_t>> dataFromUri(std::string_view uri);
 
 } // namespace unprojector::mesh::reader

@@ -2,6 +2,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/translation.h"
+#include "core/mesh/import/gltf_extensions.h"
 #include "core/mesh/import/gltf_nodes.h"
 #include "core/mesh/import/gltf_values.h"
 
@@ -20,8 +21,7 @@ constexpr const char *kAttributes[] = {"TRANSLATION", "ROTATION", "SCALE"};
 /// The extension's attributes, or null if the node has none that transform an instance.
 const Json *instanceAttributes(const Json &node)
 {
-    const Json *extensions = GltfFile::find(node, "extensions");
-    const Json *instancing = extensions ? GltfFile::find(*extensions, "EXT_mesh_gpu_instancing") : nullptr;
+    const Json *instancing = extensionOf(node, "EXT_mesh_gpu_instancing");
     const Json *attributes = instancing ? GltfFile::find(*instancing, "attributes") : nullptr;
     for (const char *name : kAttributes) {
         if (attributes && GltfFile::find(*attributes, name))

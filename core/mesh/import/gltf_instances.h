@@ -11,7 +11,7 @@
 namespace unprojector::mesh::reader {
 
 /// The number of times that a node shows its mesh: by EXT_mesh_gpu_instancing, else one.
-/// Throws Failure (Malformed); so does nodeFromInstances.
+/// Throws Damage; so does nodeFromInstances.
 std::size_t instanceCount(const GltfFile &file, const Json &node);
 
 /// nodeFromInstance of each instance: the extension's translation * rotation * scale. One identity

@@ -1,24 +1,19 @@
 #include "core/mesh/import/gltf_materials.h"
 
 #include "core/base/translation.h"
+#include "core/mesh/import/gltf_extensions.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 namespace unprojector::mesh::reader {
+using base::marked;
 using base::tr;
 
 namespace {
 
 constexpr std::uint64_t kClampToEdge = 33071;
-
-/// An extension of an object, or null.
-const Json *extensionOf(const Json &object, const char *name)
-{
-    const Json *extensions = GltfFile::find(object, "extensions");
-    return extensions ? GltfFile::find(*extensions, name) : nullptr;
-}
 
 std::optional<glm::vec4> colorOf(const Json &object, const char *key)
 {
@@ -99,7 +94,10 @@ std::optional<int> GltfMaterials::textureNumber(const Json &texture)
         wrapRepeat = GltfFile::number(sampler, "wrapS", 0) != kClampToEdge;
     }
     if (!GltfFile::find(texture, "source")) {
-        m_model.notes.push_back({ModelNote::Kind::PictureUnknown, 1, {}}); // unless an extension has it
+        // Unless an extension has it.
+        base::addNote(m_model.notes, 1,
+                      marked("%1 texture has neither a PNG nor a JPEG image: its surfaces are shown without it"),
+                      marked("%1 textures have neither PNG nor JPEG images: their surfaces are shown without them"));
         return std::nullopt;
     }
     const Json &image = m_file.reference(texture, "source", "images");

@@ -2,6 +2,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/translation.h"
+#include "core/mesh/import/gltf_extensions.h"
 
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -12,6 +13,7 @@
 
 namespace unprojector::mesh::reader {
 using namespace geometry;
+using base::marked;
 using base::tr;
 
 namespace {
@@ -45,8 +47,7 @@ const Json *numbers(const Json &node, const char *key, std::size_t count)
 /// Returns whether a node and all its descendants are hidden.
 bool isHidden(const Json &node)
 {
-    const Json *extensions = GltfFile::find(node, "extensions");
-    const Json *visibility = extensions ? GltfFile::find(*extensions, "KHR_node_visibility") : nullptr;
+    const Json *visibility = extensionOf(node, "KHR_node_visibility");
     const Json *visible = visibility ? GltfFile::find(*visibility, "visible") : nullptr;
     return visible && *visible == false;
 }
@@ -157,7 +158,7 @@ std::vector<std::size_t> GltfNodes::nodeList(const Json &object, const char *key
     return list;
 }
 
-GltfNodes::GltfNodes(const GltfFile &file, std::vector<ModelNote> &notes) : m_file(file)
+GltfNodes::GltfNodes(const GltfFile &file, std::vector<base::Note> &notes) : m_file(file)
 {
     const Json &nodes = m_file.array("nodes");
     m_parents.assign(nodes.size(), kNone);
@@ -175,7 +176,7 @@ GltfNodes::GltfNodes(const GltfFile &file, std::vector<ModelNote> &notes) : m_fi
         setRoots(nodeList(scene, "nodes"), notes);
         return;
     }
-    notes.push_back({ModelNote::Kind::SceneMissing, 0, {}});
+    notes.push_back({marked("the file has no scene: all its nodes are shown")});
     for (std::size_t n = 0; n < nodes.size(); ++n) {
         if (m_parents[n] == kNone)
             m_roots.push_back(n);
@@ -184,7 +185,7 @@ GltfNodes::GltfNodes(const GltfFile &file, std::vector<ModelNote> &notes) : m_fi
         failNoTree();
 }
 
-void GltfNodes::setRoots(const std::vector<std::size_t> &listed, std::vector<ModelNote> &notes)
+void GltfNodes::setRoots(const std::vector<std::size_t> &listed, std::vector<base::Note> &notes)
 {
     std::vector<bool> areListed(m_parents.size()), areRoots(m_parents.size());
     for (const std::size_t node : listed)
@@ -200,8 +201,9 @@ void GltfNodes::setRoots(const std::vector<std::size_t> &listed, std::vector<Mod
             m_roots.push_back(node);
         areRoots[node] = node == top;
     }
-    if (m_roots.size() < listed.size())
-        notes.push_back({ModelNote::Kind::NodesListedAgain, listed.size() - m_roots.size(), {}});
+    base::addNote(notes, listed.size() - m_roots.size(),
+                  marked("the scene lists %1 node twice or beside its parent: it is shown once"),
+                  marked("the scene lists %1 nodes twice or beside their parents: each is shown once"));
 }
 
 std::size_t GltfNodes::topOf(std::size_t node) const

@@ -15,12 +15,12 @@
 namespace unprojector::mesh::reader {
 
 /// The nodes that a glTF file shows: the nodes of its default scene, or all if it has no scene.
-/// Throws Failure (Malformed) if they form no tree.
+/// Throws Damage if they form no tree.
 class GltfNodes {
 public:
     /// @param notes  gets one if the file has no scene, or if its scene lists a node twice or
     ///         beside its ancestor
-    GltfNodes(const GltfFile &file, std::vector<ModelNote> &notes);
+    GltfNodes(const GltfFile &file, std::vector<base::Note> &notes);
 
     /// Calls `visit` with every node and its worldFromNode, parents first, in the file's order.
     /// Skips nodes that the file hides (KHR_node_visibility), and their descendants.
@@ -41,7 +41,7 @@ private:
 
     geometry::PreciseMatrix parentFromNode(std::size_t node) const;
     /// @param listed  the nodes that the scene lists; some programs also list descendants of others
-    void setRoots(const std::vector<std::size_t> &listed, std::vector<ModelNote> &notes);
+    void setRoots(const std::vector<std::size_t> &listed, std::vector<base::Note> &notes);
     /// The root above a node; kNone if the parents form a cycle.
     std::size_t topOf(std::size_t node) const;
 

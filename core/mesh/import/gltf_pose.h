@@ -21,7 +21,7 @@ public:
 
     /// worldFromJoint * jointFromMesh for every joint of a node's skin; jointFromMesh is the
     /// inverse bind matrix. The span is valid as long as this object.
-    /// Throws Failure (Malformed).
+    /// Throws Damage.
     std::span<const glm::dmat4> worldFromMeshByJoint(const Json &node);
 
 private:
@@ -47,7 +47,7 @@ public:
     /// Returns whether joints move a primitive's vertices.
     static bool isSkinned(const Json &attributes);
 
-    /// The vertex's position in world space. Throws Failure (Malformed) if it refers to a joint
+    /// The vertex's position in world space. Throws Damage if it refers to a joint
     /// that the skin does not have.
     glm::dvec3 position(std::size_t vertex, const glm::dvec3 &inMesh) const;
     /// The normal in world space, of length 1, or zero if it has no direction.

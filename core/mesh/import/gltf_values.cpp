@@ -1,5 +1,6 @@
 #include "core/mesh/import/gltf_values.h"
 
+#include "core/base/byte_order.h"
 #include "core/base/translation.h"
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <utility>
 
 namespace unprojector::mesh::reader {
+using base::numberAt;
 using base::tr;
 
 namespace {
@@ -40,16 +42,6 @@ std::size_t componentsOf(const Json &accessor)
             return components;
     }
     failMalformed(tr("an accessor has an unknown type"));
-}
-
-/// Reads a little-endian value on any machine.
-template <class Value>
-Value valueAt(const std::uint8_t *place)
-{
-    Value value = 0;
-    for (std::size_t byte = sizeof(Value); byte-- > 0;)
-        value = static_cast<Value>(static_cast<std::uint64_t>(value) << 8 | place[byte]);
-    return value;
 }
 
 } // namespace
@@ -126,16 +118,16 @@ std::int64_t GltfValues::integerAt(std::size_t element, std::size_t component) c
     switch (m_type) {
     case 5120: return static_cast<std::int8_t>(*place);
     case 5121: return *place;
-    case 5122: return static_cast<std::int16_t>(valueAt<std::uint16_t>(place));
-    case 5123: return valueAt<std::uint16_t>(place);
-    default: return valueAt<std::uint32_t>(place);
+    case 5122: return numberAt<std::int16_t>(place);
+    case 5123: return numberAt<std::uint16_t>(place);
+    default: return numberAt<std::uint32_t>(place);
     }
 }
 
 double GltfValues::at(std::size_t element, std::size_t component) const
 {
     if (m_type == kFloat)
-        return static_cast<double>(std::bit_cast<float>(valueAt<std::uint32_t>(placeOf(element, component))));
+        return static_cast<double>(numberAt<float>(placeOf(element, component)));
     const auto value = static_cast<double>(integerAt(element, component));
     if (!m_isNormalized)
         return value;

@@ -15,7 +15,7 @@ namespace unprojector::mesh::reader {
 class GltfValues {
 public:
     /// @param accessor  of the file
-    /// Throws Failure (Malformed) if it exceeds its bytes.
+    /// Throws Damage if it exceeds its bytes.
     GltfValues(GltfFile &file, const Json &accessor);
 
     std::size_t count() const { return m_count; }

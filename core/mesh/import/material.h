@@ -4,7 +4,17 @@
 
 #include <glm/vec4.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
 namespace unprojector::mesh::reader {
+
+/// A colour's channel. NaN becomes 0.
+inline std::uint8_t byteFromShare(double share)
+{
+    return share > 0.0 ? static_cast<std::uint8_t>(std::lround(std::min(share, 1.0) * 255.0)) : std::uint8_t{0};
+}
 
 /// The colour that a material of a model file gives a surface. It is multiplied with the texture
 /// and the vertex colours.

@@ -77,7 +77,7 @@ Box checkMesh(Mesh &mesh, std::size_t firstVertex, const std::function<void(doub
             const glm::vec3 &position = mesh.positions[v];
             // A cheap test first: the sum of finite numbers may overflow, but rarely does.
             if (!std::isfinite(position.x + position.y + position.z) && !isFinite(position))
-                throw Failure(ImportErrorCode::NotFinite, {}, firstVertex + v);
+                failNotFinite(firstVertex + v);
             if (mesh.indices.empty())
                 own.add(mesh, v);
         }
@@ -129,14 +129,18 @@ void noteWhatIsNotSeen(Model &model)
     std::size_t flat = 0;
     for (const Mesh &mesh : model.meshes)
         flat += flatTriangles(mesh);
-    if (flat > 0)
-        model.notes.push_back({ModelNote::Kind::FlatTriangles, flat, {}});
+    addNote(model.notes, flat,
+            marked("not drawn: %1 triangle whose corners are equal or on one line in single precision"),
+            marked("not drawn: %1 triangles whose corners are equal or on one line in single precision"));
     // Graphics cards flush values below 1.2e-38 to 0; this margin keeps the digits of floats.
     constexpr double kLeastDrawn = 1e-30;
     const glm::dvec3 size = model.bounds.highest - model.bounds.lowest;
     const double largest = std::max({size.x, size.y, size.z});
     if (largest > 0.0 && largest < kLeastDrawn)
-        model.notes.push_back({ModelNote::Kind::TooSmallToDraw, 0, base::shortestText(largest)});
+        model.notes.push_back(
+            {marked("cannot be drawn: graphics cards round %1, which the model measures, to 0 or to few "
+                    "digits; scale it up"),
+             {shortestText(largest)}});
 }
 
 /// Keeps usable normals, and computes missing ones if that pays off.
@@ -177,11 +181,11 @@ void dropPlainNumbers(Model &model)
         mesh.vertexNumbers = {};
 }
 
-void finishModel(Model &model, ProgressReporter &progress)
+void finishModel(Model &model, base::Reporter &progress)
 {
     std::erase_if(model.meshes, [](const Mesh &mesh) { return mesh.triangleCount() == 0 && mesh.pointCount() == 0; });
     if (model.meshes.empty())
-        throw Failure(ImportErrorCode::NoTriangles);
+        failEmpty();
     std::size_t total = 0;
     bool isSoup = false;
     for (const Mesh &mesh : model.meshes) {
@@ -209,18 +213,6 @@ void finishModel(Model &model, ProgressReporter &progress)
     if (model.fileVertices == 0 && !isSoup)
         model.fileVertices = firstVertex;
     noteWhatIsNotSeen(model);
-}
-
-/// Merges the notes about files outside the model's folder into one: a model may have many images
-/// in another folder.
-void gatherFilesOutside(std::vector<ModelNote> &notes)
-{
-    const auto isOutside = [](const ModelNote &note) { return note.kind == ModelNote::Kind::ReadOutside; };
-    const auto first = std::find_if(notes.begin(), notes.end(), isOutside);
-    if (first == notes.end())
-        return;
-    first->count = static_cast<std::size_t>(std::count_if(first, notes.end(), isOutside));
-    notes.erase(std::remove_if(first + 1, notes.end(), isOutside), notes.end());
 }
 
 using Reader = Model (*)(const Source &);
@@ -261,33 +253,41 @@ Model readAs(Reader reader, const Source &source)
 {
     try {
         return reader(source);
-    } catch (Failure &failure) {
+    } catch (Damage &damage) {
         const std::string advice = adviceByContents(source.text().substr(0, kStartBytes), source.suffix);
-        if (failure.code == ImportErrorCode::Malformed && !advice.empty())
-            failure.detail += "; " + advice;
+        if (!advice.empty())
+            damage.text += "; " + advice;
         throw;
     }
 }
 
-Model import(const std::filesystem::path &file, ProgressReporter &progress)
+Model import(const std::filesystem::path &file, base::Reporter &progress)
 {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(file, error);
     if (status.type() == std::filesystem::file_type::not_found)
-        throw Failure(ImportErrorCode::NotFound);
+        throw base::Error{.text = tr("there is no such file; check the name and the folder"),
+                          .kind = base::Error::Kind::NoFile};
     if (status.type() == std::filesystem::file_type::directory)
-        throw Failure(ImportErrorCode::IsDirectory);
+        throw base::Error{.text = tr("this is a folder; give a model file in it"), .kind = base::Error::Kind::File};
     if (error) // links in a circle, for example: nothing is known of the contents
-        throw Failure(ImportErrorCode::NotReadable, base::systemErrorText(error));
+        failUnreadable(base::systemErrorText(error));
     const std::string suffix = lowerCaseSuffix(file);
     const Reader reader = readerFor(suffix);
-    if (!reader)
-        throw Failure(ImportErrorCode::UnknownFormat, adviceByContents(startOf(file), suffix));
+    if (!reader) {
+        const std::string advice = adviceByContents(startOf(file), suffix);
+        throw base::Error{
+            tr(advice.empty()
+                   ? "this is not a model that can be read here; give OBJ, STL, PLY, OFF, glTF or GLB. For a camera, "
+                     "use 'unproject scene' or Paste Camera"
+                   : "this is not a model that can be read here; give OBJ, STL, PLY, OFF, glTF or GLB; %1",
+               advice)};
+    }
 
     progress.beginStage(0.0, 0.1);
     const FileBytes contents(file, &progress);
     if (contents.bytes().empty())
-        throw Failure(ImportErrorCode::EmptyFile);
+        throw base::Error{tr("the file is empty")};
     progress.beginStage(0.1, 0.7);
     std::string converted;
     const std::span<const std::uint8_t> bytes =
@@ -327,20 +327,56 @@ std::span<const std::uint8_t> withoutByteOrderMark(std::span<const std::uint8_t>
     return {reinterpret_cast<const std::uint8_t *>(converted.data()), converted.size()};
 }
 
-void ProgressReporter::beginStage(double from, double to)
+void failAtLine(std::size_t line, const std::string &text)
 {
-    m_from = from;
-    m_to = to;
-    report(0.0);
+    failMalformed(tr("line %1: %2", line, text));
 }
 
-void ProgressReporter::report(double share)
+void failUnsupported(const std::string &text)
 {
-    m_last = std::max(m_last, m_from + (m_to - m_from) * std::clamp(share, 0.0, 1.0));
-    if (!m_cancelled && m_callback)
-        m_cancelled = !m_callback(std::min(m_last, 1.0));
-    if (m_cancelled)
-        throw Failure(ImportErrorCode::Cancelled);
+    throw base::Error{tr("the file cannot be shown: %1", text)};
+}
+
+void failNotFinite(std::size_t vertex)
+{
+    throw base::Error{tr("vertex %1 is NaN, infinite, or beyond 3.4e38", vertex)};
+}
+
+void failUnreadable(const std::string &reason)
+{
+    throw base::Error{.text = tr(reason.empty() ? "the file cannot be read; check its permissions"
+                                                : "the file cannot be read; check its permissions (%1)",
+                                 reason),
+                      .kind = base::Error::Kind::File};
+}
+
+void failEmpty()
+{
+    throw base::Error{tr("the file holds neither triangles nor points")};
+}
+
+void noteLines(std::vector<Note> &notes, std::size_t count)
+{
+    addNote(notes, count, marked("%1 line or point is not shown"), marked("%1 lines and points are not shown"));
+}
+
+void noteVerticesWithMore(std::vector<Note> &notes, std::size_t count)
+{
+    addNote(notes, count, marked("%1 vertex has words behind the coordinates that are not used"),
+            marked("%1 vertices have words behind the coordinates that are not used"));
+}
+
+void noteBytesBehind(std::vector<Note> &notes, std::size_t count)
+{
+    addNote(notes, count, marked("%1 byte behind all that the file declares is not used"),
+            marked("%1 bytes behind all that the file declares are not used"));
+}
+
+void noteParts(std::vector<Note> &notes, std::size_t count, const std::string &name)
+{
+    if (count > 0)
+        notes.push_back({marked(count == 1 ? "\"%1\" is not shown" : "\"%1\" is not shown (%2 times)"),
+                         {name, std::to_string(count)}});
 }
 
 std::size_t bytesThatMean(std::span<const std::uint8_t> bytes)
@@ -353,27 +389,42 @@ std::size_t bytesThatMean(std::span<const std::uint8_t> bytes)
 
 } // namespace reader
 
-Result<std::shared_ptr<Model>, ImportError> importModel(const std::filesystem::path &file,
-                                                        const ImportProgress &progress)
+base::Error stoppedReading(const std::filesystem::path &file)
 {
-    reader::ProgressReporter reporter(progress);
-    ImportError error{ImportErrorCode::Malformed, file, {}, 0};
+    return {.text = tr("reading was stopped"), .file = utf8FromPath(file), .kind = base::Error::Kind::Stopped};
+}
+
+base::Error tooLargeForMemory(const std::filesystem::path &file)
+{
+    return {.text = tr("the file is too large for the memory of this computer"),
+            .file = utf8FromPath(file),
+            .kind = base::Error::Kind::OutOfMemory};
+}
+
+Expected<std::shared_ptr<Model>, base::Error> importModel(const std::filesystem::path &file, const Progress &progress)
+{
+    Reporter reporter(progress);
+    base::Error error;
     try {
-        return std::make_shared<Model>(reader::import(file, reporter));
-    } catch (const reader::Failure &failure) {
-        error.code = failure.code;
-        error.detail = failure.detail;
-        error.index = failure.index;
+        try {
+            return std::make_shared<Model>(reader::import(file, reporter));
+        } catch (const std::system_error &failure) {
+            reader::failUnreadable(systemErrorText(failure.code()));
+        }
+    } catch (const reader::Damage &damage) {
+        error.text = tr("the file is damaged: %1", damage.text);
+    } catch (const base::Error &other) {
+        error = other;
+    } catch (const Stopped &) {
+        return stoppedReading(file);
     } catch (const std::bad_alloc &) {
-        error.code = ImportErrorCode::OutOfMemory;
+        return tooLargeForMemory(file);
     } catch (const std::length_error &) {
-        error.code = ImportErrorCode::OutOfMemory;
-    } catch (const std::system_error &failure) {
-        error.code = ImportErrorCode::NotReadable;
-        error.detail = base::systemErrorText(failure.code());
+        return tooLargeForMemory(file);
     } catch (const std::exception &) {
-        error.detail = tr("its reader failed, which is an error of this program");
+        error.text = tr("the file is damaged: %1", tr("its reader failed, which is an error of this program"));
     }
+    error.file = utf8FromPath(file);
     return error;
 }
 

@@ -1,7 +1,7 @@
 #include "core/mesh/import/mesh_normals.h"
 
 #include "core/base/parallel.h"
-#include "core/mesh/position_hash.h"
+#include "core/mesh/numbering.h"
 
 #include <glm/geometric.hpp>
 
@@ -23,11 +23,6 @@ constexpr std::uint32_t kEmpty = 0xffffffffu;
 constexpr std::size_t kTrianglesBetweenReports = 1 << 16;
 /// A few milliseconds of work.
 constexpr std::size_t kTrianglesInTask = 1 << 15;
-
-std::size_t slotCountFor(std::size_t count)
-{
-    return std::bit_ceil(std::max<std::size_t>(16, count + count / 2));
-}
 
 /// A triangle's unit normal, and its area in units that keep the sums far from overflow.
 struct FaceNormal {
@@ -196,39 +191,6 @@ std::uint32_t appendCopy(Mesh &mesh, std::uint32_t vertex)
 
 } // namespace
 
-PositionIndex::PositionIndex(std::size_t expectedCount) : m_slots(slotCountFor(expectedCount), kEmpty)
-{
-    m_positions.reserve(expectedCount);
-}
-
-std::uint32_t PositionIndex::add(const glm::vec3 &position)
-{
-    if (m_positions.size() + m_positions.size() / 4 >= m_slots.size())
-        grow();
-    const std::size_t mask = m_slots.size() - 1;
-    std::size_t slot = hashOf(position) & mask;
-    while (m_slots[slot] != kEmpty) {
-        if (m_positions[m_slots[slot]] == position)
-            return m_slots[slot];
-        slot = (slot + 1) & mask;
-    }
-    m_slots[slot] = static_cast<std::uint32_t>(m_positions.size());
-    m_positions.push_back(position);
-    return m_slots[slot];
-}
-
-void PositionIndex::grow()
-{
-    m_slots.assign(m_slots.size() * 2, kEmpty);
-    const std::size_t mask = m_slots.size() - 1;
-    for (std::size_t i = 0; i < m_positions.size(); ++i) {
-        std::size_t slot = hashOf(m_positions[i]) & mask;
-        while (m_slots[slot] != kEmpty)
-            slot = (slot + 1) & mask;
-        m_slots[slot] = static_cast<std::uint32_t>(i);
-    }
-}
-
 void mergeEqualVertices(Mesh &mesh)
 {
     const bool hasNormals = !mesh.normals.empty();
@@ -247,34 +209,28 @@ void mergeEqualVertices(Mesh &mesh)
         mesh.indices.resize(mesh.positions.size());
         std::iota(mesh.indices.begin(), mesh.indices.end(), 0u);
     }
-    std::vector<std::uint32_t> slots(slotCountFor(mesh.positions.size()), kEmpty);
-    std::vector<std::uint32_t> mergedFromOld(mesh.positions.size(), kEmpty);
-    std::vector<std::uint32_t> oldFromMerged;
-    const std::size_t mask = slots.size() - 1;
-    for (std::uint32_t &index : mesh.indices) {
-        if (mergedFromOld[index] == kEmpty) {
-            std::uint64_t hash = hashOf(mesh.positions[index]);
-            if (!mesh.remainders.empty()) {
-                for (int axis = 0; axis < 3; ++axis)
-                    hash = mixed(hash, static_cast<std::uint32_t>(mesh.remainders[index][axis]));
-            }
-            if (hasNumbers)
-                hash = mixed(hash, mesh.vertexNumbers[index]);
-            if (hasNormals)
-                hash = hashOf(mesh.normals[index], hash);
-            if (hasTexcoords)
-                hash = hashOf(glm::vec3(mesh.texcoords[index], 0.0f), hash);
-            std::size_t slot = hash & mask;
-            while (slots[slot] != kEmpty && !areEqual(oldFromMerged[slots[slot]], index))
-                slot = (slot + 1) & mask;
-            if (slots[slot] == kEmpty) {
-                slots[slot] = static_cast<std::uint32_t>(oldFromMerged.size());
-                oldFromMerged.push_back(index);
-            }
-            mergedFromOld[index] = slots[slot];
+    const auto hashAt = [&](std::uint32_t index) {
+        std::uint64_t hash = hashOf(mesh.positions[index]);
+        if (!mesh.remainders.empty()) {
+            for (int axis = 0; axis < 3; ++axis)
+                hash = mixed(hash, static_cast<std::uint32_t>(mesh.remainders[index][axis]));
         }
+        if (hasNumbers)
+            hash = mixed(hash, mesh.vertexNumbers[index]);
+        if (hasNormals)
+            hash = hashOf(mesh.normals[index], hash);
+        if (hasTexcoords)
+            hash = hashOf(glm::vec3(mesh.texcoords[index], 0.0f), hash);
+        return hash;
+    };
+    std::vector<std::uint32_t> mergedFromOld(mesh.positions.size(), kEmpty);
+    Numbering<std::uint32_t, decltype(hashAt), decltype(areEqual)> merged(mesh.positions.size(), {}, hashAt, areEqual);
+    for (std::uint32_t &index : mesh.indices) {
+        if (mergedFromOld[index] == kEmpty)
+            mergedFromOld[index] = merged.add(index);
         index = mergedFromOld[index];
     }
+    const std::vector<std::uint32_t> &oldFromMerged = merged.keys();
 
     const auto gather = [&](auto &values) {
         if (values.empty())
@@ -297,7 +253,8 @@ void makeNormals(Mesh &mesh, float cosineOfCrease, const std::function<void(doub
 {
     const std::vector<FaceNormal> faces = faceNormalsOf(mesh, report);
 
-    PositionIndex positionIndex(mesh.positions.size());
+    Numbering<glm::vec3> positionIndex(mesh.positions.size());
+    positionIndex.keys().reserve(mesh.positions.size());
     std::vector<std::uint32_t> positionOfVertex(mesh.positions.size());
     for (std::size_t v = 0; v < mesh.positions.size(); ++v)
         positionOfVertex[v] = positionIndex.add(mesh.positions[v]);

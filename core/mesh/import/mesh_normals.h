@@ -8,21 +8,6 @@
 
 namespace unprojector::mesh {
 
-/// Numbers positions so that equal ones share a number; -0 equals 0.
-class PositionIndex {
-public:
-    explicit PositionIndex(std::size_t expectedCount = 0);
-    /// The number of a position: shared with the first equal position, else the next free number.
-    std::uint32_t add(const glm::vec3 &position);
-    std::size_t size() const { return m_positions.size(); }
-
-private:
-    void grow();
-
-    std::vector<glm::vec3> m_positions;
-    std::vector<std::uint32_t> m_slots;
-};
-
 /// Merges vertices with equal position, number, normal, colour and texture coordinate, in the order
 /// of first use. Drops vertices that no triangle uses. Afterwards the mesh has indices.
 void mergeEqualVertices(Mesh &mesh);

@@ -16,50 +16,29 @@
 /// Shared code of the format readers behind importModel. Not for use elsewhere.
 namespace unprojector::mesh::reader {
 
-/// Thrown inside the import only; importModel converts it to an ImportError.
-struct Failure : std::exception {
-    explicit Failure(ImportErrorCode failureCode, std::string failureDetail = {}, std::size_t failureIndex = 0)
-        : code(failureCode), detail(std::move(failureDetail)), index(failureIndex)
-    {
-    }
-    const char *what() const noexcept override { return detail.c_str(); }
+/// Thrown, as base::Error and base::Stopped are, inside the import only. importModel says before the
+/// text that the file is damaged.
+struct Damage : base::Error {};
 
-    ImportErrorCode code;
-    std::string detail;
-    std::size_t index;
-};
-
-[[noreturn]] inline void failMalformed(std::string detail)
+[[noreturn]] inline void failMalformed(std::string text)
 {
-    throw Failure(ImportErrorCode::Malformed, std::move(detail));
+    throw Damage{{std::move(text)}};
 }
-
-/// Forwards the share done to the callback; it never decreases.
-class ProgressReporter {
-public:
-    explicit ProgressReporter(const ImportProgress &callback) : m_callback(callback) {}
-
-    /// Begins a stage: the range of the whole that the following reports fill from 0 to 1.
-    void beginStage(double from, double to);
-    /// @param share  of the stage, in [0, 1]
-    /// Throws Failure (Cancelled) when the callback returns false, then and at every later call.
-    void report(double share);
-    bool isCancelled() const { return m_cancelled; }
-
-private:
-    const ImportProgress &m_callback;
-    double m_from = 0.0;
-    double m_to = 1.0;
-    double m_last = 0.0;
-    bool m_cancelled = false;
-};
+[[noreturn]] void failAtLine(std::size_t line, const std::string &text);
+/// For a file that is valid.
+[[noreturn]] void failUnsupported(const std::string &text);
+/// @param vertex  its number in the file
+[[noreturn]] void failNotFinite(std::size_t vertex);
+[[noreturn]] void failUnreadable(const std::string &reason = {});
+/// For a file with nothing to show.
+[[noreturn]] void failEmpty();
 
 /// A model file in memory, with its name and the progress reporter.
 struct Source {
     std::filesystem::path file;
     std::string suffix; ///< lower case, without the dot
     std::span<const std::uint8_t> bytes;
-    ProgressReporter &progress;
+    base::Reporter &progress;
 
     std::string_view text() const { return {reinterpret_cast<const char *>(bytes.data()), bytes.size()}; }
     /// The text without trailing zeros, with which some programs pad files.
@@ -76,7 +55,7 @@ std::string lowerCaseSuffix(const std::filesystem::path &file); ///< without the
 std::span<const std::uint8_t> withoutByteOrderMark(std::span<const std::uint8_t> bytes, std::string &converted);
 
 /// The readers. Meshes may lack normals; finishModel checks their indices and values.
-/// Each throws Failure, or std::bad_alloc.
+/// Each throws base::Error, base::Stopped or std::bad_alloc.
 Model readStl(const Source &source);
 Model readPly(const Source &source);
 Model readOff(const Source &source);
@@ -98,9 +77,15 @@ Texture readTexture(const std::filesystem::path &modelFile, const std::string &r
 int addTexture(Model &model, const std::filesystem::path &modelFile, const std::string &reference);
 /// The file that a reference names, or an empty path.
 std::filesystem::path resolveReference(const std::filesystem::path &modelFile, const std::string &reference);
-/// Adds a note for a file that was read, unless it lies in the model file's folder or below, or
-/// already has one.
-void noteIfOutside(std::vector<ModelNote> &notes, const std::filesystem::path &modelFile,
+/// Add a note about what several formats may have, unless its number is 0.
+void noteLines(std::vector<base::Note> &notes, std::size_t count); ///< and points
+void noteVerticesWithMore(std::vector<base::Note> &notes, std::size_t count);
+void noteBytesBehind(std::vector<base::Note> &notes, std::size_t count);
+void noteParts(std::vector<base::Note> &notes, std::size_t count, const std::string &name);
+/// Adds a note for a file that was read, unless it lies in the model file's folder or below.
+void noteIfOutside(std::vector<base::Note> &notes, const std::filesystem::path &modelFile,
                    const std::filesystem::path &file, const std::string &reference);
+/// Merges these notes into one: a model may have many images in another folder.
+void gatherFilesOutside(std::vector<base::Note> &notes);
 
 } // namespace unprojector::mesh::reader

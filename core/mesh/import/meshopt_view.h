@@ -16,7 +16,7 @@ bool hasMeshopt();
 /// Unpacks and filters the bytes of a buffer view.
 /// @param packing  its EXT_meshopt_compression
 /// @param bytes  the packed bytes
-/// Throws Failure (Malformed) if the bytes are damaged, or contradict the view or the extension.
+/// Throws Damage if the bytes are damaged, or contradict the view or the extension.
 /// @pre hasMeshopt()
 std::vector<std::uint8_t> unpackedView(const Json &view, const Json &packing, std::span<const std::uint8_t> bytes);
 

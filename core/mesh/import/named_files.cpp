@@ -114,7 +114,7 @@ private:
                 if (namesPicture(line.nextWordInLine()))
                     add(pictureOptions(line.restOfLine()).name);
             }
-        } catch (const Failure &) {
+        } catch (const base::Error &) {
             return true; // kept even if unreadable
         }
         return true;
@@ -142,9 +142,9 @@ std::vector<std::filesystem::path> namedFiles(const std::filesystem::path &model
     try {
         const FileBytes contents(modelFile);
         std::string converted;
-        const ImportProgress silent;
-        ProgressReporter progress(silent);
-        std::vector<ModelNote> notes;
+        const Progress silent;
+        Reporter progress(silent);
+        std::vector<base::Note> notes;
         Source source{modelFile, suffix, contents.bytes(), progress};
         if (!isGltf)
             source.bytes = withoutByteOrderMark(source.bytes, converted);
@@ -154,8 +154,9 @@ std::vector<std::filesystem::path> namedFiles(const std::filesystem::path &model
             named.ofObj(source.text());
         else
             named.ofPly(source.text());
+    } catch (const base::Error &) {
+        // The commands that import the model report its error.
     } catch (const std::exception &) {
-        return named.take(); // the files found so far: the commands that import the model report its error
     }
     return named.take();
 }

@@ -1,9 +1,11 @@
 #include "core/mesh/import/obj_chunk.h"
 
+#include "core/base/printable.h"
 #include "core/base/text_scanner.h"
 #include "core/base/translation.h"
 #include "core/geometry/finite.h"
 #include "core/mesh/import/line_ranges.h"
+#include "core/mesh/import/material.h"
 #include "core/mesh/import/obj_cursor.h"
 
 #include <algorithm>
@@ -33,12 +35,6 @@ constexpr std::string_view kWithoutGeometry[] = {
 /// files; output of system commands.
 constexpr std::string_view kNotShown[] = {"curv", "curv2", "surf", "bsp", "bzp", "cdc", "cdp", "call", "csh"};
 
-std::uint8_t byteFromShare(double share)
-{
-    // NaN becomes 0.
-    return share > 0.0 ? static_cast<std::uint8_t>(std::lround(std::min(share, 1.0) * 255.0)) : std::uint8_t{0};
-}
-
 } // namespace
 
 ObjCounts ObjChunk::counts() const
@@ -47,10 +43,10 @@ ObjCounts ObjChunk::counts() const
             static_cast<std::int64_t>(normals.size())};
 }
 
-void ObjChunk::fail(ObjCursor &cursor, std::string message, ImportErrorCode code)
+void ObjChunk::fail(ObjCursor &cursor, std::string message)
 {
     if (!m_failure)
-        m_failure = {cursor.linesBefore(), code, std::move(message)};
+        m_failure = {cursor.linesBefore(), std::move(message)};
 }
 
 void ObjChunk::parse(std::string_view text)
@@ -60,8 +56,7 @@ void ObjChunk::parse(std::string_view text)
         LineRange before;
         before.end = zero;
         countLines(text, before);
-        m_failure = {before.lines, ImportErrorCode::Malformed,
-                     tr("the text has a byte 0; save the file as UTF-8 or ASCII text")};
+        m_failure = {before.lines, tr("the text has a byte 0; save the file as UTF-8 or ASCII text")};
         return;
     }
     ObjCursor cursor(text);
@@ -112,7 +107,7 @@ void ObjChunk::readVertex(ObjCursor &cursor)
     verticesWithWeight += isKnown && (count == 4 || count == 8) && values[3] != 1.0 ? 1 : 0;
     const glm::dvec3 position(values[0], values[1], values[2]);
     if (!isFinite(position)) {
-        fail(cursor, std::to_string(positions.size()), ImportErrorCode::NotFinite);
+        fail(cursor, {});
         return;
     }
     if (isKnown && count >= 6) {
@@ -242,7 +237,7 @@ void ObjChunk::readOther(ObjCursor &cursor, std::string_view keyword)
                == std::end(kWithoutGeometry)) {
         if (unknownLines++ == 0) {
             firstUnknownLine = cursor.linesBefore();
-            firstUnknown = quoted(keyword);
+            firstUnknown = base::printableBeginning(keyword, 40);
         }
     }
 }

@@ -45,21 +45,20 @@ struct ObjRun {
 /// parts that depend on the others.
 class ObjChunk {
 public:
-    /// Parses the statements. Throws no Failure, since an earlier chunk may have failed first, see
+    /// Parses the statements. Throws no error, since an earlier chunk may have failed first, see
     /// failure().
     void parse(std::string_view text);
     /// Numbers the corners from the beginning of the file. References to missing texture
     /// coordinates or normals are removed from their faces.
     /// @param before  the counts of all chunks before
     /// @param linesBefore  theirs, for messages
-    /// Throws Failure (Malformed) for a face with a vertex that the file does not have.
+    /// Throws Damage for a face with a vertex that the file does not have.
     void resolve(const ObjCounts &before, const ObjCounts &total, std::size_t linesBefore);
 
     /// The first statement that cannot be used.
     struct StatementFailure {
-        std::size_t line; ///< of the chunk, counted from 0
-        ImportErrorCode code;
-        std::string message; ///< without the line
+        std::size_t line;    ///< of the chunk, counted from 0
+        std::string message; ///< without the line; empty: the next vertex is not finite
     };
     const std::optional<StatementFailure> &failure() const { return m_failure; }
     std::size_t lineCount() const { return m_lineCount; }
@@ -85,7 +84,7 @@ public:
     std::size_t verticesWithWeight = 0;          ///< for rational curves
     std::size_t unknownLines = 0;                ///< lines that begin with an unknown word
     std::size_t firstUnknownLine = 0;            ///< number of lines of the chunk before it
-    std::string firstUnknown;                    ///< its first word, quoted
+    std::string firstUnknown;                    ///< its first word
     std::size_t facesWithoutTexcoords = 0;       ///< though they name some
     std::size_t facesWithoutNormals = 0;         ///< though they name some
     std::map<std::string, std::size_t> notShown; ///< free-form curves and the like, by keyword
@@ -104,7 +103,7 @@ private:
     void addCorner(ObjKind kind, std::int64_t number, bool isNamed);
     void addFace(ObjRun face);
     void dropCornersFrom(std::size_t first);
-    void fail(ObjCursor &cursor, std::string message, ImportErrorCode code = ImportErrorCode::Malformed);
+    void fail(ObjCursor &cursor, std::string message);
     [[noreturn]] void failAtFace(std::size_t face, const ObjCounts &before, const ObjCounts &total,
                                  std::size_t linesBefore) const;
     void checkParts(const ObjCounts &total);

@@ -1,6 +1,7 @@
 #include "core/mesh/import/obj_materials.h"
 
 #include "core/base/text_scanner.h"
+#include "core/base/translation.h"
 #include "core/mesh/import/file_bytes.h"
 
 #include <algorithm>
@@ -78,7 +79,10 @@ void ObjMaterials::readLibraries(std::string_view names)
         missing.assign(1, std::string(names));
     }
     for (const std::string &name : missing)
-        m_model.notes.push_back({ModelNote::Kind::MaterialsMissing, 0, name});
+        m_model.notes.push_back({marked("the materials \"%1\" are missing or cannot be read: their surfaces are shown "
+                                        "without colours and images"),
+                                 {name}});
+    m_isAnyMissing = m_isAnyMissing || !missing.empty();
 }
 
 bool ObjMaterials::readLibrary(const std::string &name)
@@ -92,7 +96,7 @@ bool ObjMaterials::readLibrary(const std::string &name)
         const FileBytes contents(file);
         parse({reinterpret_cast<const char *>(contents.bytes().data()), contents.bytes().size()});
         m_model.otherFiles.push_back(file);
-    } catch (const Failure &) {
+    } catch (const base::Error &) {
         return false;
     }
     m_libraries.insert(file.native());

@@ -36,6 +36,8 @@ public:
     void readLibraries(std::string_view names);
     /// The material after "usemtl"; nothing if no library has it.
     std::optional<Material> find(std::string_view name);
+    /// Returns whether a library was not found.
+    bool isAnyMissing() const { return m_isAnyMissing; }
 
 private:
     /// A material as written in the library.
@@ -55,6 +57,7 @@ private:
     std::map<std::string, Written, std::less<>> m_written;
     std::map<std::pair<std::string, bool>, int> m_textures;
     std::set<std::filesystem::path::string_type> m_libraries; ///< already read
+    bool m_isAnyMissing = false;
 };
 
 } // namespace unprojector::mesh::reader

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "core/mesh/import/obj_chunk.h"
+#include "core/mesh/numbering.h"
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -22,16 +24,18 @@ public:
     /// The vertex's number in the mesh.
     std::uint32_t add(const Vertex &vertex);
     /// All vertices. An unused one has neither texture coordinate nor normal.
-    const std::vector<Vertex> &all() const { return m_vertices; }
+    const std::vector<Vertex> &all() const { return m_vertices.keys(); }
 
 private:
-    std::size_t slotOf(const Vertex &vertex) const;
-    void grow();
-
     std::size_t m_kept;
     std::vector<bool> m_isUsed; ///< of the kept ones
-    std::vector<Vertex> m_vertices;
-    std::vector<std::uint32_t> m_slots; ///< a hash table of the appended vertices
+    struct Hash {
+        std::uint64_t operator()(const Vertex &vertex) const
+        {
+            return hashOf(std::bit_cast<std::array<std::uint32_t, kObjKinds>>(vertex));
+        }
+    };
+    Numbering<Vertex, Hash> m_vertices;
 };
 
 } // namespace unprojector::mesh::reader

@@ -1,5 +1,6 @@
 #include "core/mesh/import/ply_body.h"
 
+#include "core/base/byte_order.h"
 #include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/base/translation.h"
@@ -33,21 +34,16 @@ std::pair<double, double> integerRange(PlyType type)
 
 double plyValue(const std::uint8_t *bytes, PlyType type, PlyFormat format)
 {
-    const std::size_t count = byteCount(type);
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t shift = format == PlyFormat::LittleEndian ? i : count - 1 - i;
-        bits |= std::uint64_t{bytes[i]} << (8 * shift);
-    }
+    const std::endian order = orderOf(format);
     switch (type) {
-    case PlyType::Int8: return static_cast<std::int8_t>(bits);
-    case PlyType::Int16: return static_cast<std::int16_t>(bits);
-    case PlyType::Int32: return static_cast<std::int32_t>(bits);
-    case PlyType::Uint8:
-    case PlyType::Uint16:
-    case PlyType::Uint32: return static_cast<double>(bits);
-    case PlyType::Float32: return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
-    case PlyType::Float64: return std::bit_cast<double>(bits);
+    case PlyType::Int8: return numberAt<std::int8_t>(bytes);
+    case PlyType::Int16: return numberAt<std::int16_t>(bytes, order);
+    case PlyType::Int32: return numberAt<std::int32_t>(bytes, order);
+    case PlyType::Uint8: return *bytes;
+    case PlyType::Uint16: return numberAt<std::uint16_t>(bytes, order);
+    case PlyType::Uint32: return numberAt<std::uint32_t>(bytes, order);
+    case PlyType::Float32: return static_cast<double>(numberAt<float>(bytes, order));
+    case PlyType::Float64: return numberAt<double>(bytes, order);
     }
     return 0.0;
 }
@@ -61,11 +57,6 @@ PlyBody::PlyBody(const Source &source, const PlyHeader &header)
 void PlyBody::failTruncated() const
 {
     failMalformed(tr("the file ends within %1 of %2", where(), m_element->count));
-}
-
-void PlyBody::failAtLine(const std::string &what) const
-{
-    failMalformed(tr("line %1: %2", m_scanner.line(), what));
 }
 
 void PlyBody::beginElement(const PlyElement &element, std::size_t number)
@@ -96,7 +87,7 @@ void PlyBody::endElement()
     if (m_format != PlyFormat::Ascii)
         return;
     if (const std::string_view word = m_scanner.nextWordInLine(); !word.empty())
-        failAtLine(tr("%1 follows all that the header declares for %2", quoted(word), where()));
+        failAtLine(m_scanner.line(), tr("%1 follows all that the header declares for %2", quoted(word), where()));
 }
 
 double PlyBody::value(PlyType type)
@@ -121,12 +112,12 @@ double PlyBody::asciiNumber(PlyType type)
     if (word.empty()) {
         if (m_scanner.isAtEnd())
             failTruncated();
-        failAtLine(tr("the line ends before all that the header declares for %1", where()));
+        failAtLine(m_scanner.line(), tr("the line ends before all that the header declares for %1", where()));
     }
     const std::optional<long long> integer = isFloating(type) ? std::nullopt : integerFromWord(word);
     const std::optional<double> number = integer ? std::optional(static_cast<double>(*integer)) : doubleFromWord(word);
     if (!number)
-        failAtLine(tr("%1 is not a number", quoted(word)));
+        failAtLine(m_scanner.line(), tr("%1 is not a number", quoted(word)));
     return *number;
 }
 
@@ -137,9 +128,9 @@ double PlyBody::asciiValue(PlyType type)
     if (!isFloating(type)) {
         const auto [least, most] = integerRange(type);
         if (!(number >= least && number <= most) || number != std::floor(number))
-            failAtLine(tr("%1 is not a whole number from %2 to %3, which the header declares for %4",
-                          quoted(ahead.nextWordInLine()), base::shortestText(least), base::shortestText(most),
-                          where()));
+            failAtLine(m_scanner.line(), tr("%1 is not a whole number from %2 to %3, which the header declares for %4",
+                                            quoted(ahead.nextWordInLine()), base::shortestText(least),
+                                            base::shortestText(most), where()));
     }
     return number;
 }
@@ -195,9 +186,6 @@ bool PlyBody::readLines(const PlyElement &element,
     const std::string_view text = m_source.unpaddedText();
     const std::size_t begin = offset();
     const auto share = [&](std::size_t at) { return static_cast<double>(at) / static_cast<double>(text.size()); };
-    const auto reporting = [&](double from, double to) {
-        return [this, from, to](double done) { m_source.progress.report(from + (to - from) * done); };
-    };
     std::vector<LineRange> ranges = lineRanges(text, begin, kBytesInTask);
     inParallel(ranges.size(), {}, [&](std::size_t i) { countLines(text, ranges[i]); });
     std::size_t first = 0, line = m_scanner.line(), used = 0;
@@ -213,7 +201,7 @@ bool PlyBody::readLines(const PlyElement &element,
         return false;
     std::vector<PlyBody> parts(used, *this);
     try {
-        inParallel(used, reporting(share(begin), share(ranges[used - 1].end)), [&](std::size_t i) {
+        inParallel(used, m_source.progress.part(share(begin), share(ranges[used - 1].end)), [&](std::size_t i) {
             const LineRange &range = ranges[i];
             PlyBody &part = parts[i];
             part.m_isPart = true;
@@ -221,9 +209,7 @@ bool PlyBody::readLines(const PlyElement &element,
             part.m_scanner = TextScanner(text.substr(0, range.end), range.begin, range.line);
             read(part, range.first, range.count);
         });
-    } catch (const Failure &failure) {
-        if (failure.code == ImportErrorCode::Cancelled)
-            throw;
+    } catch (const base::Error &) {
         return false;
     }
     m_scanner = TextScanner(text, parts.back().m_scanner.offset(), parts.back().m_scanner.line());
@@ -235,7 +221,8 @@ std::size_t PlyBody::end()
     if (m_format == PlyFormat::Ascii) {
         skipComments();
         if (const std::string_view word = m_scanner.nextWordInLine(); !word.empty())
-            failAtLine(tr("%1 follows all elements that the header declares; correct their numbers in the header",
+            failAtLine(m_scanner.line(),
+                       tr("%1 follows all elements that the header declares; correct their numbers in the header",
                           quoted(word)));
         return 0;
     }

@@ -15,7 +15,7 @@ namespace unprojector::mesh::reader {
 /// Reads a value from the bytes of a binary file.
 double plyValue(const std::uint8_t *bytes, PlyType type, PlyFormat format);
 
-/// Reads the values after a PLY header one by one. Every function throws Failure (Malformed) if the
+/// Reads the values after a PLY header one by one. Every function throws Damage if the
 /// file ends or holds an unexpected value.
 class PlyBody {
 public:
@@ -59,7 +59,6 @@ private:
     std::size_t offset() const { return m_format == PlyFormat::Ascii ? m_scanner.offset() : m_at; }
     std::string where() const { return m_element->name + ' ' + std::to_string(m_number); }
     [[noreturn]] void failTruncated() const;
-    [[noreturn]] void failAtLine(const std::string &what) const;
     /// Reads the next number of a line of text; its range is not checked.
     double asciiNumber(PlyType type);
     /// Reads the next number and checks that its type can hold it.

@@ -29,11 +29,6 @@ constexpr TypeName kTypeNames[] = {
     {"float64", PlyType::Float64},
 };
 
-[[noreturn]] void failAtLine(std::size_t line, const std::string &what)
-{
-    failMalformed(tr("line %1: %2", line, what));
-}
-
 PlyType typeNamed(std::string_view name, std::size_t line)
 {
     for (const TypeName &candidate : kTypeNames) {

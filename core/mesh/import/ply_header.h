@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -8,6 +9,10 @@
 namespace unprojector::mesh::reader {
 
 enum class PlyFormat { Ascii, LittleEndian, BigEndian };
+constexpr std::endian orderOf(PlyFormat format)
+{
+    return format == PlyFormat::BigEndian ? std::endian::big : std::endian::little;
+}
 enum class PlyType { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
 
 std::size_t byteCount(PlyType type);
@@ -45,7 +50,7 @@ struct PlyHeader {
     const PlyElement *find(std::string_view element) const;
 };
 
-/// Parses the header. Throws Failure (Malformed) with the line; also if the declared elements
+/// Parses the header. Throws Damage with the line; also if the declared elements
 /// cannot fit into the file.
 PlyHeader readPlyHeader(std::string_view file);
 

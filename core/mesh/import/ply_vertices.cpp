@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/translation.h"
+#include "core/mesh/import/material.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,8 +42,7 @@ std::uint8_t channelFromValue(double value, PlyType type)
         share = value / 255.0;
     else if (!isFloating(type))
         share = value / 65535.0;
-    // NaN becomes 0.
-    return share > 0.0 ? static_cast<std::uint8_t>(std::lround(std::min(share, 1.0) * 255.0)) : std::uint8_t{0};
+    return byteFromShare(share);
 }
 
 template <class Numbers>
@@ -142,7 +142,7 @@ void readOneByOne(const VertexLayout &layout, PlyBody &body, Mesh &mesh)
 }
 
 /// Reads vertices of equal size directly from the bytes, on all cores.
-void readRecords(const VertexLayout &layout, PlyBody &body, PlyFormat format, Mesh &mesh, ProgressReporter &progress)
+void readRecords(const VertexLayout &layout, PlyBody &body, PlyFormat format, Mesh &mesh, base::Reporter &progress)
 {
     const PlyElement &element = layout.element;
     const std::size_t size = element.leastBytes(format);
@@ -171,13 +171,10 @@ void readRecords(const VertexLayout &layout, PlyBody &body, PlyFormat format, Me
                           plyValue(record + axes[1].offset, axes[1].type, format),
                           plyValue(record + axes[2].offset, axes[2].type, format));
     };
-    const auto reporting = [&progress](double from, double to) {
-        return [&progress, from, to](double share) { progress.report(from + (to - from) * share); };
-    };
 
     Box box;
     std::mutex mutex;
-    inParallelRanges(element.count, kVerticesInTask, reporting(0.0, 0.2), [&](std::size_t begin, std::size_t end) {
+    inParallelRanges(element.count, kVerticesInTask, progress.part(0.0, 0.2), [&](std::size_t begin, std::size_t end) {
         Box own;
         for (std::size_t v = begin; v < end; ++v)
             own.add(positionAt(v));
@@ -187,7 +184,7 @@ void readRecords(const VertexLayout &layout, PlyBody &body, PlyFormat format, Me
     mesh.origin = originFor(box);
     const bool areFloats = std::all_of(axes.begin(), axes.end(), [](const Field &axis) { return isFloat(axis.type); });
     mesh.remainders.resize(areFloats ? 0 : element.count);
-    fillInParallel(mesh.positions, element.count, reporting(0.2, 0.4), [&](std::size_t begin, std::size_t end) {
+    fillInParallel(mesh.positions, element.count, progress.part(0.2, 0.4), [&](std::size_t begin, std::size_t end) {
         std::vector<double> values(element.properties.size());
         for (std::size_t v = begin; v < end; ++v) {
             if (areFloats)
@@ -224,7 +221,7 @@ glm::u8vec4 PlyColor::color(const PlyElement &element, const std::vector<double>
     return result;
 }
 
-void readPlyVertices(const PlyElement &element, PlyBody &body, PlyFormat format, Mesh &mesh, ProgressReporter &progress)
+void readPlyVertices(const PlyElement &element, PlyBody &body, PlyFormat format, Mesh &mesh, base::Reporter &progress)
 {
     const VertexLayout layout(element);
     layout.resize(mesh);

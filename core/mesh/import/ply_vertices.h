@@ -20,8 +20,7 @@ struct PlyColor {
 };
 
 /// Reads a PLY file's vertices into a mesh about an origin that keeps their digits.
-/// Throws Failure (Malformed).
-void readPlyVertices(const PlyElement &element, PlyBody &body, PlyFormat format, Mesh &mesh,
-                     ProgressReporter &progress);
+/// Throws Damage.
+void readPlyVertices(const PlyElement &element, PlyBody &body, PlyFormat format, Mesh &mesh, base::Reporter &progress);
 
 } // namespace unprojector::mesh::reader

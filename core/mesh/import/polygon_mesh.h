@@ -25,7 +25,7 @@ public:
     std::size_t lineCount() const { return m_lineCount; }
 
     /// @param face  the face's number in the file, for messages
-    /// Throws Failure (Malformed) for a vertex the file does not have.
+    /// Throws Damage for a vertex the file does not have.
     void addPolygon(std::span<const std::int64_t> vertices, std::size_t face);
     /// Throws the failure of a face that refers to a vertex missing in the file.
     [[noreturn]] void failAtVertex(std::int64_t vertex, std::size_t face) const { failAt(vertex, "face", face); }

@@ -42,12 +42,6 @@ constexpr std::size_t kMostVertices = std::size_t{1} << 26;
 constexpr std::size_t kMostCounted = std::size_t{1} << 62;
 constexpr std::size_t kVerticesInTask = 1 << 16;
 
-std::uint8_t byteFromShare(double share)
-{
-    // NaN becomes 0.
-    return share > 0.0 ? static_cast<std::uint8_t>(std::lround(std::min(share, 1.0) * 255.0)) : std::uint8_t{0};
-}
-
 /// The vertices and elements of one material, in double until all are known.
 struct Group {
     Mesh mesh;
@@ -96,7 +90,7 @@ public:
         const GltfNodes nodes(m_file, m_model.notes);
         GltfSkins skins(m_file, nodes);
         if (m_file.array("meshes").empty())
-            throw Failure(ImportErrorCode::NoTriangles);
+            failEmpty();
         std::set<std::uint64_t> shown;
         nodes.visit([&](const Json &node, const PreciseMatrix &) {
             m_totalVertices = std::min(m_totalVertices + vertexCountOf(node), kMostCounted);
@@ -240,7 +234,8 @@ private:
         if (mode > GltfCorners::TriangleFan)
             failMalformed(tr("a mesh primitive has the mode %1, which does not exist", mode));
         if (!GltfFile::find(*attributes, "POSITION")) {
-            m_model.notes.push_back({ModelNote::Kind::PositionsMissing, 1, {}});
+            addNote(m_model.notes, 1, marked("%1 part of a mesh has no positions and is not shown"),
+                    marked("%1 parts of meshes have no positions and are not shown"));
             return;
         }
         const GltfValues positions(m_file, m_file.reference(*attributes, "POSITION", "accessors"));
@@ -336,7 +331,7 @@ private:
             for (std::size_t v = begin; v < end; ++v) {
                 positions[v] = pose.position(v, positions[v]);
                 if (!isFinite(positions[v]))
-                    throw Failure(ImportErrorCode::NotFinite, {}, m_doneVertices + v);
+                    failNotFinite(m_doneVertices + v);
             }
         });
         group.parts.push_back({group.positions.size(), m_doneVertices});
@@ -380,17 +375,21 @@ private:
 
     void noteWhatIsLeftOut()
     {
-        const auto note = [this](ModelNote::Kind kind, std::size_t count, const char *detail) {
-            if (count > 0)
-                m_model.notes.push_back({kind, count, detail});
-        };
-        note(ModelNote::Kind::NodesLeftOut, m_elsewhere, "");
-        note(ModelNote::Kind::FacesLeftOut, m_brokenCount, "");
-        note(ModelNote::Kind::CornersLeftOut, m_leftCorners, "");
-        note(ModelNote::Kind::SkinsApplied, m_posed, "");
-        note(ModelNote::Kind::PartLeftOut, m_unusedSkins, "skin");
-        note(ModelNote::Kind::MeshesHidden, m_hidden, "");
-        note(ModelNote::Kind::PartLeftOut, m_file.array("animations").size(), "animation");
+        std::vector<Note> &notes = m_model.notes;
+        addNote(notes, m_elsewhere, marked("%1 mesh is not in the scene that the file opens with and is not shown"),
+                marked("%1 meshes are not in the scene that the file opens with and are not shown"));
+        addNote(notes, m_brokenCount,
+                marked("%1 face refers to vertices that the file does not have and cannot be shown"),
+                marked("%1 faces refer to vertices that the file does not have and cannot be shown"));
+        addNote(notes, m_leftCorners,
+                marked("%1 corner at the end of a part of a mesh makes no whole triangle and is not used"),
+                marked("%1 corners at the ends of parts of meshes make no whole triangles and are not used"));
+        addNote(notes, m_posed, marked("%1 mesh has a skin: it is shown where the file's nodes have its joints"),
+                marked("%1 meshes have skins: they are shown where the file's nodes have their joints"));
+        noteParts(notes, m_unusedSkins, "skin");
+        addNote(notes, m_hidden, marked("%1 mesh is hidden by the file (KHR_node_visibility) and is not shown"),
+                marked("%1 meshes are hidden by the file (KHR_node_visibility) and are not shown"));
+        noteParts(notes, m_file.array("animations").size(), "animation");
     }
 
     /// Lists the points in order, one per vertex.
@@ -413,19 +412,18 @@ private:
         gather(group.mesh.texcoords);
     }
 
-    /// The reason why there is neither a triangle nor a point; empty if the file holds nothing else
-    /// either.
-    std::string whyNothing() const
+    [[noreturn]] void failForNothing() const
     {
         if (m_brokenCount > 0)
-            return tr("it has no vertices of the numbers that its faces refer to");
+            failUnsupported(tr("it has no vertices of the numbers that its faces refer to"));
         if (m_lineCount > 0)
-            return tr("it holds lines only, and lines are not shown here: %1", m_lineCount);
+            failUnsupported(tr("it holds lines only, and lines are not shown here: %1", m_lineCount));
         if (m_hidden > 0)
-            return tr("the file hides all nodes that have meshes");
+            failUnsupported(tr("the file hides all nodes that have meshes"));
         if (m_elsewhere == m_file.array("meshes").size())
-            return tr("no mesh is in the scene that the file opens with; meshes in the file: %1", m_elsewhere);
-        return {};
+            failUnsupported(
+                tr("no mesh is in the scene that the file opens with; meshes in the file: %1", m_elsewhere));
+        failEmpty();
     }
 
     /// Finishes the model. Points are shown if there are no triangles.
@@ -444,10 +442,9 @@ private:
             boxes.push_back(group.box());
             all.add(boxes.back());
         }
-        if (m_lineCount > 0)
-            m_model.notes.push_back({ModelNote::Kind::LinesLeftOut, m_lineCount, {}});
+        noteLines(m_model.notes, m_lineCount);
         if (all.isEmpty())
-            throw Failure(ImportErrorCode::NoTriangles, whyNothing());
+            failForNothing();
         for (std::size_t i = 0; i < m_groups.size(); ++i) {
             Group &group = m_groups[i];
             if (group.mesh.indices.empty())

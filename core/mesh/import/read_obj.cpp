@@ -80,12 +80,6 @@ private:
         std::size_t cornerCount = 0;
     };
 
-    /// The progress of a stage that fills the whole from `from` to `to`.
-    auto reporting(double from, double to) const
-    {
-        return [this, from, to](double share) { m_source.progress.report(from + (to - from) * share); };
-    }
-
     void parse();
     void throwFirstFailure();
     void placePositions();
@@ -122,7 +116,7 @@ void ObjReader::parse()
         text.remove_prefix(size);
     }
     m_chunks.resize(pieces.size());
-    inParallel(pieces.size(), reporting(0.0, 0.6), [&](std::size_t i) { m_chunks[i].parse(pieces[i]); });
+    inParallel(pieces.size(), m_source.progress.part(0.0, 0.6), [&](std::size_t i) { m_chunks[i].parse(pieces[i]); });
 }
 
 void ObjReader::throwFirstFailure()
@@ -130,11 +124,10 @@ void ObjReader::throwFirstFailure()
     std::size_t lines = 0;
     std::size_t faces = 0;
     for (const ObjChunk &chunk : m_chunks) {
-        if (chunk.failure() && chunk.failure()->code == ImportErrorCode::NotFinite)
-            throw Failure(ImportErrorCode::NotFinite, {},
-                          static_cast<std::size_t>(m_total[ObjVertex]) + chunk.positions.size());
+        if (chunk.failure() && chunk.failure()->message.empty())
+            failNotFinite(static_cast<std::size_t>(m_total[ObjVertex]) + chunk.positions.size());
         if (chunk.failure())
-            failMalformed(tr("line %1: %2", lines + chunk.failure()->line + 1, chunk.failure()->message));
+            failAtLine(lines + chunk.failure()->line + 1, chunk.failure()->message);
         lines += chunk.lineCount();
         m_before.push_back(m_total);
         for (std::size_t kind = 0; kind < kObjKinds; ++kind)
@@ -160,12 +153,12 @@ void ObjReader::placePositions()
     const bool hasColors =
         std::any_of(m_chunks.begin(), m_chunks.end(), [](const ObjChunk &chunk) { return !chunk.colors.empty(); });
     for (std::size_t i = 0; i < m_chunks.size(); ++i) {
-        reporting(0.6, 0.65)(static_cast<double>(i) / static_cast<double>(m_chunks.size()));
+        m_source.progress.part(0.6, 0.65)(static_cast<double>(i) / static_cast<double>(m_chunks.size()));
         ObjChunk &chunk = m_chunks[i];
         for (const glm::dvec3 &position : chunk.positions) {
             addPosition(m_vertices, position);
             if (!isFinite(m_vertices.positions.back()))
-                throw Failure(ImportErrorCode::NotFinite, {}, m_vertices.positions.size() - 1);
+                failNotFinite(m_vertices.positions.size() - 1);
         }
         chunk.positions = {};
         std::vector<glm::u8vec4> &colors = m_vertices.colors;
@@ -182,7 +175,7 @@ void ObjReader::resolveFaces()
     std::vector<std::size_t> linesBefore(m_chunks.size());
     for (std::size_t i = 1; i < m_chunks.size(); ++i)
         linesBefore[i] = linesBefore[i - 1] + m_chunks[i - 1].lineCount();
-    inParallel(m_chunks.size(), reporting(0.65, 0.85), [&](std::size_t i) {
+    inParallel(m_chunks.size(), m_source.progress.part(0.65, 0.85), [&](std::size_t i) {
         ObjChunk &chunk = m_chunks[i];
         chunk.resolve(m_before[i], m_total, linesBefore[i]);
         triangulate(chunk);
@@ -224,8 +217,8 @@ void ObjReader::triangulate(ObjChunk &chunk) const
 
 void ObjReader::addNotes()
 {
-    std::size_t lines = 0, points = 0, more = 0, weights = 0, texcoords = 0, normals = 0;
-    ModelNote unknown{ModelNote::Kind::LinesUnknown, 0, {}};
+    std::size_t lines = 0, points = 0, more = 0, weights = 0, texcoords = 0, normals = 0, unknownCount = 0;
+    std::vector<std::string> unknown; // the first: its word and line
     std::size_t linesBefore = 0;
     std::map<std::string, std::size_t> notShown;
     for (const ObjChunk &chunk : m_chunks) {
@@ -233,28 +226,31 @@ void ObjReader::addNotes()
         points += chunk.points;
         more += chunk.verticesWithMore;
         weights += chunk.verticesWithWeight;
-        if (unknown.count == 0 && chunk.unknownLines > 0)
-            unknown.detail = tr("%1 in line %2", chunk.firstUnknown, linesBefore + chunk.firstUnknownLine + 1);
-        unknown.count += chunk.unknownLines;
+        if (unknown.empty() && chunk.unknownLines > 0)
+            unknown = {chunk.firstUnknown, std::to_string(linesBefore + chunk.firstUnknownLine + 1)};
+        unknownCount += chunk.unknownLines;
         linesBefore += chunk.lineCount();
         texcoords += chunk.facesWithoutTexcoords;
         normals += chunk.facesWithoutNormals;
         for (const auto &[keyword, count] : chunk.notShown)
             notShown[keyword] += count;
     }
-    const auto note = [this](ModelNote::Kind kind, std::size_t count) {
-        if (count > 0)
-            m_model.notes.push_back({kind, count, {}});
-    };
-    note(ModelNote::Kind::LinesLeftOut, m_hasFaces ? lines + points : lines);
-    note(ModelNote::Kind::NumbersLeftOut, more);
-    note(ModelNote::Kind::WeightsLeftOut, weights);
-    if (unknown.count > 0)
-        m_model.notes.push_back(unknown);
-    note(ModelNote::Kind::TexcoordsLeftOut, texcoords);
-    note(ModelNote::Kind::NormalsLeftOut, normals);
+    std::vector<Note> &notes = m_model.notes;
+    noteLines(notes, m_hasFaces ? lines + points : lines);
+    noteVerticesWithMore(notes, more);
+    addNote(notes, weights, marked("%1 vertex has a fourth number, the weight of rational curves: it is not used"),
+            marked("%1 vertices have a fourth number, the weight of rational curves: it is not used"));
+    addNote(notes, unknownCount,
+            marked("not used: %1 line that begins with a word unknown to the format, \"%2\" in line %3"),
+            marked("not used: %1 lines that begin with words unknown to the format, the first is \"%2\" in line %3"),
+            unknown);
+    addNote(notes, texcoords,
+            marked("%1 face refers to texture coordinates that the file does not have: shown without an image"),
+            marked("%1 faces refer to texture coordinates that the file does not have: shown without an image"));
+    addNote(notes, normals, marked("%1 face refers to normals that the file does not have: they are computed instead"),
+            marked("%1 faces refer to normals that the file does not have: they are computed instead"));
     for (const auto &[keyword, count] : notShown)
-        m_model.notes.push_back({ModelNote::Kind::PartLeftOut, count, keyword});
+        noteParts(notes, count, keyword);
 }
 
 /// Makes one part for each material and set of attributes, in the order of the file.
@@ -269,7 +265,7 @@ void ObjReader::sortIntoParts()
     }
     std::map<std::string, std::size_t> numbers; // index by name in `materials`; first: no material
     std::vector<Material> materials(1);
-    ModelNote unknown{ModelNote::Kind::MaterialUnknown, 0, {}};
+    std::vector<std::string> unknown;
     std::map<std::tuple<std::size_t, bool, bool>, std::size_t> partNumbers;
     std::size_t current = 0;
     for (std::size_t c = 0; c < m_chunks.size(); ++c) {
@@ -281,8 +277,8 @@ void ObjReader::sortIntoParts()
                 if (const std::optional<Material> material = m_materials.find(known->first)) {
                     known->second = materials.size();
                     materials.push_back(*material);
-                } else if (unknown.count++ == 0) {
-                    unknown.detail = known->first;
+                } else {
+                    unknown.push_back(known->first);
                 }
             }
             materialOfName.push_back(known->second);
@@ -303,11 +299,14 @@ void ObjReader::sortIntoParts()
         }
     }
     // A missing library already has a note.
-    const bool isLibraryMissing = std::any_of(m_model.notes.begin(), m_model.notes.end(), [](const ModelNote &note) {
-        return note.kind == ModelNote::Kind::MaterialsMissing;
-    });
-    if (unknown.count > 0 && !isLibraryMissing)
-        m_model.notes.push_back(unknown);
+    if (const std::size_t others = unknown.size() - 1; !unknown.empty() && !m_materials.isAnyMissing())
+        m_model.notes.push_back(
+            {marked(others == 0   ? "no material is called \"%1\": its surfaces are shown in grey"
+                    : others == 1 ? "no material is called \"%1\" or by %2 other name of the file: its surfaces are "
+                                    "shown in grey"
+                                  : "no material is called \"%1\" or by %2 other names of the file: its surfaces are "
+                                    "shown in grey"),
+             {unknown.front(), std::to_string(others)}});
 }
 
 void ObjReader::makeMeshes()
@@ -331,7 +330,7 @@ Mesh ObjReader::plainMesh()
     Mesh mesh;
     mesh.indices.reserve(m_parts.front().cornerCount);
     for (std::size_t i = 0; i < m_chunks.size(); ++i) {
-        reporting(0.85, 1.0)(static_cast<double>(i) / static_cast<double>(m_chunks.size()));
+        m_source.progress.part(0.85, 1.0)(static_cast<double>(i) / static_cast<double>(m_chunks.size()));
         std::vector<std::int32_t> &vertices = m_chunks[i].corners[ObjVertex];
         mesh.indices.insert(mesh.indices.end(), vertices.begin(), vertices.end());
         vertices = {};
@@ -354,7 +353,8 @@ Mesh ObjReader::splitMesh(const Part &part, bool isOnly)
         const ObjChunk &chunk = m_chunks[corners.chunk];
         for (std::size_t corner = corners.begin; corner < corners.end; ++corner) {
             if (++m_cornersDone % kCornersBetweenReports == 0)
-                reporting(0.85, 1.0)(static_cast<double>(m_cornersDone) / static_cast<double>(m_cornerCount));
+                m_source.progress.part(0.85,
+                                       1.0)(static_cast<double>(m_cornersDone) / static_cast<double>(m_cornerCount));
             mesh.indices.push_back(vertices.add({chunk.corners[ObjVertex][corner],
                                                  part.hasTexcoords ? chunk.corners[ObjTexcoord][corner] : -1,
                                                  part.hasNormals ? chunk.corners[ObjNormal][corner] : -1}));

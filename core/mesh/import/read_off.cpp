@@ -1,3 +1,4 @@
+#include "core/base/byte_order.h"
 #include "core/base/text_scanner.h"
 #include "core/base/translation.h"
 #include "core/mesh/import/mesh_reader.h"
@@ -213,12 +214,8 @@ private:
     {
         if (m_bytes.size() - m_at < 4)
             failTruncated(what);
-        const std::uint8_t *b = m_bytes.data() + m_at;
         m_at += 4;
-        if (m_byteOrder == std::endian::little)
-            return std::uint32_t{b[3]} << 24 | std::uint32_t{b[2]} << 16 | std::uint32_t{b[1]} << 8
-                   | std::uint32_t{b[0]};
-        return std::uint32_t{b[0]} << 24 | std::uint32_t{b[1]} << 16 | std::uint32_t{b[2]} << 8 | std::uint32_t{b[3]};
+        return base::numberAt<std::uint32_t>(m_bytes.data() + m_at - 4, m_byteOrder);
     }
 
     /// Moves to the first word outside comments, or to the end.
@@ -347,7 +344,7 @@ std::size_t checkedCount(std::int64_t count, std::size_t numbersEach, const OffN
 }
 
 void readVertices(const OffKind &kind, std::size_t count, OffNumbers &numbers, Model &model, Mesh &mesh,
-                  ProgressReporter &progress)
+                  base::Reporter &progress)
 {
     std::vector<glm::dvec3> positions;
     positions.reserve(count);
@@ -393,10 +390,10 @@ void readVertices(const OffKind &kind, std::size_t count, OffNumbers &numbers, M
     if (kind.hasColors || areUndeclared)
         mesh.colors = colors.take();
     if (areUndeclared)
-        model.notes.push_back({ModelNote::Kind::ColorsUndeclared, 0, {}});
+        model.notes.push_back({marked("the numbers behind the coordinates are used as colours, though the header does "
+                                      "not declare any")});
     verticesWithMore += mesh.colors.empty() ? colors.withNumbers() : colors.withOthers();
-    if (verticesWithMore > 0)
-        model.notes.push_back({ModelNote::Kind::NumbersLeftOut, std::min(verticesWithMore, count), {}});
+    noteVerticesWithMore(model.notes, std::min(verticesWithMore, count));
 }
 
 /// The byte order of the counts. Some programs write the binary form in little endian; in the wrong
@@ -406,10 +403,8 @@ std::endian byteOrderOf(const Source &source, std::size_t offset)
     const std::span<const std::uint8_t> bytes = source.bytes.subspan(offset);
     if (bytes.size() < 4)
         return std::endian::big;
-    const std::uint32_t big = std::uint32_t{bytes[0]} << 24 | std::uint32_t{bytes[1]} << 16
-                              | std::uint32_t{bytes[2]} << 8 | std::uint32_t{bytes[3]};
-    const std::uint32_t little = std::uint32_t{bytes[3]} << 24 | std::uint32_t{bytes[2]} << 16
-                                 | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[0]};
+    const auto big = base::numberAt<std::uint32_t>(bytes.data(), std::endian::big);
+    const auto little = base::numberAt<std::uint32_t>(bytes.data());
     constexpr std::size_t kVertexBytes = 12;
     return big > bytes.size() / kVertexBytes && little <= bytes.size() / kVertexBytes ? std::endian::little
                                                                                       : std::endian::big;
@@ -460,7 +455,7 @@ Model readOff(const Source &source)
     if (kind.hasDimension) {
         numbers.beginLine(marked("number of dimensions"));
         if (const std::int64_t dimensions = numbers.integer(marked("number of dimensions")); dimensions != 3)
-            throw Failure(ImportErrorCode::Unsupported, tr("points of %1 dimensions", dimensions));
+            failUnsupported(tr("points of %1 dimensions", dimensions));
     }
     numbers.beginLine(marked("number of vertices"));
     const std::int64_t declaredVertices = numbers.integer(marked("number of vertices"));
@@ -492,10 +487,8 @@ Model readOff(const Source &source)
             polygons.setFaceColor(colorFromNumbers(color, numbers.areIntegers() ? 255.0f : 1.0f));
     }
 
-    if (const std::size_t more = numbers.end(); more > 0)
-        model.notes.push_back({ModelNote::Kind::BytesLeftOut, more, {}});
-    if (polygons.lineCount() > 0)
-        model.notes.push_back({ModelNote::Kind::LinesLeftOut, polygons.lineCount(), {}});
+    noteBytesBehind(model.notes, numbers.end());
+    noteLines(model.notes, polygons.lineCount());
     model.fileVertices = vertexCount;
     model.meshes.push_back(polygons.take());
     if (!model.meshes.back().colors.empty())

@@ -1,3 +1,4 @@
+#include "core/base/byte_order.h"
 #include "core/base/parallel.h"
 #include "core/base/translation.h"
 #include "core/mesh/import/mesh_reader.h"
@@ -20,25 +21,15 @@ namespace {
 /// A few milliseconds of work.
 constexpr std::size_t kFacesInTask = 1 << 17;
 
-std::uint32_t uint32At(const std::uint8_t *bytes, PlyFormat format)
-{
-    if (format == PlyFormat::LittleEndian)
-        return std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16
-               | std::uint32_t{bytes[3]} << 24;
-    return std::uint32_t{bytes[3]} | std::uint32_t{bytes[2]} << 8 | std::uint32_t{bytes[1]} << 16
-           | std::uint32_t{bytes[0]} << 24;
-}
-
 bool isVertexList(const PlyProperty &property)
 {
     return property.isList && (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
-/// Reads faces that are all triangles directly from the bytes, on all cores. Throws Failure
-/// (Malformed).
+/// Reads faces that are all triangles directly from the bytes, on all cores. Throws Damage.
 /// @return false for other faces or text; then nothing is read
 bool readTriangleRecords(const PlyElement &element, PlyFormat format, PlyBody &body, PolygonMesh &polygons,
-                         ProgressReporter &progress)
+                         base::Reporter &progress)
 {
     if (format == PlyFormat::Ascii || element.name != "face" || element.properties.size() != 1
         || !isVertexList(element.properties[0]) || byteCount(element.properties[0].countType) != 1
@@ -48,11 +39,8 @@ bool readTriangleRecords(const PlyElement &element, PlyFormat format, PlyBody &b
     if (element.count > body.bytesLeft() / kRecordBytes)
         return false;
     const std::uint8_t *records = body.next();
-    const auto reporting = [&progress](double from, double to) {
-        return [&progress, from, to](double share) { progress.report(from + (to - from) * share); };
-    };
     std::atomic<bool> areTriangles = true;
-    inParallelRanges(element.count, kFacesInTask, reporting(0.4, 0.5), [&](std::size_t begin, std::size_t end) {
+    inParallelRanges(element.count, kFacesInTask, progress.part(0.4, 0.5), [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end && areTriangles; ++f) {
             if (records[f * kRecordBytes] != 3)
                 areTriangles = false;
@@ -63,14 +51,16 @@ bool readTriangleRecords(const PlyElement &element, PlyFormat format, PlyBody &b
     body.take(element.count * kRecordBytes);
     std::vector<std::uint32_t> &indices = polygons.mesh.indices;
     const std::size_t before = indices.size();
-    fillInParallel(indices, before + 3 * element.count, reporting(0.5, 1.0), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const std::size_t corner = i - before;
-            indices[i] = uint32At(records + corner / 3 * kRecordBytes + 1 + corner % 3 * 4, format);
-            if (indices[i] >= polygons.vertexCount())
-                polygons.failAtVertex(static_cast<std::int32_t>(indices[i]), corner / 3);
-        }
-    });
+    fillInParallel(
+        indices, before + 3 * element.count, progress.part(0.5, 1.0), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const std::size_t corner = i - before;
+                indices[i] =
+                    numberAt<std::uint32_t>(records + corner / 3 * kRecordBytes + 1 + corner % 3 * 4, orderOf(format));
+                if (indices[i] >= polygons.vertexCount())
+                    polygons.failAtVertex(static_cast<std::int32_t>(indices[i]), corner / 3);
+            }
+        });
     return true;
 }
 
@@ -176,7 +166,7 @@ bool isFaces(const PlyElement &element)
 }
 
 /// Reads the vertices of a file that has other elements before them.
-void readVerticesAhead(const PlyHeader &header, PlyBody body, PolygonMesh &polygons, ProgressReporter &progress)
+void readVerticesAhead(const PlyHeader &header, PlyBody body, PolygonMesh &polygons, base::Reporter &progress)
 {
     for (const PlyElement &element : header.elements) {
         if (element.name == "vertex") {
@@ -211,16 +201,15 @@ Model readPly(const Source &source)
                 readFaces(element, body, polygons);
         } else {
             body.skipAll(element);
-            if (element.name == "edge" && element.count > 0)
-                model.notes.push_back({ModelNote::Kind::LinesLeftOut, element.count, {}});
-            else if (element.count > 0)
-                model.notes.push_back({ModelNote::Kind::ElementsLeftOut, element.count, element.name});
+            if (element.name == "edge")
+                noteLines(model.notes, element.count);
+            else
+                addNote(model.notes, element.count, marked("%1 element \"%2\" of the file is not read"),
+                        marked("%1 elements \"%2\" of the file are not read"), {element.name});
         }
     }
-    if (const std::size_t more = body.end(); more > 0)
-        model.notes.push_back({ModelNote::Kind::BytesLeftOut, more, {}});
-    if (const std::size_t lines = polygons.lineCount(); lines > 0)
-        model.notes.push_back({ModelNote::Kind::LinesLeftOut, lines, {}});
+    noteBytesBehind(model.notes, body.end());
+    noteLines(model.notes, polygons.lineCount());
 
     model.fileVertices = polygons.vertexCount();
     Mesh mesh = polygons.take();

@@ -1,3 +1,4 @@
+#include "core/base/byte_order.h"
 #include "core/base/parallel.h"
 #include "core/base/text_scanner.h"
 #include "core/base/translation.h"
@@ -33,26 +34,14 @@ constexpr std::size_t kTrianglesInTask = 1 << 17;
 constexpr std::size_t kAsciiBytesInTask = 1 << 20;
 constexpr std::uint16_t kColorBit = 0x8000;
 
-std::uint32_t littleEndian32(const std::uint8_t *bytes)
-{
-    return std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16
-           | std::uint32_t{bytes[3]} << 24;
-}
-
 glm::vec3 vectorAt(const std::uint8_t *bytes)
 {
-    return {std::bit_cast<float>(littleEndian32(bytes)), std::bit_cast<float>(littleEndian32(bytes + 4)),
-            std::bit_cast<float>(littleEndian32(bytes + 8))};
+    return {numberAt<float>(bytes), numberAt<float>(bytes + 4), numberAt<float>(bytes + 8)};
 }
 
 /// The limit for merging equal corners. More triangles stay without neighbours and are drawn flat:
 /// merging would take longer than everything else.
 constexpr std::size_t kMostTrianglesToWeld = 300000;
-
-[[noreturn]] void failAtCorner(std::size_t corner)
-{
-    throw Failure(ImportErrorCode::NotFinite, {}, corner);
-}
 
 glm::u8vec4 colorFromBits(std::uint16_t bits, bool isMagics)
 {
@@ -67,7 +56,7 @@ class StlRecords {
 public:
     explicit StlRecords(const Source &source) : m_source(source)
     {
-        m_count = littleEndian32(source.bytes.data() + kHeaderBytes);
+        m_count = numberAt<std::uint32_t>(source.bytes.data() + kHeaderBytes);
         const std::size_t present = (source.bytes.size() - kBytesBeforeTriangles) / kTriangleBytes;
         if (m_count > present)
             failMalformed(tr("the header declares %1 triangles, the file ends after %2", m_count, present));
@@ -85,10 +74,7 @@ public:
     {
         return vectorAt(record(triangle) + 12 + 12 * corner);
     }
-    std::uint16_t attribute(std::size_t triangle) const
-    {
-        return static_cast<std::uint16_t>(record(triangle)[48] | record(triangle)[49] << 8);
-    }
+    std::uint16_t attribute(std::size_t triangle) const { return numberAt<std::uint16_t>(record(triangle) + 48); }
     /// Materialise Magics' colour of the whole object.
     std::optional<glm::u8vec4> magicsColor() const
     {
@@ -131,43 +117,41 @@ std::vector<glm::u8vec4> cornerColors(const StlRecords &records, bool hasColorBi
     return colors;
 }
 
-Mesh readBinary(const Source &source, std::vector<ModelNote> &notes)
+Mesh readBinary(const Source &source, std::vector<base::Note> &notes)
 {
     const StlRecords records(source);
-    if (records.bytesBehind() > 0)
-        notes.push_back({ModelNote::Kind::BytesLeftOut, records.bytesBehind(), {}});
-    const auto reporting = [&source](double from, double to) {
-        return [&source, from, to](double share) { source.progress.report(from + (to - from) * share); };
-    };
+    noteBytesBehind(notes, records.bytesBehind());
     Box box;
     bool hasColorBits = false;
     std::mutex mutex;
-    inParallelRanges(records.count(), kTrianglesInTask, reporting(0.0, 0.4), [&](std::size_t begin, std::size_t end) {
-        constexpr float kMost = std::numeric_limits<float>::max();
-        glm::vec3 lowest(kMost), highest(-kMost);
-        std::uint16_t bits = 0;
-        for (std::size_t t = begin; t < end; ++t) {
-            for (std::size_t c = 0; c < 3; ++c) {
-                const glm::vec3 position = records.corner(t, c);
-                lowest = glm::min(lowest, position);
-                highest = glm::max(highest, position);
-                if (!std::isfinite(position.x + position.y + position.z) && !isFinite(position))
-                    failAtCorner(3 * t + c);
-            }
-            bits |= records.attribute(t);
-        }
-        const std::lock_guard lock(mutex);
-        box.add(glm::dvec3(lowest));
-        box.add(glm::dvec3(highest));
-        hasColorBits = hasColorBits || (bits & kColorBit) != 0;
-    });
+    inParallelRanges(records.count(), kTrianglesInTask, source.progress.part(0.0, 0.4),
+                     [&](std::size_t begin, std::size_t end) {
+                         constexpr float kMost = std::numeric_limits<float>::max();
+                         glm::vec3 lowest(kMost), highest(-kMost);
+                         std::uint16_t bits = 0;
+                         for (std::size_t t = begin; t < end; ++t) {
+                             for (std::size_t c = 0; c < 3; ++c) {
+                                 const glm::vec3 position = records.corner(t, c);
+                                 lowest = glm::min(lowest, position);
+                                 highest = glm::max(highest, position);
+                                 if (!std::isfinite(position.x + position.y + position.z) && !isFinite(position))
+                                     failNotFinite(3 * t + c);
+                             }
+                             bits |= records.attribute(t);
+                         }
+                         const std::lock_guard lock(mutex);
+                         box.add(glm::dvec3(lowest));
+                         box.add(glm::dvec3(highest));
+                         hasColorBits = hasColorBits || (bits & kColorBit) != 0;
+                     });
 
     Mesh mesh;
     mesh.origin = originFor(box);
-    fillInParallel(mesh.positions, 3 * records.count(), reporting(0.4, 0.8), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t corner = begin; corner < end; ++corner)
-            mesh.positions[corner] = glm::vec3(glm::dvec3(records.corner(corner / 3, corner % 3)) - mesh.origin);
-    });
+    fillInParallel(
+        mesh.positions, 3 * records.count(), source.progress.part(0.4, 0.8), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t corner = begin; corner < end; ++corner)
+                mesh.positions[corner] = glm::vec3(glm::dvec3(records.corner(corner / 3, corner % 3)) - mesh.origin);
+        });
     mesh.colors = cornerColors(records, hasColorBits);
     if (!mesh.colors.empty())
         mesh.baseColor = glm::vec4(1.0f);
@@ -179,11 +163,6 @@ bool equalsIgnoringCase(std::string_view word, std::string_view lowerCase)
     return word.size() == lowerCase.size()
            && std::equal(word.begin(), word.end(), lowerCase.begin(),
                          [](char a, char b) { return a == b || (a >= 'A' && a <= 'Z' && a - 'A' + 'a' == b); });
-}
-
-[[noreturn]] void failAtLine(std::size_t line, const std::string &what)
-{
-    failMalformed(tr("line %1: %2", line, what));
 }
 
 [[noreturn]] void failUnended(std::size_t line)
@@ -221,7 +200,7 @@ AsciiPart readAscii(TextScanner scanner, std::size_t bytes, const std::function<
                 position[axis] = *value;
             }
             if (!isFinite(position))
-                failAtCorner(part.positions.size());
+                failNotFinite(part.positions.size());
             part.positions.push_back(position);
             part.box.add(position);
             ++cornersOfFacet;
@@ -276,15 +255,12 @@ std::optional<AsciiPart> readAsciiParts(const Source &source)
     if (count < 2)
         return std::nullopt;
     std::vector<AsciiPart> parts(count);
-    const auto report = [&source](double share) { source.progress.report(share); };
     try {
-        inParallel(count, report, [&](std::size_t i) {
+        inParallel(count, source.progress.part(), [&](std::size_t i) {
             const std::string_view own = text.substr(starts[i], starts[i + 1] - starts[i]);
             parts[i] = readAscii(TextScanner(own), own.size(), {});
         });
-    } catch (const Failure &failure) {
-        if (failure.code == ImportErrorCode::Cancelled)
-            throw;
+    } catch (const base::Error &) {
         return std::nullopt;
     }
     AsciiPart whole = std::move(parts.front());
@@ -327,7 +303,7 @@ Mesh readAscii(const Source &source)
 bool isAscii(const Source &source)
 {
     if (source.bytes.size() >= kBytesBeforeTriangles) {
-        const std::size_t declared = littleEndian32(source.bytes.data() + kHeaderBytes);
+        const std::size_t declared = numberAt<std::uint32_t>(source.bytes.data() + kHeaderBytes);
         if (source.bytes.size() == kBytesBeforeTriangles + declared * kTriangleBytes)
             return false;
     }

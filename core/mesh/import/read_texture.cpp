@@ -1,7 +1,9 @@
+#include "core/base/translation.h"
 #include "core/mesh/import/file_bytes.h"
 #include "core/mesh/import/mesh_reader.h"
 
 #include <algorithm>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -9,6 +11,8 @@ namespace unprojector::mesh::reader {
 using namespace base;
 
 namespace {
+
+constexpr std::string_view kOutside = marked("the file \"%1\" outside the model's folder was read");
 
 int hexDigit(char c)
 {
@@ -66,14 +70,14 @@ Texture readTexture(const std::filesystem::path &modelFile, const std::string &r
     try {
         const FileBytes contents(texture.file);
         texture.encoded.assign(contents.bytes().begin(), contents.bytes().end());
-    } catch (const Failure &) {
+    } catch (const base::Error &) {
         // The model is shown untextured without a readable image.
         texture.encoded.clear();
     }
     return texture;
 }
 
-void noteIfOutside(std::vector<ModelNote> &notes, const std::filesystem::path &modelFile,
+void noteIfOutside(std::vector<base::Note> &notes, const std::filesystem::path &modelFile,
                    const std::filesystem::path &file, const std::string &reference)
 {
     // Compares names only: the owner of the model's folder is responsible for links in it.
@@ -85,16 +89,30 @@ void noteIfOutside(std::vector<ModelNote> &notes, const std::filesystem::path &m
     const std::filesystem::path fromFolder = normal(file).lexically_relative(normal(modelFile).parent_path());
     if (!fromFolder.empty() && *fromFolder.begin() != "..")
         return;
-    ModelNote note{ModelNote::Kind::ReadOutside, 1, reference};
+    Note note{kOutside, {reference}};
     if (std::find(notes.begin(), notes.end(), note) == notes.end())
         notes.push_back(std::move(note));
+}
+
+void gatherFilesOutside(std::vector<Note> &notes)
+{
+    const auto isOutside = [](const Note &note) { return note.one == kOutside; };
+    const auto first = std::find_if(notes.begin(), notes.end(), isOutside);
+    const auto others = std::count_if(first, notes.end(), isOutside) - 1;
+    if (others < 1)
+        return;
+    first->one = marked(others == 1 ? "the file \"%1\" and %2 other one outside the model's folder were read"
+                                    : "the file \"%1\" and %2 other ones outside the model's folder were read");
+    first->values.push_back(std::to_string(others));
+    notes.erase(std::remove_if(first + 1, notes.end(), isOutside), notes.end());
 }
 
 int addTexture(Model &model, const std::filesystem::path &modelFile, const std::string &reference)
 {
     model.textures.push_back(readTexture(modelFile, reference));
     if (model.textures.back().encoded.empty())
-        model.notes.push_back({ModelNote::Kind::TextureMissing, 0, reference});
+        model.notes.push_back(
+            {marked("the image \"%1\" is missing or cannot be read: its surfaces are shown without it"), {reference}});
     else
         noteIfOutside(model.notes, modelFile, model.textures.back().file, reference);
     return static_cast<int>(model.textures.size()) - 1;

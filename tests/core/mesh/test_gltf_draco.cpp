@@ -359,7 +359,7 @@ private slots:
     {
         QFETCH(QByteArray, content);
         QFETCH(QString, detail);
-        VERIFY_REFUSED(imported(content), ImportErrorCode::Malformed, detail);
+        VERIFY_REFUSED(imported(content), detail);
     }
 
     void damagedDataGiveAMessage_data() { unpacksEveryVertex_data(); }
@@ -376,8 +376,8 @@ private slots:
             if (result)
                 return;
             ++refused;
-            QVERIFY(result.error().code == ImportErrorCode::Malformed
-                    || result.error().code == ImportErrorCode::NotFinite);
+            QVERIFY(result.error().text.starts_with("the file is damaged")
+                    || result.error().text.starts_with("vertex"));
         };
         // The whole beginning, which holds the counts, and a sample of the rest.
         for (qsizetype i = 0; i < whole.bytes.size(); i += i < 64 ? 1 : 37) {

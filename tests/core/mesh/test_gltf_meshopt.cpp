@@ -322,7 +322,7 @@ private slots:
     {
         QFETCH(QByteArray, content);
         QFETCH(QString, detail);
-        VERIFY_REFUSED(imported(content), ImportErrorCode::Malformed, detail);
+        VERIFY_REFUSED(imported(content), detail);
     }
 
     void damagedDataGiveAMessage_data()
@@ -347,8 +347,8 @@ private slots:
             if (result)
                 return;
             ++refused;
-            QVERIFY(result.error().code == ImportErrorCode::Malformed
-                    || result.error().code == ImportErrorCode::NotFinite);
+            QVERIFY(result.error().text.starts_with("the file is damaged")
+                    || result.error().text.starts_with("vertex"));
         };
         for (qsizetype i = 0; i < whole.bytes.size(); i += i < 64 ? 1 : 7) {
             for (const int change : {1, 0x80, 0xff}) {

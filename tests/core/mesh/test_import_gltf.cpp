@@ -255,8 +255,7 @@ private slots:
 
         const auto shorter = imported(QByteArray(whole).replace(8, 4, little(quint32(whole.size() - 4))), "model.glb");
         VERIFY_REFUSED(
-            shorter, ImportErrorCode::Malformed,
-            QString("the header declares %1 bytes, the file has %2").arg(whole.size() - 4).arg(whole.size()));
+            shorter, QString("the header declares %1 bytes, the file has %2").arg(whole.size() - 4).arg(whole.size()));
     }
 
     void manyNodesTakeNoTime()

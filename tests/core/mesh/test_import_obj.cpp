@@ -297,14 +297,14 @@ private slots:
     {
         const QByteArray text = longObj(200, 400);
         const int lines = int(text.count('\n'));
-        QCOMPARE(QString::fromStdString(m_folder.imported("long.obj", text + "f 1 2 999999\n" + text).error().detail),
-                 QString("line %1: a face refers to vertex 999999, the file has 160000").arg(lines + 1));
+        QCOMPARE(QString::fromStdString(m_folder.imported("long.obj", text + "f 1 2 999999\n" + text).error().text),
+                 QString("the file is damaged: line %1: a face refers to vertex 999999, the file has 160000")
+                     .arg(lines + 1));
         QCOMPARE(
-            QString::fromStdString(m_folder.imported("long.obj", text + "f 1 x 3\nv 1 2 oops\n" + text).error().detail),
-            QString("line %1: \"x\" is not a corner of a face").arg(lines + 1));
+            QString::fromStdString(m_folder.imported("long.obj", text + "f 1 x 3\nv 1 2 oops\n" + text).error().text),
+            QString("the file is damaged: line %1: \"x\" is not a corner of a face").arg(lines + 1));
         const auto notFinite = m_folder.imported("long.obj", text + "v 0 0 nan\n" + text);
-        QCOMPARE(int(notFinite.error().code), int(ImportErrorCode::NotFinite));
-        QCOMPARE(notFinite.error().index, std::size_t{80000});
+        VERIFY_REFUSED(notFinite, QString(kNotFinite).arg(80000));
     }
 
     void takesTimeInProportionToGroups()

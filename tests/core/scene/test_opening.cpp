@@ -49,9 +49,9 @@ private slots:
         double done = 0.0;
         QCOMPARE(*files.read(file, [&done](double share) { return (done = share) <= 1.0; }), model);
         QCOMPARE(done, 1.0);
-        QVERIFY(files.read(file, [](double) { return false; }).error().code == ImportErrorCode::Cancelled);
+        QVERIFY(files.read(file, [](double) { return false; }).error().kind == base::Error::Kind::Stopped);
         QVERIFY2(*files.read(file.parent_path() / "." / "triangle.off") == model, "another name of the same file");
-        QVERIFY(files.read(file.parent_path() / "other.off").error().code == ImportErrorCode::NotFound);
+        QVERIFY(files.read(file.parent_path() / "other.off").error().kind == base::Error::Kind::NoFile);
         write("triangle.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 2 1 \n");
         const ModelPointer changed = *files.read(file);
         QVERIFY2(changed != model, "the file has changed");
@@ -66,13 +66,13 @@ private slots:
         ModelFiles files;
         int count = 0;
         const auto prepare = [&count](Model &) { return ++count > 1; };
-        QVERIFY(files.read(file, {}, prepare).error().code == ImportErrorCode::Cancelled);
+        QVERIFY(files.read(file, {}, prepare).error().kind == base::Error::Kind::Stopped);
         const ModelPointer model = *files.read(file, {}, prepare);
         QCOMPARE(*files.read(file, {}, prepare), model);
         QCOMPARE(count, 2);
         const std::filesystem::path other = write("other.off", kTriangle);
         const auto noMemory = [](Model &) -> bool { throw std::bad_alloc(); };
-        QVERIFY(files.read(other, {}, noMemory).error().code == ImportErrorCode::OutOfMemory);
+        QVERIFY(files.read(other, {}, noMemory).error().kind == base::Error::Kind::OutOfMemory);
     }
 
     void scenesAreToldFromModels()
@@ -110,7 +110,7 @@ private slots:
         ModelFiles files;
         const auto read = [&files](const std::filesystem::path &file) { return files.read(file); };
         const auto errorOf = [&](const char *objects) {
-            return objectsOf(sceneOf(objects), "scene.json", read).error();
+            return objectsOf(sceneOf(objects), "scene.json", read).error().message();
         };
         QCOMPARE(errorOf(R"({"name": "a", "bundled": "Nessie"})"), std::string("there is no bundled model \"Nessie\""));
         const std::string missing = errorOf(R"({"name": "a", "file": "none.off"}, {"name": "b", "bundled": "Nessie"})");

@@ -423,46 +423,14 @@ private slots:
         QVERIFY2(!hasPlaceholder(nan), qPrintable(nan));
     }
 
-    void everyImportErrorHasItsSentence_data()
+    /// A name that looks like a placeholder is a name.
+    void anErrorOfAFileNamesIt()
     {
-        addColumn<int>("code");
-        addColumn<QString>("named");
-        std::set<int> codes;
-        const auto row = [&codes](const char *name, ImportErrorCode code, const char *named) {
-            codes.insert(static_cast<int>(code));
-            newRow(name) << static_cast<int>(code) << QString::fromLatin1(named);
-        };
-        row("not found", ImportErrorCode::NotFound, "no such file");
-        row("folder", ImportErrorCode::IsDirectory, "folder");
-        row("not readable", ImportErrorCode::NotReadable, "line 42");
-        row("empty", ImportErrorCode::EmptyFile, "empty");
-        row("unknown format", ImportErrorCode::UnknownFormat, "OBJ, STL, PLY, OFF, glTF or GLB");
-        row("malformed", ImportErrorCode::Malformed, "line 42");
-        row("unsupported", ImportErrorCode::Unsupported, "line 42");
-        row("no triangles", ImportErrorCode::NoTriangles, "line 42");
-        row("not finite", ImportErrorCode::NotFinite, "vertex 17");
-        row("cancelled", ImportErrorCode::Cancelled, "stopped");
-        row("out of memory", ImportErrorCode::OutOfMemory, "memory");
-        QCOMPARE(codes.size(), std::size_t(ImportErrorCode::OutOfMemory) + 1);
-    }
-
-    void everyImportErrorHasItsSentence()
-    {
-        QFETCH(int, code);
-        QFETCH(QString, named);
-        for (const char *detail : {"line 42", ""}) {
-            const QString text =
-                errorText(ImportError{static_cast<ImportErrorCode>(code), "some folder/model.obj", detail, 17});
-            QVERIFY2(text.contains(QStringLiteral("model.obj")), qPrintable(text));
-            QVERIFY2(!hasPlaceholder(text), qPrintable(text));
-            if (*detail || named != QStringLiteral("line 42"))
-                QVERIFY2(text.contains(named), qPrintable(text));
-            if (!*detail && code == int(ImportErrorCode::NoTriangles)) // the detail says what the file holds instead
-                QVERIFY2(text.contains(QStringLiteral("neither triangles")), qPrintable(text));
-        }
-        // A name that looks like a placeholder is a name.
-        const QString text = errorText(ImportError{static_cast<ImportErrorCode>(code), "100%1%2.obj", "line 42", 17});
-        QVERIFY2(text.contains(QStringLiteral("100%1%2.obj")), qPrintable(text));
+        QCOMPARE(errorText(base::Error{.text = "the file is empty", .file = "100%1%2.obj"}),
+                 QStringLiteral("100%1%2.obj: the file is empty."));
+        QCOMPARE(errorText(base::Error{"it is too far away", "head", "a.json"}),
+                 QStringLiteral("a.json: head: it is too far away."));
+        QCOMPARE(errorText(base::Error{"the field is empty"}), QStringLiteral("the field is empty."));
     }
 };
 
