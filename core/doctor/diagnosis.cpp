@@ -84,7 +84,7 @@ Candidate candidateOf(const Hypothesis &hypothesis, const Given &given, std::spa
     candidate.isCutOff = candidate.explains && hypothesis.worst > kRounded;
     for (const Prepared &point : points) {
         const Target &target = hypothesis.count == 0 ? point.right : point.target;
-        const std::optional<Nearest> found = hypothesis.nearest(given, target);
+        const auto found = hypothesis.nearest(given, target);
         for (int axis = 0; found && axis < 3; ++axis) {
             if (!countsIn(target, axis))
                 continue;

@@ -19,7 +19,7 @@ constexpr double kSameAnswer = 1e-3;
 std::optional<Hypothesis> tried(const Given &given, std::span<const Target> points, Hypothesis hypothesis)
 {
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::optional<Nearest> found = hypothesis.nearest(given, points[i]);
+        const auto found = hypothesis.nearest(given, points[i]);
         if (!found)
             return std::nullopt;
         if (i == 0)
@@ -36,7 +36,7 @@ bool isWithoutEffect(const Given &given, std::span<const Target> points, const V
     const Variant *const parts[] = {&variant};
     for (const Target &target : points) {
         for (const Click &click : target.clicks) {
-            const std::optional<glm::dvec3> right = answer(given, click, {}), wrong = answer(given, click, parts);
+            const auto right = answer(given, click, {}), wrong = answer(given, click, parts);
             if (!right || !wrong || greatestOf((*wrong - *right) / target.lastDigit) > kSameAnswer)
                 return false;
         }
@@ -102,7 +102,7 @@ std::optional<Run> Hypothesis::ranFor(const Given &given, const Click &click) co
 
 std::optional<glm::dvec3> Hypothesis::answerTo(const Given &given, const Click &click) const
 {
-    const std::optional<Run> run = ranFor(given, click);
+    const auto run = ranFor(given, click);
     return run ? std::optional(run->point) : std::nullopt;
 }
 
@@ -113,12 +113,12 @@ bool isSameAnswer(const glm::dvec3 &a, const glm::dvec3 &b)
 
 std::optional<Nearest> Hypothesis::nearest(const Given &given, const Target &target) const
 {
-    const std::optional<glm::dvec3> first = answerTo(given, target.clicks[0]);
+    const auto first = answerTo(given, target.clicks[0]);
     if (!first)
         return std::nullopt;
     glm::dvec3 closest = *first;
     if (target.clicks.size() > 1) {
-        const std::optional<glm::dvec3> second = answerTo(given, target.clicks[1]);
+        const auto second = answerTo(given, target.clicks[1]);
         if (!second)
             return std::nullopt;
         // The units are the last digits', so that each coordinate counts by its precision.
@@ -149,6 +149,7 @@ std::vector<Hypothesis> hypotheses(const Given &given, std::span<const Target> p
         if (one && (!isSolved || one->worst <= kCutOff))
             result.push_back(*one);
     }
+    result.reserve(result.size() + effective.size() * effective.size());
     for (std::size_t i = 0; i < effective.size(); ++i) {
         for (std::size_t j = i + 1; j < effective.size(); ++j) {
             const Variant &a = *effective[i], &b = *effective[j];

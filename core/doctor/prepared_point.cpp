@@ -48,7 +48,7 @@ std::vector<Click> betweenPlanes(const Case &scene, const Given &given, const Wr
     constexpr double kFromPlane = 4.0; // last digits
     Click first = clickOf(scene, given, point, given.depthRange.atNear);
     Click last = clickOf(scene, given, point, given.depthRange.atFar);
-    const std::optional<glm::dvec3> a = answer(given, first, {}), b = answer(given, last, {});
+    const auto a = answer(given, first, {}), b = answer(given, last, {});
     const double digits = a && b ? glm::length((*b - *a) / point.lastDigit) : 0.0;
     if (digits > 2.0 * kFromPlane) {
         const glm::dvec3 step = (*b - *a) * (kFromPlane / digits);
@@ -66,13 +66,13 @@ std::vector<Click> betweenPlanes(const Case &scene, const Given &given, const Wr
 glm::dvec3 roundingOf(const Given &given, const Click &click, double epsilon)
 {
     constexpr double kRoundings = 32.0, kStep = 1e-6;
-    const std::optional<glm::dvec3> right = answer(given, click, {});
+    const auto right = answer(given, click, {});
     if (!right)
         return glm::dvec3(0.0);
     const auto [low, high] = std::minmax(given.depthRange.atNear, given.depthRange.atFar);
     Click moved = click;
     moved.depth += (high - low) * (click.depth > (low + high) / 2.0 ? -kStep : kStep);
-    const std::optional<glm::dvec3> there = answer(given, moved, {});
+    const auto there = answer(given, moved, {});
     const glm::dvec3 byDepth = there ? glm::abs(*there - *right) / kStep : glm::dvec3(0.0);
     const double size = glm::length(given.eyePosition) + glm::length(click.eye) + glm::length(*right);
     // A larger tolerance would let anything explain the point.
@@ -123,7 +123,7 @@ std::optional<glm::dvec3> unsureOf(const Given &given, const Prepared &point)
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 moved = point.target.got;
         moved[axis] += kCutOff * point.target.lastDigit[axis];
-        const std::optional<glm::dvec3> there = projected(given, point.click, moved);
+        const auto there = projected(given, point.click, moved);
         if (!there)
             return std::nullopt;
         sum += glm::abs(*there - *point.projected);
@@ -168,7 +168,7 @@ Prepared prepared(const Case &scene, const Given &given, const WrongPoint &point
         result.target.isLine = true;
         // Two depths: the point's, and one far enough from it to define a line.
         Click anywhere = clickOf(scene, given, point, low);
-        const std::optional<glm::dvec3> there = projected(given, anywhere, point.got);
+        const auto there = projected(given, anywhere, point.got);
         const double at = there ? std::clamp(there->z, low, high) : (low + high) / 2.0;
         depth = at;
         depths = {at, at > (low + high) / 2.0 ? (low + at) / 2.0 : (at + high) / 2.0};
@@ -225,7 +225,7 @@ Hypothesis rightHypothesis(const Given &given, std::span<const Prepared> points)
 {
     Hypothesis right;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::optional<Nearest> found = right.nearest(given, points[i].right);
+        const auto found = right.nearest(given, points[i].right);
         const double distance = found ? found->distance : std::numeric_limits<double>::infinity();
         if (i == 0 && found)
             right.point = found->point;
@@ -237,7 +237,7 @@ Hypothesis rightHypothesis(const Given &given, std::span<const Prepared> points)
 
 ErrorKind wrongOf(const Given &given, const Prepared &point)
 {
-    const std::optional<glm::dvec3> unsure = point.projected ? unsureOf(given, point) : std::nullopt;
+    const auto unsure = point.projected ? unsureOf(given, point) : std::nullopt;
     if (!unsure)
         return ErrorKind::Matrix;
     const glm::dvec3 right(point.click.pixel.coordinates(), point.click.depth);

@@ -100,7 +100,7 @@ private:
 /// leads there.
 void throughEye(Run &run, Mistakes &mistakes)
 {
-    run.eye = transformed(glm::inverse(run.clipFromEye), run.ndc);
+    run.eye = transformed(mistakes.has(Stage::Lens) ? glm::inverse(run.clipFromEye) : run.given.eyeFromClip, run.ndc);
     mistakes.make(Stage::Eye);
     run.ndc = transformed(run.clipFromEye, run.eye);
 }
@@ -123,12 +123,14 @@ Result<Given> Given::of(const Setup &setup, const cameras::Distortion &distortio
     given.ndcDepth = ndcDepthOf(setup);
     given.clipFromEye = *projection;
     given.eyeFromWorld = *view;
+    given.eyeFromClip = glm::inverse(*projection);
+    given.worldFromClip = glm::inverse(*projection * (*view * glm::dmat4(1.0))); // as combined()
     readLens(given, setup.lens);
     if (given.isPerspective)
         given.distortion = distortion;
     const glm::dmat4 worldFromEye = glm::inverse(*view);
     given.eyePosition = glm::dvec3(worldFromEye[3]) / worldFromEye[3].w;
-    if (!checkFinite(glm::inverse(*projection)) || !checkFinite(worldFromEye))
+    if (!checkFinite(given.eyeFromClip) || !checkFinite(worldFromEye))
         return Error{ErrorCode::SingularMatrix};
     return given;
 }
@@ -174,7 +176,10 @@ std::optional<Run> ran(const Given &given, const Click &click, std::span<const V
     if (run.isClosedForm) {
         run.point = glm::dvec3(glm::inverse(run.eyeFromWorld * click.worldFromObject) * glm::dvec4(run.eye, 1.0));
     } else {
-        run.spaceFromClip = combined(run);
+        // Most mistakes are not of the matrices, and an inverse takes as long as all the rest.
+        const bool areMatricesRight = click.space == PointSpace::World && !mistakes.has(Stage::Lens)
+                                      && !mistakes.has(Stage::Factors) && !mistakes.has(Stage::Product);
+        run.spaceFromClip = areMatricesRight ? given.worldFromClip : combined(run);
         const glm::dvec4 undivided = product(run.spaceFromClip, glm::dvec4(run.ndc, 1.0), run.isInPlace);
         run.point = glm::dvec3(undivided);
         for (int i = 0; i < run.divisions; ++i)
@@ -189,7 +194,7 @@ std::optional<Run> ran(const Given &given, const Click &click, std::span<const V
 std::optional<glm::dvec3> answer(const Given &given, const Click &click, std::span<const Variant *const> list,
                                  bool isClosedForm)
 {
-    const std::optional<Run> run = ran(given, click, list, isClosedForm);
+    const auto run = ran(given, click, list, isClosedForm);
     return run ? std::optional(run->point) : std::nullopt;
 }
 
@@ -234,7 +239,7 @@ glm::dvec2 distorted(const Given &given, const glm::dvec2 &position)
 void setPixel(const Given &given, Click &click, const DevicePoint &inImage)
 {
     const glm::dvec2 at = inImage.coordinates();
-    const std::optional<glm::dvec2> straight =
+    const auto straight =
         given.distortion.isNone() ? at : cameras::undistortedPixel(given.distortion, intrinsicsOf(given), at);
     if (straight)
         click.pixel = DevicePoint(straight->x, straight->y);
@@ -248,7 +253,7 @@ void setRightEye(const Given &given, Click &click)
 {
     const glm::dvec2 window(click.pixel.x, flippedY(given.surface, click.pixel.y));
     const glm::dvec3 ndc(ndcXy(given.viewport, window), given.ndcZ(given.unitDepth(click.depth)));
-    click.eye = transformed(glm::inverse(given.clipFromEye), ndc);
+    click.eye = transformed(given.eyeFromClip, ndc);
 }
 
 std::optional<glm::dvec3> projected(const Given &given, const Click &click, const glm::dvec3 &point)

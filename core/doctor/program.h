@@ -27,6 +27,7 @@ struct Given {
     double nearDistance = 1.0, farDistance = 100.0;
     glm::dmat4 clipFromEye{1.0};
     glm::dmat4 eyeFromWorld{1.0};
+    glm::dmat4 eyeFromClip{1.0}, worldFromClip{1.0};
     glm::dvec3 eyePosition{0.0};    ///< world space
     cameras::Distortion distortion; ///< of the pixels; only a perspective has it
 

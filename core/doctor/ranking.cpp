@@ -152,6 +152,7 @@ std::vector<Hypothesis> ranked(std::span<const Hypothesis> all)
             fewestValues = std::min(fewestValues, hypothesis.parts[0]->unknowns);
     }
     std::vector<Hypothesis> result;
+    result.reserve(best.size());
     for (const auto &[key, hypothesis] : best) {
         const int tier = tierOf(*hypothesis);
         if (hypothesis->count == 2

@@ -27,54 +27,48 @@ std::string filledIn(const char *pattern, const VariantName &way)
     return filled(translated(pattern), way.values);
 }
 
-std::string nameOf(const KnownPoint &known)
+struct KnownText {
+    const char *name;   ///< marked, %1 is the object, %2 the vertex
+    const char *reason; ///< the usual cause, as a clause
+};
+/// In the order of KnownPoint::Kind.
+constexpr KnownText kKnownTexts[] = {
+    {marked("the eye"),
+     marked("the program returns where the ray begins: the translation of the view's inverse, or the point at a "
+            "distance of 0")},
+    {marked("the translation of the view matrix"),
+     marked("the program reads the eye from the last column of the view matrix; it is in the last column of the "
+            "inverse")},
+    {marked("the camera's centre"), marked("the program returns the point that the camera looks at, for every click")},
+    {marked("the world's origin"),
+     marked("the result was never set: a call failed or the ray hit nothing, and the program did not check it")},
+    {marked("the origin of \"%1\""),
+     marked("the program returns the translation of the model matrix: the object's position, not the clicked point")},
+    {marked("vertex %2 of \"%1\""),
+     marked("the program returns the nearest vertex of the mesh, not the point that is clicked")},
+};
+
+const KnownText &textsOf(const KnownPoint &known)
 {
-    switch (known.kind) {
-    case KnownPoint::Kind::Eye: return tr("the eye");
-    case KnownPoint::Kind::ViewTranslation: return tr("the translation of the view matrix");
-    case KnownPoint::Kind::CameraCentre: return tr("the camera's centre");
-    case KnownPoint::Kind::WorldOrigin: return tr("the world's origin");
-    case KnownPoint::Kind::ObjectOrigin: return tr("the origin of \"%1\"", known.object);
-    case KnownPoint::Kind::Vertex: break;
-    }
-    return tr("vertex %1 of \"%2\"", known.vertex, known.object);
+    return kKnownTexts[std::size_t(known.kind)];
 }
 
-/// The usual cause, as a clause.
-std::string reasonOf(const KnownPoint &known)
-{
-    switch (known.kind) {
-    case KnownPoint::Kind::Eye:
-        return tr("the program returns where the ray begins: the translation of the view's inverse, or the point at a "
-                  "distance of 0");
-    case KnownPoint::Kind::ViewTranslation:
-        return tr("the program reads the eye from the last column of the view matrix; it is in the last column of the "
-                  "inverse");
-    case KnownPoint::Kind::CameraCentre:
-        return tr("the program returns the point that the camera looks at, for every click");
-    case KnownPoint::Kind::WorldOrigin:
-        return tr("the result was never set: a call failed or the ray hit nothing, and the program did not check it");
-    case KnownPoint::Kind::ObjectOrigin:
-        return tr(
-            "the program returns the translation of the model matrix: the object's position, not the clicked point");
-    case KnownPoint::Kind::Vertex: break;
-    }
-    return tr("the program returns the nearest vertex of the mesh, not the point that is clicked");
-}
+/// In the order of Shared.
+constexpr const char *kSharedSentences[] = {
+    marked("Both unproject the same wrong window position."),
+    marked("Both unproject the same wrong depth."),
+    marked("Both use the same wrong projection matrix."),
+    marked("Both use the same wrong view matrix."),
+    marked("Both reach the same wrong NDC position."),
+    marked("Both multiply by the same wrong matrix."),
+    marked("They reach the same wrong point in different ways."),
+};
 
-std::string sharedSentence(Shared shared)
-{
-    switch (shared) {
-    case Shared::Window: return tr("Both unproject the same wrong window position.");
-    case Shared::Depth: return tr("Both unproject the same wrong depth.");
-    case Shared::Projection: return tr("Both use the same wrong projection matrix.");
-    case Shared::View: return tr("Both use the same wrong view matrix.");
-    case Shared::Ndc: return tr("Both reach the same wrong NDC position.");
-    case Shared::Matrix: return tr("Both multiply by the same wrong matrix.");
-    case Shared::Point: break;
-    }
-    return tr("They reach the same wrong point in different ways.");
-}
+/// In the order of Lack.
+constexpr const char *kLackSentences[] = {
+    marked("All points have one depth, so near and far cannot be solved: give a point at another depth."),
+    marked("The points lie on a line, so another frame cannot be solved: give a third point beside the line."),
+};
 
 std::string rightnessText(const Diagnosis &diagnosis)
 {
@@ -87,17 +81,6 @@ std::string rightnessText(const Diagnosis &diagnosis)
     case ErrorKind::Depth: return tr("the pixel is right, the depth is not");
     case ErrorKind::Matrix:
         return tr(isByRay ? "the pixel is not right" : "neither pixel nor depth is right: a matrix");
-    }
-    return {};
-}
-
-std::string lackSentence(Lack lack)
-{
-    switch (lack) {
-    case Lack::OtherDepth:
-        return tr("All points have one depth, so near and far cannot be solved: give a point at another depth.");
-    case Lack::Plane:
-        return tr("The points lie on a line, so another frame cannot be solved: give a third point beside the line.");
     }
     return {};
 }
@@ -247,22 +230,24 @@ std::string waysText(const std::vector<VariantName> &ways)
 std::string knownPointName(const std::vector<KnownPoint> &known)
 {
     std::string names;
-    for (const KnownPoint &one : known)
-        names = names.empty() ? nameOf(one) : tr("%1 and %2|names", names, nameOf(one));
+    for (const KnownPoint &one : known) {
+        const std::string name = tr(textsOf(one).name, one.object, one.vertex);
+        names = names.empty() ? name : tr("%1 and %2|names", names, name);
+    }
     return names;
 }
 
 std::string knownPointSentence(const std::vector<KnownPoint> &known)
 {
     std::string sentences = tr("The point given is %1.", knownPointName(known));
-    for (std::size_t i = 0; i < known.size(); ++i)
-        sentences = joined(sentences, tr(i == 0 ? "Usually %1." : "Or %1.", reasonOf(known[i])));
+    for (const KnownPoint &one : known)
+        sentences = joined(sentences, tr(&one == &known.front() ? "Usually %1." : "Or %1.", tr(textsOf(one).reason)));
     return sentences;
 }
 
 std::string alikeSentence(const Candidate &candidate)
 {
-    const std::string shared = candidate.shared ? sharedSentence(*candidate.shared) : std::string();
+    const std::string shared = candidate.shared ? tr(kSharedSentences[std::size_t(*candidate.shared)]) : std::string();
     switch (candidate.alike) {
     case Alike::No: break;
     case Alike::InDigits:
@@ -313,7 +298,7 @@ std::string verdictSentence(const Diagnosis &diagnosis)
         std::string sentences =
             tr("No known mistake explains this point: %1 mistakes and pairs of them were tried.", diagnosis.tried);
         for (const Lack lack : diagnosis.lacking)
-            sentences = joined(sentences, lackSentence(lack));
+            sentences = joined(sentences, tr(kLackSentences[std::size_t(lack)]));
         return sentences;
     }
     if (isByRay && diagnosis.wrong == ErrorKind::Depth)

@@ -30,7 +30,7 @@ using Fit = glm::dvec2;
 /// One point determines both, because the axis without bars is scaled only.
 std::optional<Fit> fitOf(const Given &given, const Letterbox &box, const Click &click, const glm::dvec3 &got)
 {
-    const std::optional<glm::dvec3> there = projected(given, click, got);
+    const auto there = projected(given, click, got);
     if (!there)
         return std::nullopt;
     const auto fromCorner = [&](double x, double y) {
@@ -102,15 +102,15 @@ void addLetterbox(VariantList &list, const Given &given, std::span<const Target>
 {
     const auto solved = [&](const Numbers &numbers, int k) {
         return solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
-            const std::optional<Fit> fit = fitOf(given, box, click, got);
+            const auto fit = fitOf(given, box, click, got);
             return fit ? std::optional(numbers.of(box, *fit)[k]) : std::nullopt;
         });
     };
-    const std::optional<Solution> scale = solved(kNumbers[0], 0), bar = solved(kNumbers[0], 1);
+    const auto scale = solved(kNumbers[0], 0), bar = solved(kNumbers[0], 1);
     if (!scale || !bar || !isLetterbox(box, *scale, *bar))
         return;
     for (const Numbers &numbers : kNumbers) {
-        const std::optional<Solution> first = solved(numbers, 0), second = solved(numbers, 1);
+        const auto first = solved(numbers, 0), second = solved(numbers, 1);
         if (!first || !second)
             continue;
         const std::array two{*first, *second};

@@ -30,7 +30,7 @@ std::optional<Points> pointsOf(const Given &given, std::span<const Target> targe
 {
     Points points;
     for (const Target &target : targets) {
-        const std::optional<glm::dvec3> right = answer(given, middleOf(given, target), {});
+        const auto right = answer(given, middleOf(given, target), {});
         if (!right)
             return std::nullopt;
         points.right.push_back(*right);

@@ -29,7 +29,7 @@ bool isUnlikely(const Solution &plane, std::span<const double> known, bool hides
 
 void addFar(VariantList &list, const Given &given, std::span<const Target> points)
 {
-    const std::optional<Solution> solved = solvedFar(given, points, given.nearDistance);
+    const auto solved = solvedFar(given, points, given.nearDistance);
     if (!solved)
         return;
     const std::array known{given.nearDistance, given.farDistance};
@@ -41,7 +41,7 @@ void addFar(VariantList &list, const Given &given, std::span<const Target> point
 
 void addNear(VariantList &list, const Given &given, std::span<const Target> points)
 {
-    const std::optional<Solution> solved = solvedNear(given, points, given.farDistance);
+    const auto solved = solvedNear(given, points, given.farDistance);
     if (!solved)
         return;
     const std::array known{given.nearDistance, given.farDistance};
@@ -59,7 +59,7 @@ void addFovy(VariantList &list, const Given &given, std::span<const Target> poin
 {
     const double tangent = std::abs(1.0 / given.clipFromEye[1][1]);
     const auto tangentsOf = [&](const glm::dvec3 &eye) { return glm::dvec2(eye) / (given.side * eye.z); };
-    const std::optional<Solution> solved =
+    const auto solved =
         solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
             const glm::dvec2 right = tangentsOf(click.eye), wrong = tangentsOf(eyeFromGot(given, click, got));
             if (glm::length(right) < 1e-9)
@@ -92,7 +92,7 @@ void addBoxSize(VariantList &list, const Given &given, std::span<const Target> p
     const glm::dmat4 &m = given.clipFromEye;
     const glm::dvec2 middle(-m[3][0] / m[0][0], -m[3][1] / m[1][1]);
     const double height = 2.0 / std::abs(m[1][1]), width = 2.0 / std::abs(m[0][0]);
-    const std::optional<Solution> solved =
+    const auto solved =
         solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
             const glm::dvec2 right = glm::dvec2(click.eye) - middle;
             const glm::dvec2 wrong = glm::dvec2(eyeFromGot(given, click, got)) - middle;
@@ -167,14 +167,14 @@ void addViewportSize(VariantList &list, const Given &given, std::span<const Targ
 {
     const Viewport &v = given.viewport;
     const auto ndcOf = [&](const Click &click, const glm::dvec3 &got) -> std::optional<glm::dvec2> {
-        const std::optional<glm::dvec3> there = projected(given, click, got);
+        const auto there = projected(given, click, got);
         if (!there)
             return std::nullopt;
         const glm::dvec2 window(there->x, flippedY(given.surface, there->y));
         return glm::dvec2(2.0 * (window.x - v.x) / v.width - 1.0, 2.0 * (window.y - v.y) / v.height - 1.0);
     };
     const auto heightOf = [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
-        const std::optional<glm::dvec2> ndc = ndcOf(click, got);
+        const auto ndc = ndcOf(click, got);
         if (!ndc)
             return std::nullopt;
         return use.isFlip ? 2.0 * (click.pixel.y + v.y) / (1.0 - ndc->y)
@@ -182,15 +182,14 @@ void addViewportSize(VariantList &list, const Given &given, std::span<const Targ
     };
     const double aspect = given.clipFromEye[1][1] / given.clipFromEye[0][0];
     const auto widthOf = [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
-        const std::optional<glm::dvec2> ndc = ndcOf(click, got);
+        const auto ndc = ndcOf(click, got);
         const std::optional<double> height = use.isAspect ? heightOf(click, got) : 0.0;
         if (!ndc || !height)
             return std::nullopt;
         const double fromLeft = 2.0 * (click.pixel.x - v.x);
         return use.isAspect ? fromLeft - ndc->x * aspect * *height : fromLeft / (ndc->x + 1.0);
     };
-    const std::optional<Solution> width = solvedFrom(given, points, widthOf),
-                                  height = solvedFrom(given, points, heightOf);
+    const auto width = solvedFrom(given, points, widthOf), height = solvedFrom(given, points, heightOf);
     if (!width || !height || !(width->value > 0.0) || !(height->value > 0.0))
         return;
     const std::array size{Solution{width->value, width->unsure, v.width},
@@ -246,9 +245,9 @@ void addRatio(VariantList &list, const Given &given, const Case &scene, std::spa
     const auto fromCorner = [&](double x, double y) {
         return glm::dvec2(x, isFromTop ? y : flippedY(given.surface, y));
     };
-    const std::optional<Solution> solved =
+    const auto solved =
         solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
-            const std::optional<glm::dvec3> there = projected(given, click, got);
+            const auto there = projected(given, click, got);
             const glm::dvec2 right = fromCorner(click.pixel.x, click.pixel.y);
             if (!there || !(glm::length(right) > 0.0))
                 return std::nullopt;
@@ -318,9 +317,9 @@ glm::dvec3 eyeIn(const Given &given, const Click &click)
 /// Another unit of length, or distances of another unit.
 void addScale(VariantList &list, const Given &given, std::span<const Target> points, bool isAboutEye)
 {
-    const std::optional<Solution> solved =
+    const auto solved =
         solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
-            const std::optional<glm::dvec3> right = answer(given, click, {});
+            const auto right = answer(given, click, {});
             const glm::dvec3 centre = isAboutEye ? eyeIn(given, click) : glm::dvec3(0.0);
             if (!right || !(glm::length(*right - centre) > 0.0))
                 return std::nullopt;
@@ -368,9 +367,9 @@ void addScale(VariantList &list, const Given &given, std::span<const Target> poi
 /// A depth that is read in another scale.
 void addDepthScale(VariantList &list, const Given &given, std::span<const Target> points)
 {
-    const std::optional<Solution> solved =
+    const auto solved =
         solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
-            const std::optional<glm::dvec3> there = projected(given, click, got);
+            const auto there = projected(given, click, got);
             return there && click.depth != 0.0 ? std::optional(there->z / click.depth) : std::nullopt;
         });
     if (!solved || !(solved->value > 0.0))
@@ -408,7 +407,7 @@ std::vector<double> usualSizes(const Given &given, const Case &scene)
 std::optional<Solution> solvedFar(const Given &given, std::span<const Target> points, double nearDistance)
 {
     const double n = nearDistance;
-    const std::optional<Solution> solved =
+    const auto solved =
         solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
             const double share = shareFromNear(given, click), z = given.side * eyeFromGot(given, click, got).z;
             if (share == 0.0)
@@ -421,7 +420,7 @@ std::optional<Solution> solvedFar(const Given &given, std::span<const Target> po
 std::optional<Solution> solvedNear(const Given &given, std::span<const Target> points, double farDistance)
 {
     const double f = farDistance;
-    const std::optional<Solution> solved =
+    const auto solved =
         solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
             const double share = shareFromNear(given, click), z = given.side * eyeFromGot(given, click, got).z;
             if (share == 1.0)

@@ -211,7 +211,7 @@ void addShiftAndScale(VariantList &list, const Given &given, std::span<const Tar
 /// Another centre of K. It moves all pixels alike, so the values are those of a shift.
 void addCentre(VariantList &list, const Given &given, std::span<const Target> points)
 {
-    const std::optional<std::array<Solution, 2>> shift = solvedShift(given, points);
+    const auto shift = solvedShift(given, points);
     if (!shift)
         return;
     const cameras::Intrinsics k = intrinsicsOf(given);

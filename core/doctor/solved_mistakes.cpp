@@ -47,7 +47,7 @@ double distanceOf(const Given &given, std::span<const Target> points, const Vari
     hypothesis.count = 1;
     double worst = 0.0;
     for (const Target &target : points) {
-        const std::optional<Nearest> found = hypothesis.nearest(given, target);
+        const auto found = hypothesis.nearest(given, target);
         if (!found)
             return std::numeric_limits<double>::infinity();
         const glm::dvec3 off = glm::abs(found->point - target.got) / target.lastDigit;
@@ -88,7 +88,7 @@ std::optional<Solution> solvedFrom(const Given &given, std::span<const Target> p
     double low = -std::numeric_limits<double>::infinity(), high = -low;
     double sum = 0.0, weights = 0.0;
     for (const Target &target : points) {
-        const std::optional<Solution> one = solvedFromOne(given, target, solve);
+        const auto one = solvedFromOne(given, target, solve);
         if (!one)
             continue;
         low = std::max(low, one->value - one->unsure);
@@ -107,9 +107,9 @@ std::optional<std::array<Solution, 2>> solvedShift(const Given &given, std::span
 {
     std::array<Solution, 2> shift;
     for (int axis = 0; axis < 2; ++axis) {
-        const std::optional<Solution> solved =
+        const auto solved =
             solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
-                const std::optional<glm::dvec3> there = projected(given, click, got);
+                const auto there = projected(given, click, got);
                 return there ? std::optional((*there)[axis] - click.pixel.coordinates()[axis]) : std::nullopt;
             });
         if (!solved)

@@ -35,7 +35,7 @@ std::vector<double> apartOf(const Given &given, std::span<const Click> clicks, c
 {
     std::vector<double> apart;
     for (const Click &click : clicks) {
-        const std::optional<glm::dvec3> first = a.answerTo(given, click), second = b.answerTo(given, click);
+        const auto first = a.answerTo(given, click), second = b.answerTo(given, click);
         const double distance = first && second ? glm::distance(*first, *second) : 0.0;
         apart.push_back(std::isfinite(distance) ? distance : 0.0);
     }
@@ -141,8 +141,7 @@ bool isRestated(const Given &given, std::span<const Target> points, const Hypoth
 
 Shared sharedOf(const Given &given, const Click &click, const Hypothesis &a, const Hypothesis &b)
 {
-    const std::optional<Run> right = ran(given, click, {}), first = a.ranFor(given, click),
-                             second = b.ranFor(given, click);
+    const auto right = ran(given, click, {}), first = a.ranFor(given, click), second = b.ranFor(given, click);
     if (!right || !first || !second)
         return Shared::Point;
     const auto isShared = [&](const auto &partOf) {

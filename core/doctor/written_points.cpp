@@ -158,7 +158,7 @@ Result<std::vector<WrittenNumber>, NumbersFault> numbersOrFault(std::string_view
         at = end;
         if (isName(word))
             continue;
-        const std::optional<WrittenNumber> number = writtenNumber(word);
+        const auto number = writtenNumber(word);
         if (!number)
             return NumbersFault{std::string(word), numbers.size(), false};
         if (!numbers.empty() && isBehindComma)
@@ -230,7 +230,7 @@ Result<WrongPoint, std::size_t> pointOf(const PointRow &row)
     for (std::size_t column = 0; column < row.cells.size(); ++column) {
         if (column == kDepth && landmark_files::trimmed(row.cells[column]).empty())
             continue;
-        const std::optional<WrittenNumber> number = writtenNumber(row.cells[column]);
+        const auto number = writtenNumber(row.cells[column]);
         if (!number)
             return column;
         if (column < kDepth) {
@@ -256,7 +256,7 @@ Result<WrongPoint, std::string> wrongPointOf(const std::string &pixel, const std
                + faultText(position.error(), base::tr("device pixels from the top left corner, as in 400.5,300.5"));
     point.pixel = DevicePoint((*position)[0].value, (*position)[1].value);
     if (!depth.empty()) {
-        const std::optional<WrittenNumber> number = writtenNumber(depth);
+        const auto number = writtenNumber(depth);
         if (!number)
             return base::tr("%1: give a depth in the scene's depth range, as in 0.838331, or leave it out",
                             names.depth + (' ' + depth));

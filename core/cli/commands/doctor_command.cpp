@@ -9,7 +9,6 @@
 #include "core/doctor/diagnosis.h"
 #include "core/doctor/known_points.h"
 #include "core/doctor/mistakes.h"
-#include "core/doctor/program.h"
 #include "core/doctor/report_text.h"
 #include "core/doctor/written_points.h"
 #include "core/opening/models.h"
@@ -142,58 +141,17 @@ Json jsonOf(const std::vector<SolvedValue> &values)
     return json;
 }
 
-std::string_view errorKindName(ErrorKind kind)
-{
-    switch (kind) {
-    case ErrorKind::Right: return "right";
-    case ErrorKind::Pixel: return "pixel";
-    case ErrorKind::Depth: return "depth";
-    case ErrorKind::Matrix: return "matrix";
-    }
-    return {};
-}
-
-std::string_view alikeName(Alike alike)
-{
-    switch (alike) {
-    case Alike::No: return "no";
-    case Alike::InDigits: return "digits";
-    case Alike::Here: return "here";
-    case Alike::Always: return "always";
-    }
-    return {};
-}
-
-std::string_view sharedName(Shared shared)
-{
-    switch (shared) {
-    case Shared::Window: return "window";
-    case Shared::Depth: return "depth";
-    case Shared::Projection: return "projection";
-    case Shared::View: return "view";
-    case Shared::Ndc: return "ndc";
-    case Shared::Matrix: return "matrix";
-    case Shared::Point: return "point";
-    }
-    return {};
-}
-
-std::string_view kindName(KnownPoint::Kind kind)
-{
-    switch (kind) {
-    case KnownPoint::Kind::Eye: return "eye";
-    case KnownPoint::Kind::ViewTranslation: return "view-translation";
-    case KnownPoint::Kind::CameraCentre: return "camera-centre";
-    case KnownPoint::Kind::WorldOrigin: return "world-origin";
-    case KnownPoint::Kind::ObjectOrigin: return "object-origin";
-    case KnownPoint::Kind::Vertex: return "vertex";
-    }
-    return {};
-}
+// Words of the JSON, in the order of ErrorKind, Alike, Shared, DepthKnown and KnownPoint::Kind.
+constexpr std::string_view kWrongNames[] = {"right", "pixel", "depth", "matrix"};
+constexpr std::string_view kAlikeNames[] = {"no", "digits", "here", "always"};
+constexpr std::string_view kSharedNames[] = {"window", "depth", "projection", "view", "ndc", "matrix", "point"};
+constexpr std::string_view kDepthNames[] = {"given", "mesh", "unknown"};
+constexpr std::string_view kKnownNames[] = {"eye",          "view-translation", "camera-centre",
+                                            "world-origin", "object-origin",    "vertex"};
 
 Json jsonOf(const KnownPoint &known)
 {
-    Json one{{"kind", kindName(known.kind)}, {"point", jsonOf(known.point)}};
+    Json one{{"kind", kKnownNames[std::size_t(known.kind)]}, {"point", jsonOf(known.point)}};
     if (!known.object.empty())
         one["object"] = known.object;
     if (known.kind == KnownPoint::Kind::Vertex)
@@ -201,17 +159,6 @@ Json jsonOf(const KnownPoint &known)
     return one;
 }
 
-std::string_view depthName(DepthKnown known)
-{
-    switch (known) {
-    case DepthKnown::Given: return "given";
-    case DepthKnown::FromMesh: return "mesh";
-    case DepthKnown::ByRay: return "unknown";
-    }
-    return {};
-}
-
-/// A diagnosis as one JSON object on one line.
 std::string doctorJson(const Diagnosis &diagnosis)
 {
     const InEnglish english;
@@ -231,9 +178,9 @@ std::string doctorJson(const Diagnosis &diagnosis)
         if (!candidate.ways.empty())
             one["variant"] = waysText(candidate.ways);
         if (candidate.alike != Alike::No)
-            one["alike"] = alikeName(candidate.alike);
+            one["alike"] = kAlikeNames[std::size_t(candidate.alike)];
         if (candidate.shared)
-            one["shared"] = sharedName(*candidate.shared);
+            one["shared"] = kSharedNames[std::size_t(*candidate.shared)];
         json["candidates"].push_back(one);
     }
     json["known"] = Json::array();
@@ -247,8 +194,8 @@ std::string doctorJson(const Diagnosis &diagnosis)
     json["right"] = diagnosis.right ? jsonOf(*diagnosis.right) : Json();
     json["digitsGiven"] = diagnosis.digitsGiven;
     json["digitsWritten"] = diagnosis.digitsWritten;
-    json["wrong"] = diagnosis.tellsWrong() ? Json(errorKindName(diagnosis.wrong)) : Json();
-    json["depth"] = depthName(diagnosis.depthKnown);
+    json["wrong"] = diagnosis.tellsWrong() ? Json(kWrongNames[std::size_t(diagnosis.wrong)]) : Json();
+    json["depth"] = kDepthNames[std::size_t(diagnosis.depthKnown)];
     json["tried"] = diagnosis.tried;
     json["singlePrecision"] = diagnosis.isSinglePrecision;
     json["chance"] = jsonNumber(diagnosis.chance);

@@ -88,7 +88,7 @@ Argument argumentOf(const QString &code, qsizetype at)
 /// name of marked texts.
 bool isSeen(const Argument &argument)
 {
-    static const QRegularExpression name(QStringLiteral("^[A-Za-z_](?:[A-Za-z0-9_.()]|->)*$"));
+    static const QRegularExpression name(QStringLiteral("^[A-Za-z_](?:[A-Za-z0-9_.:*()\\[\\]]|->)*$"));
     if (argument.literals.isEmpty())
         return name.match(argument.rest).hasMatch();
     return argument.literals.size() > argument.rest.count(u'?');
@@ -183,6 +183,7 @@ private slots:
         newRow("literal") << QStringLiteral(R"(tr("a" "b", c))") << true;
         newRow("choice") << QStringLiteral(R"(tr(x == ',' ? "a" : "b" "c", d))") << true;
         newRow("name") << QStringLiteral("tr(mistakeOf(part).sentence)") << true;
+        newRow("table") << QStringLiteral("tr(kTexts[std::size_t(*kind)])") << true;
         newRow("in-a-comment") << QStringLiteral("int a; // what tr() says") << true;
         newRow("comma-of-a-template") << QStringLiteral(R"(tr(std::is_same_v<S, double> ? "a" : "b"))") << false;
         newRow("half-a-choice") << QStringLiteral(R"(tr(isFew ? few : "b"))") << false;

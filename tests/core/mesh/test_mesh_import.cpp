@@ -1,5 +1,6 @@
 #include "tests/support/test.h"
 
+#include "core/base/path_text.h"
 #include "tests/core/mesh/imported.h"
 
 #include <QStringConverter>
