@@ -426,11 +426,11 @@ private slots:
     /// A name that looks like a placeholder is a name.
     void anErrorOfAFileNamesIt()
     {
-        QCOMPARE(errorText(base::Error{.text = "the file is empty", .file = "100%1%2.obj"}),
+        QCOMPARE(errorText(unprojector::base::Error{.text = "the file is empty", .file = "100%1%2.obj"}),
                  QStringLiteral("100%1%2.obj: the file is empty."));
-        QCOMPARE(errorText(base::Error{"it is too far away", "head", "a.json"}),
+        QCOMPARE(errorText(unprojector::base::Error{"it is too far away", "head", "a.json"}),
                  QStringLiteral("a.json: head: it is too far away."));
-        QCOMPARE(errorText(base::Error{"the field is empty"}), QStringLiteral("the field is empty."));
+        QCOMPARE(errorText(unprojector::base::Error{"the field is empty"}), QStringLiteral("the field is empty."));
     }
 };
 
