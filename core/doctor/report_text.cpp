@@ -129,32 +129,34 @@ std::string nameOf(const Candidate &candidate)
     return candidate.ways.empty() ? candidate.id : tr("%1 (%2)", candidate.id, waysText(candidate.ways));
 }
 
-/// The mistake, and the ones that cannot be distinguished from it.
-std::string mistakeText(const Diagnosis &diagnosis)
+/// The verdict: the mistake with the ones that cannot be distinguished from it, or why none is
+/// named.
+report::Section verdictOf(const Diagnosis &diagnosis)
 {
-    const Candidate &first = diagnosis.candidates.front();
-    std::string names = nameOf(first), sentences = "  " + candidateSentence(first) + '\n';
-    for (const Candidate &alike : diagnosis.alike()) {
-        names = tr("%1 or %2|names", names, nameOf(alike));
-        sentences +=
-            "  " + tr("Or %1: %2", nameOf(alike), candidateSentence(alike)) + "\n  " + alikeSentence(alike) + '\n';
+    std::string title;
+    std::vector<report::Block> sentences;
+    const auto add = [&sentences](std::string sentence) {
+        sentences.push_back(report::Paragraph{std::move(sentence)});
+    };
+    if (diagnosis.namesMistake()) {
+        title = nameOf(diagnosis.candidates.front());
+        add(candidateSentence(diagnosis.candidates.front()));
+        for (const Candidate &alike : diagnosis.alike()) {
+            title = tr("%1 or %2|names", title, nameOf(alike));
+            add(tr("Or %1: %2", nameOf(alike), candidateSentence(alike)));
+            add(alikeSentence(alike));
+        }
+    } else {
+        title = verdictName(diagnosis);
+        add(verdictSentence(diagnosis));
     }
-    return names + '\n' + sentences;
-}
-
-std::string verdictText(const Diagnosis &diagnosis)
-{
-    const std::string except = diagnosis.except ? "  " + exceptSentence(diagnosis) + '\n' : std::string();
-    if (diagnosis.namesMistake())
-        return mistakeText(diagnosis) + except;
-    const std::string text = verdictName(diagnosis) + "\n  " + verdictSentence(diagnosis) + '\n' + except;
-    return diagnosis.depthKnown == DepthKnown::ByRay ? text + "  " + tr("--depth gives the depth.") + '\n' : text;
-}
-
-/// A line of the report, its name in the first column.
-std::string line(const std::string &name, const std::string &value)
-{
-    return "  " + padded(name, 13) + value + '\n';
+    if (diagnosis.except)
+        add(exceptSentence(diagnosis));
+    if (!diagnosis.namesMistake() && diagnosis.depthKnown == DepthKnown::ByRay)
+        add(tr("--depth gives the depth."));
+    if (diagnosis.isSinglePrecision)
+        add(precisionSentence());
+    return {title, sentences};
 }
 
 std::string candidateText(const Candidate &candidate, const Diagnosis &diagnosis, const WrongPoint &first)
@@ -164,19 +166,19 @@ std::string candidateText(const Candidate &candidate, const Diagnosis &diagnosis
               significantText(candidate.distance, 3));
 }
 
-std::string codeText(const Candidate &candidate)
+void addCode(report::Report &report, const Candidate &candidate)
 {
     const std::vector<std::string> parts = partsOf(candidate.id);
-    std::string text;
     if (parts.size() == 2)
-        text = '\n' + twoChangesSentence(parts[0], parts[1]) + '\n';
+        report.push_back({twoChangesSentence(parts[0], parts[1]), {}, true});
     for (const std::string &part : parts) {
-        text += '\n' + tr("To change for %1:", part) + '\n';
+        report::Code code;
         for (const CodeChange &change : codeOf(part, candidate.values)) {
-            text += "  " + padded(change.library, 10) + "- " + change.wrong + "\n            + " + change.right + '\n';
+            code.lines.push_back(padded(change.library, 10) + "- " + change.wrong);
+            code.lines.push_back(std::string(10, ' ') + "+ " + change.right);
         }
+        report.push_back({tr("To change for %1:", part), {code}, true});
     }
-    return text;
 }
 
 } // namespace
@@ -374,36 +376,36 @@ std::string twoChangesSentence(const std::string &first, const std::string &seco
     return tr("Two changes: first \"%1\", then \"%2\". Each is shown here as if it were the only one.", first, second);
 }
 
-std::string reportText(const Diagnosis &diagnosis, const WrongPoint &first)
+report::Report reportOf(const Diagnosis &diagnosis, const WrongPoint &first)
 {
     const Candidate &best = diagnosis.candidates.front();
-    std::string text = verdictText(diagnosis);
-    if (diagnosis.isSinglePrecision)
-        text += "  " + precisionSentence() + '\n';
     // A known point of the scene makes the closest candidate meaningless.
     const bool isKnown = diagnosis.verdict == "known-point";
+    report::Rows rows{13};
     if (!isKnown)
-        text += line(best.explains ? tr("explains|row") : tr("closest|row"), candidateText(best, diagnosis, first));
+        rows.add(best.explains ? tr("explains|row") : tr("closest|row"), candidateText(best, diagnosis, first));
     for (const Candidate &other : diagnosis.asWell())
-        text += line(tr("as well|row"), candidateText(other, diagnosis, first));
+        rows.add(tr("as well|row"), candidateText(other, diagnosis, first));
     if (const Candidate *next = isKnown ? nullptr : diagnosis.runnerUp())
-        text += line(tr("next best"), candidateText(*next, diagnosis, first));
+        rows.add(tr("next best"), candidateText(*next, diagnosis, first));
     if (!diagnosis.known.empty() && diagnosis.namesMistake())
-        text += line(tr("is also|row"), knownPointName(diagnosis.known));
+        rows.add(tr("is also|row"), knownPointName(diagnosis.known));
     if (diagnosis.next && diagnosis.verdict != "right" && !isKnown)
-        text += line(tr("to be sure"), nextClickText(diagnosis));
-    text += line(tr("projects|row"), projectedText(diagnosis));
+        rows.add(tr("to be sure"), nextClickText(diagnosis));
+    rows.add(tr("projects|row"), projectedText(diagnosis));
     if (diagnosis.right)
-        text += line(tr("right is"), pointText(*diagnosis.right, glm::dvec3(diagnosis.rightLastDigit)));
+        rows.add(tr("right is"), pointText(*diagnosis.right, glm::dvec3(diagnosis.rightLastDigit)));
     if (diagnosis.depthKnown == DepthKnown::FromMesh)
-        text += line(tr("depth|row"), tr("from the scene's mesh"));
+        rows.add(tr("depth|row"), tr("from the scene's mesh"));
     if (best.explains && best.id != "right" && !isKnown)
-        text += line(tr("chance|row"), chanceText(diagnosis.chance));
+        rows.add(tr("chance|row"), chanceText(diagnosis.chance));
+    report::Report report{verdictOf(diagnosis)};
+    report.front().blocks.push_back(rows);
     if (diagnosis.namesMistake())
-        text += codeText(best);
+        addCode(report, best);
     for (const Candidate &alike : diagnosis.alike())
-        text += codeText(alike);
-    return text;
+        addCode(report, alike);
+    return report;
 }
 
 } // namespace unprojector::doctor

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/doctor/diagnosis.h"
+#include "core/report/report.h"
 
 #include <string>
 #include <string_view>
@@ -62,8 +63,8 @@ std::string nextClickText(const Diagnosis &diagnosis);
 /// The instruction for combining the code changes of two named mistakes.
 std::string twoChangesSentence(const std::string &first, const std::string &second);
 
-/// A diagnosis as text, with the lines of code to change. In the language of base::tr().
+/// The whole diagnosis, with the lines of code to change. In the language of base::tr().
 /// @param first  the point that the coordinates of the diagnosis belong to
-std::string reportText(const Diagnosis &diagnosis, const WrongPoint &first);
+report::Report reportOf(const Diagnosis &diagnosis, const WrongPoint &first);
 
 } // namespace unprojector::doctor

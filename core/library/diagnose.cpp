@@ -46,7 +46,9 @@ Diagnosis publicDiagnosis(const doctor::Diagnosis &diagnosis, const doctor::Wron
     result.verdict = diagnosis.verdict;
     result.sentence = diagnosis.namesMistake() ? doctor::candidateSentence(diagnosis.candidates.front())
                                                : doctor::verdictSentence(diagnosis);
-    result.report = doctor::reportText(diagnosis, first);
+    const report::Report report = doctor::reportOf(diagnosis, first);
+    result.report = asText(report);
+    result.html = asHtml(report);
     for (const doctor::Candidate &candidate : diagnosis.candidates)
         result.candidates.push_back(publicCandidate(candidate));
     const auto &values = diagnosis.candidates.front().values;

@@ -201,6 +201,7 @@ void bindDiagnose(py::module_ &module)
             },
             "The pixel whose answer distinguishes the first candidates; None without one.")
         .def("__str__", [](const Diagnosis &d) { return d.report.substr(0, d.report.find_last_not_of('\n') + 1); })
+        .def("_repr_html_", [](const Diagnosis &d) { return d.html; }) // what a notebook shows
         .def("__repr__", [](const Diagnosis &d) { return "<Diagnosis: " + d.verdict + ": " + d.sentence + '>'; });
     module.def("diagnose", &diagnosed, py::arg("setup"), py::arg("pixel"), py::arg("depth"), py::arg("got"),
                py::kw_only(), py::arg("space") = "world", py::arg("other_size") = py::none(), kDiagnoseHelp);

@@ -1,3 +1,4 @@
+import html
 import json
 import subprocess
 
@@ -48,6 +49,8 @@ def test_a_mistake_of_a_numpy_program_is_found(setup, name, mistake, tmp_path, u
     command = [unproject_command, "doctor", str(tmp_path / "scene.json"), "--points", str(tmp_path / "points.csv")]
     said = subprocess.run(command, capture_output=True, check=True, text=True, encoding="utf-8").stdout
     assert said.rstrip("\n") == str(diagnosis)
+    page = diagnosis._repr_html_()
+    assert f"<h3>{name}" in page and f"<p>{diagnosis.sentence}" in html.unescape(page)
     written = json.loads(subprocess.run([*command, "--json"], capture_output=True, check=True, text=True).stdout)
     assert [c["id"] for c in written["candidates"]] == [c.id for c in diagnosis.candidates]
     assert np.array_equal([c["point"] for c in written["candidates"]], [c.point for c in diagnosis.candidates])

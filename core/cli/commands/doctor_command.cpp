@@ -402,7 +402,7 @@ ExitCode runDoctor(const DoctorOptions &options)
     if (options.isJson)
         sink.write(doctorJson(found));
     else
-        sink.print(reportText(found, given.points[found.firstPoint()]));
+        sink.print(asText(reportOf(found, given.points[found.firstPoint()])));
     return std::max(sink.finish(), given.isComplete ? ExitCode::Done : ExitCode::SomeRowsBad);
 }
 

@@ -1,12 +1,11 @@
-#include "core/base/columns.h"
 #include "core/base/number_text.h"
-#include "core/base/printable.h"
 #include "core/base/translation.h"
 #include "core/cli/commands/command.h"
 #include "core/cli/commands/inputs.h"
 #include "core/cli/commands/refusal.h"
 #include "core/cli/rows/byte_stream.h"
 #include "core/cli/rows/csv_line.h"
+#include "core/report/report.h"
 #include "core/scene/measures.h"
 
 #include <cmath>
@@ -63,18 +62,17 @@ std::string json(const Measures &m)
     return text + "{\"min\": " + jsonOfPoint(m.box.lowest) + ", \"max\": " + jsonOfPoint(m.box.highest) + '}';
 }
 
-std::string line(const std::string &name, const std::string &value)
+report::Section section(const std::string &title, const Measures &m)
 {
-    return "  " + padded(name, 11) + value + '\n';
-}
-
-std::string lines(const Measures &m)
-{
-    return line(tr("vertices|row"), std::to_string(m.vertices)) + line(tr("triangles|row"), std::to_string(m.triangles))
-           + line(tr("area|row"), tableText(m.area)) + line(tr("volume|row"), tableText(m.volume))
-           + line(tr("box|row"), m.box.isEmpty() ? tr("empty|box")
-                                                 : tr("%1  to  %2", tableText(m.box.lowest, m.lowestHalfGap),
-                                                      tableText(m.box.highest, m.highestHalfGap)));
+    report::Rows rows{11};
+    rows.add(tr("vertices|row"), std::to_string(m.vertices));
+    rows.add(tr("triangles|row"), std::to_string(m.triangles));
+    rows.add(tr("area|row"), tableText(m.area));
+    rows.add(tr("volume|row"), tableText(m.volume));
+    rows.add(tr("box|row"), m.box.isEmpty() ? tr("empty|box")
+                                            : tr("%1  to  %2", tableText(m.box.lowest, m.lowestHalfGap),
+                                                 tableText(m.box.highest, m.highestHalfGap)));
+    return {title, {rows}};
 }
 
 /// The distinct notes in the order of the objects, with the object's name if there are several
@@ -110,7 +108,8 @@ ExitCode runInfo(const InfoOptions &options)
     if (options.isJson)
         english.emplace();
     Measures all;
-    std::string objects, table;
+    std::string objects;
+    report::Report report;
     std::vector<std::string> openOnes;
     for (const SceneObject &object : opened.objects) {
         const Measures measures = measuresOf(object);
@@ -120,29 +119,25 @@ ExitCode runInfo(const InfoOptions &options)
                                + tr("the surface is open, so the volume is undefined: it depends on the origin"));
         objects += objects.empty() ? "" : ", ";
         objects += "{\"name\": " + jsonOfText(object.name) + ", " + json(measures) + '}';
-        const std::string name = printableLine(object.name);
-        table += (object.isHidden ? tr("%1 (hidden)", name) : name) + '\n' + lines(measures);
+        report.push_back(section(object.isHidden ? tr("%1 (hidden)", object.name) : object.name, measures));
     }
     std::vector<std::string> notes = notesOf(opened.objects);
     notes.insert(notes.end(), openOnes.begin(), openOnes.end());
     if (!isFinite(all))
         notes.push_back(tr("missing numbers are beyond the range of a double; check the scales of the objects"));
-    std::string text;
+    Output sink("-", opened.files);
     if (options.isJson) {
-        text = '{' + json(all) + ", \"objects\": [" + objects + "], \"notes\": [";
+        std::string text = '{' + json(all) + ", \"objects\": [" + objects + "], \"notes\": [";
         for (const std::string &note : notes)
             text += (&note == notes.data() ? "" : ", ") + jsonOfText(note);
-        text += "]}\n";
+        sink.write(text + "]}\n");
     } else {
-        text = opened.objects.size() == 1 ? table : tr("all|objects") + '\n' + lines(all) + table;
+        if (opened.objects.size() != 1)
+            report.insert(report.begin(), section(tr("all|objects"), all));
         for (const std::string &note : notes)
-            text += tr("note: %1", printableLine(note)) + '\n';
+            report.back().blocks.push_back(report::Note{note});
+        sink.print(asText(report));
     }
-    Output sink("-", opened.files);
-    if (options.isJson)
-        sink.write(text);
-    else
-        sink.print(text);
     return sink.finish();
 }
 

@@ -1,7 +1,5 @@
-#include "core/base/columns.h"
 #include "core/base/number_text.h"
 #include "core/base/parallel.h"
-#include "core/base/printable.h"
 #include "core/base/translation.h"
 #include "core/cli/commands/command.h"
 #include "core/cli/commands/inputs.h"
@@ -13,6 +11,7 @@
 #include "core/cli/terminal/exit_code.h"
 #include "core/ray/scene_rays.h"
 #include "core/ray/snap.h"
+#include "core/report/report.h"
 #include "core/scene/measures.h"
 #include "core/scene_file/json_text.h"
 #include "core/scene_file/ray_on_mesh.h"
@@ -94,30 +93,28 @@ std::string pickJson(const DevicePoint &position, const RayOnMesh &ray)
     return jsonLine(json) + '\n';
 }
 
-/// A pick as text of several lines, with significant digits only. A vertex has as many digits as
+/// A pick with significant digits only. A vertex has as many digits as
 /// identify its floats; a computed coordinate has digits to a tenth of its ±.
-std::string pickText(const DevicePoint &position, Snap snap, const RayOnMesh &ray,
-                     const std::vector<SceneObject> &objects)
+report::Section pickSection(const DevicePoint &position, Snap snap, const RayOnMesh &ray,
+                            const std::vector<SceneObject> &objects)
 {
     const std::optional<SceneHit> &hit = ray.hit;
-    std::string text = tr("pixel %1 %2", shortestText(position.x), shortestText(position.y)) + '\n';
-    const auto add = [&text](const std::string &name, const std::string &value) {
-        text += "  " + padded(name, 13) + value + '\n';
-    };
+    report::Rows rows{13};
+    const auto add = [&rows](const std::string &name, const std::string &value) { rows.add(name, value); };
     const auto addEdge = [&] {
         if (!ray.edge)
             return;
-        const std::string object = printableLine(ray.edgeObject);
         const std::string away = shortestText(std::abs(ray.edge->behind), 0.01 * std::abs(ray.edge->behind));
-        add(tr("pixel edge"), !hit                     ? tr("beside it lies %1", object)
+        add(tr("pixel edge"), !hit                     ? tr("beside it lies %1", ray.edgeObject)
                               : !ray.edge->object      ? tr("beside it is the background")
-                              : ray.edge->behind < 0.0 ? tr("%1 before it lies %2", away, object)
-                                                       : tr("%1 behind it lies %2", away, object));
+                              : ray.edge->behind < 0.0 ? tr("%1 before it lies %2", away, ray.edgeObject)
+                                                       : tr("%1 behind it lies %2", away, ray.edgeObject));
     };
+    report::Section section{tr("pixel %1 %2", shortestText(position.x), shortestText(position.y))};
     if (!hit) {
-        text += "  " + nothingText(snap) + '\n';
         addEdge();
-        return text;
+        section.blocks = {report::Paragraph{nothingText(snap)}, rows};
+        return section;
     }
     const SceneObject &object = objects[hit->object];
     const auto rounded = [](const WorldPoint &point, const WorldVector &uncertainty) {
@@ -126,7 +123,7 @@ std::string pickText(const DevicePoint &position, Snap snap, const RayOnMesh &ra
     const auto distanceText = [&hit](double distance) {
         return shortestText(distance, kLeftOut * length(hit->uncertainty));
     };
-    add(tr("object|row"), printableLine(object.name));
+    add(tr("object|row"), object.name);
     if (hit->triangle)
         add(tr("triangle|row"), tr("%1, at %2", hit->triangle->triangle, spaced(hit->triangle->barycentric)));
     add(tr("world|row"), rounded(hit->world, hit->uncertainty));
@@ -144,7 +141,8 @@ std::string pickText(const DevicePoint &position, Snap snap, const RayOnMesh &ra
                                rounded(edge.world, edge.uncertainty), distanceText(edge.distance)));
     }
     addEdge();
-    return text;
+    section.blocks = {rows};
+    return section;
 }
 
 /// The columns of a pick in a table.
@@ -358,7 +356,7 @@ ExitCode pickPositions(const PickOptions &options, const std::vector<DevicePoint
         if (options.isJson)
             sink.write(pickJson(position, ray));
         else
-            sink.print(pickText(position, options.snap, ray, opened.objects));
+            sink.print(report::asText({pickSection(position, options.snap, ray, opened.objects)}));
     }
     return std::max(sink.finish(), code);
 }

@@ -56,6 +56,7 @@ struct Diagnosis {
     std::string verdict;
     std::string sentence;              ///< the verdict in words
     std::string report;                ///< several lines, as `unproject doctor` prints them
+    std::string html;                  ///< the same as a fragment of HTML
     std::vector<Candidate> candidates; ///< the best first
     std::vector<CodeChange> code;      ///< of the verdict
     std::optional<glm::dvec3> right;   ///< the right answer to the first point

@@ -34,7 +34,7 @@ QStringList rowsOf(const doctor::Diagnosis &diagnosis)
     static const QRegularExpression row(QStringLiteral("^  (?:explains|closest|as well|next best) +(.*?): -?\\d"),
                                         QRegularExpression::MultilineOption);
     QStringList rows;
-    const QString report = QString::fromStdString(reportText(diagnosis, {}));
+    const QString report = QString::fromStdString(asText(reportOf(diagnosis, {})));
     for (auto it = row.globalMatch(report); it.hasNext();)
         rows << it.next().captured(1);
     return rows;
