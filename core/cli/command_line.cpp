@@ -1,7 +1,7 @@
 #include "core/cli/command_line.h"
 
 #include "core/base/translation.h"
-#include "core/cli/commands/commands.h"
+#include "core/cli/commands/command.h"
 #include "core/cli/commands/refusal.h"
 #include "core/cli/rows/byte_stream.h"
 #include "core/cli/terminal/console.h"
@@ -19,6 +19,12 @@
 namespace unprojector::cli {
 using base::tr;
 namespace {
+
+constexpr std::pair<const char *, AddOptions *> kCommands[] = {
+    {"points", addPoints},     {"pick", addPick},   {"project", addProject},     {"info", addInfo},
+    {"scene", addScene},       {"cloud", addCloud}, {"compare", addCompare},     {"map", addMap},
+    {"matrices", addMatrices}, {"code", addCode},   {"landmarks", addLandmarks}, {"doctor", addDoctor},
+};
 
 /// An option or positional as the user wrote it: "--at 1,2".
 std::string asGiven(const CLI::App &command, const std::string &name)
@@ -102,22 +108,21 @@ ExitCode runCommandLine(const std::vector<std::string> &arguments)
                   "unusable input."));
     app.formatter(helpFormatter());
     Run run;
-    for (const auto add : {addPoints, addPick, addProject, addInfo, addScene, addCloud, addCompare, addMap, addMatrices,
-                           addCode, addLandmarks, addDoctor})
-        add(app, run);
+    std::string names;
+    bool isKnown = false;
+    for (const auto &[name, addOptions] : kCommands) {
+        const Command command(app, name, run);
+        names += (names.empty() ? "" : ", ") + std::string(name);
+        isKnown = isKnown || (arguments.size() > 1 && arguments[1] == name);
+        // Only a command among the words needs its options.
+        if (std::find(arguments.begin(), arguments.end(), name) != arguments.end())
+            addOptions(command);
+    }
     nameGroups(app);
     // The library would only report that a command is missing.
-    if (arguments.size() > 1 && !arguments[1].starts_with('-')) {
-        std::string names;
-        bool isKnown = false;
-        for (const CLI::App *command : app.get_subcommands([](CLI::App *) { return true; })) {
-            isKnown = isKnown || command->get_name() == arguments[1];
-            names += ", " + command->get_name();
-        }
-        if (!isKnown) {
-            complain(tr("\"%1\" is not a command; give one of %2", arguments[1], names.substr(2)));
-            return ExitCode::UnusableInput;
-        }
+    if (arguments.size() > 1 && !arguments[1].starts_with('-') && !isKnown) {
+        complain(tr("\"%1\" is not a command; give one of %2", arguments[1], names));
+        return ExitCode::UnusableInput;
     }
     try {
         std::vector<const char *> words;

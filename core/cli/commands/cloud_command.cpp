@@ -332,9 +332,8 @@ ExitCode runCloud(CloudOptions &options)
 
 } // namespace
 
-void addCloud(CLI::App &app, Run &run)
+void addCloud(const Command &command)
 {
-    const Command command(app, "cloud");
     const auto options = std::make_shared<CloudOptions>();
     const auto finite = [](const std::string &given) {
         return finiteNumberIn(given) ? std::string() : tr("\"%1\" is not a finite number", given);
@@ -363,7 +362,7 @@ void addCloud(CLI::App &app, Run &run)
     command.choice("--method", options->method, {{"formula", Method::Formula}, {"matrix", Method::Matrix}});
     command.choice("--precision", options->precision,
                    {{"float", PointPrecision::Float}, {"double", PointPrecision::Double}});
-    command.runs(run, options, [command](CloudOptions &given) {
+    command.runs(options, [command](CloudOptions &given) {
         given.numbers.isMeaningGiven = command.has("--depth-is");
         return runCloud(given);
     });

@@ -27,9 +27,8 @@ ExitCode runCode(const CodeOptions &options)
 
 } // namespace
 
-void addCode(CLI::App &app, Run &run)
+void addCode(const Command &command)
 {
-    const Command command(app, "code");
     const auto options = std::make_shared<CodeOptions>();
     command.file("SCENE", options->scene)->required();
     command.choice("--for", options->dialect,
@@ -39,7 +38,7 @@ void addCode(CLI::App &app, Run &run)
                     {"three", CodeDialect::ThreeJs},
                     {"numpy", CodeDialect::NumPy}});
     command.file("-o,--output", options->output)->default_str("-");
-    command.runs(run, options, runCode);
+    command.runs(options, runCode);
 }
 
 } // namespace unprojector::cli

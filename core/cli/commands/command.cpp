@@ -18,10 +18,15 @@ std::string_view textsOf(const std::string &name)
 
 } // namespace
 
-Command::Command(CLI::App &app, const std::string &name) : m_texts(textsOf(name))
+Command::Command(CLI::App &app, const std::string &name, Run &run) : m_run(&run), m_texts(textsOf(name))
 {
     m_app = app.add_subcommand(name, std::string(m_texts.substr(0, m_texts.find('\n'))));
+}
+
+void Command::onceParsed(const std::function<void()> &callback) const
+{
     m_app->footer(filled(section("footer").second, {std::string(section("bad rows").second)}));
+    m_app->callback(callback);
 }
 
 std::pair<std::string_view, std::string_view> Command::section(const std::string &name) const

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/cli/commands/commands.h"
 #include "core/cli/rows/row_stream.h"
 #include "core/geometry/api_conventions.h"
 
@@ -17,7 +16,10 @@
 
 namespace unprojector::cli {
 
-/// Declares a command and its options. The texts are those of resources/help/command/NAME.txt, and of
+/// Runs the command that the user chose, with its options.
+using Run = std::function<ExitCode()>;
+
+/// A command and the declaration of its options. The texts are those of resources/help/command/NAME.txt, and of
 /// shared.txt there for what several commands have:
 ///
 ///   What the command does
@@ -30,7 +32,8 @@ namespace unprojector::cli {
 ///   The end of the help. %1 are the sentences about bad rows.
 class Command {
 public:
-    Command(CLI::App &app, const std::string &name);
+    /// @param run  set if the user chooses the command
+    Command(CLI::App &app, const std::string &name, Run &run);
 
     /// @tparam Target  std::string, std::vector<std::string>, std::optional<double> or std::vector<double>
     template <class Target>
@@ -80,19 +83,27 @@ public:
 
     /// Sets what runs if the user chose the command.
     template <class Options, class Function>
-    void runs(Run &run, const std::shared_ptr<Options> &options, Function function) const
+    void runs(const std::shared_ptr<Options> &options, Function function) const
     {
-        m_app->callback([=, &run] { run = [=] { return function(*options); }; });
+        onceParsed([options, function, run = m_run] { *run = [=] { return function(*options); }; });
     }
 
 private:
+    void onceParsed(const std::function<void()> &callback) const;
     CLI::Option *wholeNumber(const std::string &name, int highest, const std::function<void(int)> &take) const;
     /// The heading after the name, and the text under it.
     std::pair<std::string_view, std::string_view> section(const std::string &name) const;
     CLI::Option *described(CLI::Option *option, const std::string &section = {}, const std::string &value = {}) const;
 
-    CLI::App *m_app = nullptr;
+    CLI::App *m_app;
+    Run *m_run;
     std::string_view m_texts;
 };
+
+/// Adds the options of a command and its run.
+using AddOptions = void(const Command &command);
+
+AddOptions addPoints, addPick, addProject, addInfo, addScene, addCloud, addCompare, addMap, addMatrices, addCode,
+    addLandmarks, addDoctor;
 
 } // namespace unprojector::cli

@@ -268,15 +268,14 @@ ExitCode runCompare(const CompareOptions &options)
 
 } // namespace
 
-void addCompare(CLI::App &app, Run &run)
+void addCompare(const Command &command)
 {
-    const Command command(app, "compare");
     const auto options = std::make_shared<CompareOptions>();
     command.file("SCENE", options->scene)->required();
     command.flag("--json", options->isJson);
     command.count("--pixels", options->pixels, 1000);
     command.count("--depths", options->depths, 1000);
-    command.runs(run, options, runCompare);
+    command.runs(options, runCompare);
 }
 
 } // namespace unprojector::cli

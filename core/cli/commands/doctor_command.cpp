@@ -408,9 +408,8 @@ ExitCode runDoctor(const DoctorOptions &options)
 
 } // namespace
 
-void addDoctor(CLI::App &app, Run &run)
+void addDoctor(const Command &command)
 {
-    const Command command(app, "doctor");
     const auto options = std::make_shared<DoctorOptions>();
     command.modelOrScene(options->scene);
     CLI::Option *pixel = command.add("--pixel", options->pixel);
@@ -428,7 +427,7 @@ void addDoctor(CLI::App &app, Run &run)
     command.add("--other-size", options->otherSize);
     command.add("--distortion", options->distortion);
     command.flag("--json", options->isJson);
-    command.runs(run, options, [command](const DoctorOptions &given) {
+    command.runs(options, [command](const DoctorOptions &given) {
         for (const char *option : {"--pixel", "--got"}) {
             if (!command.has("--points") && !command.has(option))
                 throw CLI::RequiredError(tr("%1 (or --points)", option));

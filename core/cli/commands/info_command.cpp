@@ -143,13 +143,12 @@ ExitCode runInfo(const InfoOptions &options)
 
 } // namespace
 
-void addInfo(CLI::App &app, Run &run)
+void addInfo(const Command &command)
 {
-    const Command command(app, "info");
     const auto options = std::make_shared<InfoOptions>();
     command.modelOrScene(options->file);
     command.flag("--json", options->isJson);
-    command.runs(run, options, runInfo);
+    command.runs(options, runInfo);
 }
 
 } // namespace unprojector::cli

@@ -212,9 +212,8 @@ CLI::Option *addFormat(const Command &command, const char *name, std::optional<F
 
 } // namespace
 
-void addLandmarks(CLI::App &app, Run &run)
+void addLandmarks(const Command &command)
 {
-    const Command command(app, "landmarks");
     const auto options = std::make_shared<LandmarksOptions>();
     CLI::Option *input = command.file("IN", options->input), *output = command.file("OUT", options->output);
     CLI::Option *from = addFormat(command, "--from", options->from, false),
@@ -241,7 +240,7 @@ void addLandmarks(CLI::App &app, Run &run)
         "--format", options->table,
         {{"long", TableForm::Long}, {"wide", TableForm::Wide}, {"tps", TableForm::Tps}, {"nts", TableForm::Nts}});
     command.flag("--spreadsheet-safe", options->isSpreadsheetSafe);
-    command.runs(run, options, [command](const LandmarksOptions &given) {
+    command.runs(options, [command](const LandmarksOptions &given) {
         if (!command.has("--table") && !command.has("--repeats")) {
             if (command.has("-o"))
                 throw CLI::RequiredError(tr("--table or --repeats (with -o)"));

@@ -206,9 +206,8 @@ std::string conventionNames()
 
 } // namespace
 
-void addMap(CLI::App &app, Run &run)
+void addMap(const Command &command)
 {
-    const Command command(app, "map");
     const auto options = std::make_shared<MapOptions>();
     command.modelOrScene(options->scene);
     std::map<std::string, Quantity> quantities;
@@ -228,7 +227,7 @@ void addMap(CLI::App &app, Run &run)
                     {"float", DepthFormat::floatingPoint()}});
     command.flag("--json", options->isJson);
     command.file("-o,--output", options->output)->required();
-    command.runs(run, options, [](const MapOptions &given) {
+    command.runs(options, [](const MapOptions &given) {
         const bool isOfOther = given.quantity == Quantity::Displacement;
         if (isOfOther && given.convention.empty())
             throw CLI::RequiredError(tr("--convention (with --what displacement)"));

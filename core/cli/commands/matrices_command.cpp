@@ -256,9 +256,8 @@ ExitCode runMatrices(const MatricesOptions &options)
 
 } // namespace
 
-void addMatrices(CLI::App &app, Run &run)
+void addMatrices(const Command &command)
 {
-    const Command command(app, "matrices");
     const auto options = std::make_shared<MatricesOptions>();
     command.file("SCENE", options->scene)->required();
     command.conventions(options->conventions);
@@ -269,7 +268,7 @@ void addMatrices(CLI::App &app, Run &run)
                     {"c", MatricesFormat::C},
                     {"numpy", MatricesFormat::NumPy},
                     {"latex", MatricesFormat::Latex}});
-    command.runs(run, options, runMatrices);
+    command.runs(options, runMatrices);
 }
 
 } // namespace unprojector::cli

@@ -385,9 +385,8 @@ ExitCode runPick(const PickOptions &options)
 
 } // namespace
 
-void addPick(CLI::App &app, Run &run)
+void addPick(const Command &command)
 {
-    const Command command(app, "pick");
     const auto options = std::make_shared<PickOptions>();
     command.modelOrScene(options->scene);
     CLI::Option *input = command.file("PIXELS", options->input);
@@ -400,7 +399,7 @@ void addPick(CLI::App &app, Run &run)
     for (CLI::Option *option : command.table(options->format, options->isHeaderless))
         option->excludes(at);
     command.count("--threads", options->threads, 64);
-    command.runs(run, options, runPick);
+    command.runs(options, runPick);
 }
 
 } // namespace unprojector::cli

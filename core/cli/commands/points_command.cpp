@@ -39,7 +39,7 @@ struct PointsOptions {
 const ColumnNames kClickColumns{"px", "py", "depth"};
 
 /// The reason why a method does not apply to the scene, and the remedy.
-std::string noMethodText(Method method, const Error &error)
+std::string noMethodText(Method method, const geometry::Error &error)
 {
     const std::string text = std::string(keyOf(method)) + ": " + errorText(error);
     return tr(error.code == ErrorCode::ViewNotRigid ? "%1. Its cells stay empty; 'unproject scene --from-matrices ... "
@@ -227,7 +227,7 @@ private:
             if (!writeResults(i, writer)) {
                 ++result.badRows;
                 m_task.reader.complainOf(block, m_rows.places[i], NumberReader::kNoColumn,
-                                         errorText(Error{ErrorCode::PointAtInfinity}), result.messages);
+                                         errorText(geometry::Error{ErrorCode::PointAtInfinity}), result.messages);
             }
             writer.endRow();
         }
@@ -403,9 +403,8 @@ ExitCode runPoints(const PointsOptions &options)
 
 } // namespace
 
-void addPoints(CLI::App &app, Run &run)
+void addPoints(const Command &command)
 {
-    const Command command(app, "points");
     const auto options = std::make_shared<PointsOptions>();
     command.rows(options->rows);
     command.choice("--method", options->methods,
@@ -416,7 +415,7 @@ void addPoints(CLI::App &app, Run &run)
                     {"matrixInFloat", {Method::MatrixInFloat}}});
     command.flag("--pixel", options->isPixel);
     command.add("--distortion", options->distortion);
-    command.runs(run, options, [command](PointsOptions &given) {
+    command.runs(options, [command](PointsOptions &given) {
         given.rows.isInputGiven = command.has("POINTS");
         return runPoints(given);
     });

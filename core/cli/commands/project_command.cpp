@@ -147,13 +147,12 @@ ExitCode runProject(const ProjectOptions &options)
 
 } // namespace
 
-void addProject(CLI::App &app, Run &run)
+void addProject(const Command &command)
 {
-    const Command command(app, "project");
     const auto options = std::make_shared<ProjectOptions>();
     command.rows(options->rows);
     command.add("--distortion", options->distortion);
-    command.runs(run, options, runProject);
+    command.runs(options, runProject);
 }
 
 } // namespace unprojector::cli

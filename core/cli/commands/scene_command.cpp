@@ -407,9 +407,8 @@ ExitCode runScene(const SceneOptions &options)
     return sceneFromMatrices(options, given);
 }
 
-void addScene(CLI::App &app, Run &run)
+void addScene(const Command &command)
 {
-    const Command command(app, "scene");
     const auto options = std::make_shared<SceneOptions>();
     CameraChoices &camera = options->camera;
     CLI::Option *from = command.add("FILE,--from", options->from)->expected(1, 64);
@@ -439,7 +438,7 @@ void addScene(CLI::App &app, Run &run)
     command.flag("--orthonormal", options->isOrthonormal);
     command.add("--window", options->window);
     command.file("-o,--output", options->output)->default_str("-");
-    command.runs(run, options, [command](const SceneOptions &given) {
+    command.runs(options, [command](const SceneOptions &given) {
         if (!command.has("--from") && !command.has("--from-matrices"))
             throw CLI::RequiredError(tr("%1 (or --from-matrices)", "FILE"));
         return runScene(given);

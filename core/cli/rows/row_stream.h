@@ -20,7 +20,6 @@ struct RowOptions {
     bool isInputGiven = false;   ///< input has a name; else clicks serve as rows
     std::string space = "world"; ///< space of the points: "eye", "world" or "object:NAME"
     RowFormat format = RowFormat::Csv;
-    bool isSpreadsheetSafe = false; ///< makes CSV RowFormat::SafeCsv
     bool isHeaderless = false;      ///< writes no header, so that results can be concatenated
     unsigned threads = 2;
 };
