@@ -6,15 +6,21 @@
 #include <utility>
 
 namespace unprojector::base {
-using base::tr;
 namespace {
 
-FileError systemError(const std::error_code &error)
+Error fileError(std::string text)
 {
-    return {FileErrorCode::System, base::systemErrorText(error)};
+    Error error{std::move(text)};
+    error.kind = Error::Kind::File;
+    return error;
 }
 
-Written checked(const std::error_code &error)
+Error systemError(const std::error_code &error)
+{
+    return fileError(tr("the file cannot be written%1", tr(" (%1)", systemErrorText(error))));
+}
+
+Done checked(const std::error_code &error)
 {
     if (error)
         return systemError(error);
@@ -22,59 +28,47 @@ Written checked(const std::error_code &error)
 }
 
 /// Checks the target before anything is written.
-Written checkTarget(const std::filesystem::path &target)
+Done checkTarget(const std::filesystem::path &target)
 {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(target, error);
     if (status.type() == std::filesystem::file_type::none) // not even whether it exists is known
         return systemError(error);
     if (std::filesystem::is_directory(status))
-        return FileError{FileErrorCode::IsDirectory, {}};
+        return fileError(tr("this is a folder; give the name of a file"));
     if (isStream(target))
-        return FileError{FileErrorCode::NotAFile, {}};
+        return fileError(tr("this is a device or a pipe; give the name of a file"));
     if (!std::filesystem::exists(status)) {
         const std::filesystem::path folder = target.parent_path();
         if (!target.has_filename() || (!folder.empty() && !std::filesystem::exists(folder, error)))
-            return FileError{FileErrorCode::NoFolder, {}};
+            return fileError(tr("there is no such folder; make it or give another name"));
         return std::monostate{};
     }
+    const auto readOnly = [](const std::string &reason) {
+        return fileError(tr("the file is read-only%1; allow writing to it or give another name", reason));
+    };
     // An administrator may write anything. But a file without any write permission was protected on
     // purpose.
     using std::filesystem::perms;
     if ((status.permissions() & (perms::owner_write | perms::group_write | perms::others_write)) == perms::none)
-        return FileError{FileErrorCode::IsReadOnly, {}};
+        return readOnly({});
     if (const std::error_code closed = checkWritable(target))
-        return FileError{FileErrorCode::IsReadOnly, base::systemErrorText(closed)};
+        return readOnly(tr(" (%1)", systemErrorText(closed)));
     return std::monostate{};
 }
 
 } // namespace
 
-std::string fileErrorText(const FileError &error)
-{
-    const std::string reason = error.reason.empty() ? std::string() : tr(" (%1)", error.reason);
-    switch (error.code) {
-    case FileErrorCode::IsDirectory: return tr("this is a folder; give the name of a file");
-    case FileErrorCode::IsReadOnly:
-        return tr("the file is read-only%1; allow writing to it or give another name", reason);
-    case FileErrorCode::NotAFile: return tr("this is a device or a pipe; give the name of a file");
-    case FileErrorCode::NoFolder: return tr("there is no such folder; make it or give another name");
-    case FileErrorCode::ChangedMeanwhile: return tr("the file was changed by another program meanwhile");
-    case FileErrorCode::System: return tr("the file cannot be written%1", reason);
-    }
-    return {};
-}
-
-Expected<ReplacingFile, FileError> ReplacingFile::open(const std::filesystem::path &file)
+Expected<ReplacingFile, Error> ReplacingFile::open(const std::filesystem::path &file)
 {
     if (isOwnDescriptor(file)) // the link may lead to a file, but that file is already open
-        return FileError{FileErrorCode::NotAFile, {}};
+        return fileError(tr("this is a device or a pipe; give the name of a file"));
     std::error_code error;
     ReplacingFile replacing;
     replacing.m_target = behindLinks(file, error);
     if (error)
         return systemError(error);
-    if (const Written free = checkTarget(replacing.m_target); !free)
+    if (const Done free = checkTarget(replacing.m_target); !free)
         return free.error();
     const std::filesystem::path folder = replacing.m_target.has_parent_path() ? replacing.m_target.parent_path() : ".";
     removeAbandonedFiles(folder);
@@ -83,28 +77,30 @@ Expected<ReplacingFile, FileError> ReplacingFile::open(const std::filesystem::pa
     return replacing;
 }
 
-Written ReplacingFile::write(std::string_view bytes)
+Done ReplacingFile::write(std::string_view bytes)
 {
     return checked(m_fresh.write(bytes));
 }
 
-Written ReplacingFile::commit(const std::optional<FileStamp> &onlyIf)
+Done ReplacingFile::commit(const std::optional<FileStamp> &onlyIf)
 {
     if (const std::error_code error = m_fresh.sync())
         return systemError(error);
-    if (onlyIf && !isAsAt(*onlyIf, m_target))
-        return FileError{FileErrorCode::ChangedMeanwhile, {}};
+    if (onlyIf && !isAsAt(*onlyIf, m_target)) {
+        Error changed{tr("the file was changed by another program or window since it was opened")};
+        changed.kind = Error::Kind::Changed;
+        return changed;
+    }
     return checked(m_fresh.moveTo(m_target));
 }
 
-Written replaceFile(const std::filesystem::path &file, std::string_view contents,
-                    const std::optional<FileStamp> &onlyIf)
+Done replaceFile(const std::filesystem::path &file, std::string_view contents, const std::optional<FileStamp> &onlyIf)
 {
-    Expected<ReplacingFile, FileError> replacing = ReplacingFile::open(file);
+    Expected<ReplacingFile, Error> replacing = ReplacingFile::open(file);
     if (!replacing)
         return replacing.error();
     ReplacingFile writing = std::move(replacing).value();
-    if (const Written written = writing.write(contents); !written)
+    if (const Done written = writing.write(contents); !written)
         return written.error();
     return writing.commit(onlyIf);
 }

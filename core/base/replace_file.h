@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/file_error.h"
+#include "core/base/error.h"
 #include "core/base/file_stamp.h"
 #include "core/base/system_file.h"
 
@@ -16,17 +16,18 @@ namespace unprojector::base {
 class ReplacingFile {
 public:
     /// Creates the new file; the old one stays unchanged until commit().
-    /// @return IsDirectory; NotAFile, see isStream; IsReadOnly; NoFolder; System
-    static Expected<ReplacingFile, FileError> open(const std::filesystem::path &file);
+    /// @return an error for a folder; a stream, see isStream; a read-only file; a missing folder; the
+    ///         system's errors. None names the file.
+    static Expected<ReplacingFile, Error> open(const std::filesystem::path &file);
 
-    /// @return System
-    Written write(std::string_view bytes);
+    /// @return the system's errors
+    Done write(std::string_view bytes);
     /// Waits for the disk and replaces the old file with the new one. Without this call, or if it
     /// fails, the destructor removes the new file.
     /// @param onlyIf  the expected stamp of the old file, so that no other program's work is
     ///         overwritten unnoticed
-    /// @return ChangedMeanwhile; System
-    Written commit(const std::optional<FileStamp> &onlyIf = std::nullopt);
+    /// @return an error of kind Changed; the system's errors
+    Done commit(const std::optional<FileStamp> &onlyIf = std::nullopt);
     /// The path of the new file, for cleanup where this object cannot do it; empty after commit().
     const std::filesystem::path &freshFile() const { return m_fresh.path(); }
 
@@ -38,8 +39,8 @@ private:
 };
 
 /// Writes a whole file through a ReplacingFile.
-Written replaceFile(const std::filesystem::path &file, std::string_view contents,
-                    const std::optional<FileStamp> &onlyIf = std::nullopt);
+Done replaceFile(const std::filesystem::path &file, std::string_view contents,
+                 const std::optional<FileStamp> &onlyIf = std::nullopt);
 
 /// True if two names mean the same regular file, through any links and paths. An output that is the
 /// same file as an input would destroy it. False for devices, pipes and folders: writing to a

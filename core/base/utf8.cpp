@@ -12,21 +12,20 @@ std::size_t firstNotUtf8(std::string_view text)
     };
     for (std::size_t i = 0; i < text.size();) {
         const unsigned char first = byte(i);
-        std::size_t length = 1;
-        // The second byte excludes overlong forms, surrogates and values that are too large.
-        unsigned lowest = 0x80, highest = 0xbf;
-        if (first >= 0x80) {
-            if (isBetween(first, 0xc2, 0xdf))
-                length = 2;
-            else if (isBetween(first, 0xe0, 0xef))
-                length = 3;
-            else if (isBetween(first, 0xf0, 0xf4))
-                length = 4;
-            else
-                return i;
-            lowest = first == 0xe0 ? 0xa0 : first == 0xf0 ? 0x90 : lowest;
-            highest = first == 0xed ? 0x9f : first == 0xf4 ? 0x8f : highest;
+        if (first < 0x80) {
+            ++i;
+            continue;
         }
+        std::size_t length = 4;
+        if (isBetween(first, 0xc2, 0xdf))
+            length = 2;
+        else if (isBetween(first, 0xe0, 0xef))
+            length = 3;
+        else if (!isBetween(first, 0xf0, 0xf4))
+            return i;
+        // The second byte excludes overlong forms, surrogates and values that are too large.
+        const unsigned lowest = first == 0xe0 ? 0xa0 : first == 0xf0 ? 0x90 : 0x80;
+        const unsigned highest = first == 0xed ? 0x9f : first == 0xf4 ? 0x8f : 0xbf;
         for (std::size_t k = 1; k < length; ++k) {
             if (!isBetween(byte(i + k), k == 1 ? lowest : 0x80, k == 1 ? highest : 0xbf))
                 return i;

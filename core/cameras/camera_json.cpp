@@ -1,9 +1,7 @@
 #include "core/cameras/camera_json.h"
 
-#include "core/base/json_number.h"
+#include "core/base/json.h"
 #include "core/base/translation.h"
-#include "core/scene_file/scene_error_text.h"
-#include "core/scene_file/strict_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -11,7 +9,7 @@
 #include <utility>
 
 namespace unprojector::cameras {
-using Json = nlohmann::ordered_json;
+using base::Json;
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{64} << 20;
@@ -53,17 +51,12 @@ bool isJson(std::string_view text)
 
 geometry::Result<Json, CameraError> parsedJson(const NamedText &text)
 {
-    auto parsed = scene_file::parseStrictJson(text.text, kMostBytes);
+    if (text.text.size() > kMostBytes)
+        return CameraError{text.name, 0, base::tr("longer than %1 MiB; give the file of one camera", kMostBytes >> 20)};
+    auto parsed = base::parseJson(text.text);
     if (parsed)
         return std::move(parsed).value();
-    scene_file::SceneFileError error = parsed.error();
-    if (error.code == scene_file::SceneFileErrorCode::TooLarge)
-        return CameraError{text.name, 0, base::tr("longer than %1 MiB; give the file of one camera", kMostBytes >> 20)};
-    const std::size_t line = std::exchange(error.line, 0);
-    error.file.clear();
-    std::string reason = scene_file::sceneErrorText(error);
-    reason.erase(0, reason.find_first_not_of(": "));
-    return CameraError{text.name, line, reason};
+    return CameraError{text.name, static_cast<std::size_t>(parsed.error().line), parsed.error().text};
 }
 
 std::size_t lineOfKey(std::string_view text, std::string_view key, std::size_t count)

@@ -1,9 +1,9 @@
+#include "core/base/json.h"
 #include "core/base/number_text.h"
 #include "core/base/translation.h"
 #include "core/cameras/camera_json.h"
 #include "core/cameras/camera_reader.h"
 #include "core/cameras/reader_parts.h"
-#include "core/scene_file/json_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -115,8 +115,8 @@ private:
         for (const char *key : {"w", "h"}) {
             const Json *own = memberOf(*m_frame, key), *side = own ? own : memberOf(m_file, key);
             if (side && !m_choices.size && !sizeOf(numberOf(Json{{key, *side}}, key), 1.0))
-                return fault(key, tr("%1 is %2; it must be a whole number from 1 to 1000000", key,
-                                     scene_file::compactJson(*side)));
+                return fault(
+                    key, tr("%1 is %2; it must be a whole number from 1 to 1000000", key, base::compactJson(*side)));
         }
         return std::nullopt;
     }

@@ -1,10 +1,10 @@
 // Writes this program's table: name,x,y,z,object,face,u,v,w,note and the columns for other data
 // that a landmark has.
 
+#include "core/base/json.h"
 #include "core/base/number_text.h"
 #include "core/landmark_files/csv_columns.h"
 #include "core/landmark_files/lines.h"
-#include "core/scene_file/json_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -21,7 +21,7 @@ namespace {
 
 std::string cellOf(const Json &value)
 {
-    return value.is_string() ? value.get<std::string>() : scene_file::compactJson(value);
+    return value.is_string() ? value.get<std::string>() : base::compactJson(value);
 }
 
 std::string number(double value)

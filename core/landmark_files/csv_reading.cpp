@@ -1,11 +1,10 @@
 // Reads tables: this program's, and other programs' with named columns.
 
+#include "core/base/json.h"
 #include "core/base/number_text.h"
 #include "core/base/translation.h"
 #include "core/landmark_files/csv_table.h"
 #include "core/landmark_files/lines.h"
-#include "core/scene_file/json_text.h"
-#include "core/scene_file/strict_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -189,8 +188,8 @@ Absence absenceOf(const Cells &cells, bool isPlaced)
 /// A cell in another program's column: a JSON value if it is written as one, otherwise a text.
 Json jsonOf(const std::string &cell)
 {
-    const auto json = scene_file::parseStrictJson(cell); // limits the nesting to what the JSON writer's stack allows
-    const bool isJson = json && !json->is_string() && scene_file::compactJson(*json) == cell;
+    const auto json = base::parseJson(cell); // limits the nesting to what the JSON writer's stack allows
+    const bool isJson = json && !json->is_string() && base::compactJson(*json) == cell;
     return isJson ? *json : Json(cell);
 }
 
@@ -234,7 +233,7 @@ std::vector<std::string> namesOf(std::string_view text, std::size_t line)
     std::vector<std::string> names;
     if (text.empty())
         return names;
-    const auto json = scene_file::parseStrictJson(std::string(text));
+    const auto json = base::parseJson(std::string(text));
     const bool isList = json && json->is_array()
                         && std::all_of(json->begin(), json->end(), [](const Json &j) { return j.is_string(); });
     if (!isList)

@@ -243,8 +243,8 @@ Result<std::vector<LandmarkNote>, LandmarkFileError> writeLandmarkFile(const std
         error.file = name;
         return error;
     }
-    if (const Written written = replaceFile(file, text->text); !written)
-        return LandmarkFileError{LandmarkFileError::Code::NotWritable, name, 0, fileErrorText(written.error())};
+    if (const Done written = replaceFile(file, text->text); !written)
+        return LandmarkFileError{LandmarkFileError::Code::NotWritable, name, 0, written.error().text};
     return text->notes;
 }
 

@@ -130,7 +130,7 @@ struct LandmarkFileError {
         NotFound,
         IsDirectory,
         NotReadable,
-        NotWritable,   ///< detail: base::fileErrorText
+        NotWritable,   ///< detail: the reason
         UnknownFormat, ///< the suffix belongs to no known format
         NotWritten,    ///< the suffix belongs to no writable format
         TooLarge,

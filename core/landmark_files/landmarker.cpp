@@ -1,12 +1,9 @@
 // .ljson of landmarker.io and menpo, versions 1 to 3: points without names of their own, in groups
 // with labels.
 
-#include "core/base/json_number.h"
+#include "core/base/json.h"
 #include "core/base/translation.h"
 #include "core/landmark_files/lines.h"
-#include "core/scene_file/json_text.h"
-#include "core/scene_file/scene_error_text.h"
-#include "core/scene_file/strict_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -100,8 +97,8 @@ LandmarkSet setOf(const Json &group, const std::string &key, Notes &notes)
             const std::size_t point =
                 mask[k].is_number_unsigned() ? mask[k].get<std::size_t>() : std::size_t(points.size());
             if (point >= points.size())
-                fail(tr("%1.mask names point %2, and there are %3, counted from 0", place,
-                        scene_file::compactJson(mask[k]), points.size()));
+                fail(tr("%1.mask names point %2, and there are %3, counted from 0", place, base::compactJson(mask[k]),
+                        points.size()));
             if (mask.size() < fewest[point]) {
                 fewest[point] = mask.size();
                 set.landmarks[point].name = nameOf(label, k, mask.size());
@@ -136,7 +133,7 @@ LandmarkSet firstVersion(const Json &groups, Notes &notes)
 
 ReadLandmarks readLandmarker(std::string_view text)
 {
-    const auto json = scene_file::parseStrictJson(text, kMostLandmarkBytes);
+    const auto json = base::parseJson(text);
     if (!json)
         throw failureOf(json.error());
     ReadLandmarks read;

@@ -4,7 +4,6 @@
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmarks/distinct_names.h"
 #include "core/landmarks/landmark.h"
-#include "core/scene_file/scene_file_error.h"
 
 #include <cstddef>
 #include <map>
@@ -151,7 +150,7 @@ void addNameNotes(Notes &notes, const landmarks::DistinctNames &distinct, std::s
                   std::span<const std::string> names);
 
 /// The failure for an error of a JSON document: its position is the key, or line and column.
-Failure failureOf(scene_file::SceneFileError error);
+Failure failureOf(const base::Error &error);
 
 // One pair per format. Readers throw Failure.
 ReadLandmarks readCsv(std::string_view text);

@@ -2,11 +2,11 @@
 // id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID.
 
 #include "core/base/csv.h"
+#include "core/base/json.h"
 #include "core/base/number_text.h"
 #include "core/base/text_scanner.h"
 #include "core/base/translation.h"
 #include "core/landmark_files/lines.h"
-#include "core/scene_file/json_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -332,7 +332,7 @@ std::string slicerCsvText(const LandmarkSet &set, Notes &notes)
             const Json value = isThere ? landmark.extra.json()[key] : Json(usual);
             if (value.is_boolean())
                 return std::string(value.get<bool>() ? "1" : "0");
-            return plain.of(value.is_string() ? value.get<std::string>() : scene_file::compactJson(value));
+            return plain.of(value.is_string() ? value.get<std::string>() : base::compactJson(value));
         };
         appendCell(text, extra("id", std::to_string(i)));
         appendNumbers(text, landmark.world ? turned(*landmark.world, set.axes).coordinates() : glm::dvec3(0.0), ',');

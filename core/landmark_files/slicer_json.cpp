@@ -1,12 +1,9 @@
 // .mrk.json of 3D Slicer: lists of control points, and curves.
 
+#include "core/base/json_fields.h"
 #include "core/base/translation.h"
 #include "core/landmark_files/csv_columns.h"
 #include "core/landmark_files/lines.h"
-#include "core/scene_file/json_fields.h"
-#include "core/scene_file/json_text.h"
-#include "core/scene_file/scene_error_text.h"
-#include "core/scene_file/strict_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -21,8 +18,7 @@ using namespace landmarks;
 using base::tr;
 namespace {
 
-using namespace scene_file;
-using Json = nlohmann::ordered_json;
+using base::Is, base::Json, base::Words;
 
 constexpr const char *kSchema = "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/"
                                 "Resources/Schema/markups-schema-v1.0.3.json#";
@@ -67,17 +63,16 @@ template <class Fields, Is<Markup> T>
 void describe(Fields &json, T &markup)
 {
     static constexpr std::array kAxes{"LPS", "RAS"};
-    if (json.has("name", !markup.name.empty()))
-        json.required("name", markup.name);
+    json.unlessDefault("name", markup.name);
     json.optional("coordinateSystem", markup.axes, Words{kAxes});
-    json.list("controlPoints", markup.points);
+    json.optional("controlPoints", markup.points);
 }
 
 template <class Fields, Is<Document> T>
 void describe(Fields &json, T &document)
 {
     json.optional("@schema", document.schema);
-    json.list("markups", document.markups);
+    json.optional("markups", document.markups);
 }
 
 /// The orientation that 3D Slicer writes for a point that is not rotated.
@@ -262,32 +257,24 @@ void clearNoPositions(Json &document)
 
 } // namespace
 
-Failure failureOf(SceneFileError error)
+Failure failureOf(const base::Error &error)
 {
-    const std::size_t line = std::exchange(error.line, 0);
-    error.file.clear();
-    std::string text = sceneErrorText(error);
-    text.erase(0, text.find_first_not_of(": "));
-    return {line, text,
-            error.code == SceneFileErrorCode::TooLarge ? LandmarkFileError::Code::TooLarge
-                                                       : LandmarkFileError::Code::Malformed};
+    return {static_cast<std::size_t>(error.line), base::Error{error.text, error.subject}.message()};
 }
 
 ReadLandmarks readSlicerJson(std::string_view text)
 {
-    auto parsed = parseStrictJson(text, kMostLandmarkBytes);
+    auto parsed = base::parseJson(text);
     if (!parsed)
         throw failureOf(parsed.error());
     Json json = std::move(parsed).value();
     clearNoPositions(json);
-    JsonNode::FirstError error;
-    const JsonNode root(json, error);
     if (!json.is_object() || !json.contains("markups"))
         throw Failure{1, tr("there is no list \"markups\", which holds the points of 3D Slicer; is it another file?")};
-    Document document;
-    static_cast<void>(FieldReader::read(root, document, Plain{}));
-    if (error)
-        throw failureOf(*error);
+    auto described = base::valueOfJson<Markup, Document>(json, text, {});
+    if (!described)
+        throw failureOf(described.error());
+    Document document = std::move(described).value();
     ReadLandmarks read;
     Notes notes;
     for (Markup &markup : document.markups) {
@@ -394,9 +381,9 @@ std::string slicerJsonText(std::span<const LandmarkSet> sets, Notes &notes)
         if (!set.unit.empty() && set.unit != "mm")
             notes.add(LandmarkNote::Kind::UnitOfOthers, 1, set.unit);
     }
-    const auto text = readableJson(FieldWriter::write(document, Plain{}, nullptr));
+    const auto text = base::readableJson(base::jsonOfValue<Markup>(document));
     if (!text)
-        throw Failure{0, tr("%1 is not UTF-8 and cannot be written as JSON; rename it", text.error().keyPath),
+        throw Failure{0, tr("%1 is not UTF-8 and cannot be written as JSON; rename it", text.error().subject),
                       LandmarkFileError::Code::CannotHold};
     return *text;
 }

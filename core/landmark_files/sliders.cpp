@@ -141,9 +141,8 @@ writeSlidersBeside(const std::filesystem::path &table, const Result<Sliders, Lan
     }
     if (sliders->count == 0)
         return std::optional<std::filesystem::path>();
-    if (const Written written = replaceFile(file, sliders->text); !written)
-        return LandmarkFileError{LandmarkFileError::Code::NotWritable, utf8FromPath(file), 0,
-                                 fileErrorText(written.error())};
+    if (const Done written = replaceFile(file, sliders->text); !written)
+        return LandmarkFileError{LandmarkFileError::Code::NotWritable, utf8FromPath(file), 0, written.error().text};
     return std::optional(file);
 }
 

@@ -1,12 +1,11 @@
 #include "core/lessons/lesson.h"
 
+#include "core/base/json.h"
 #include "core/examples/examples.h"
 #include "core/geometry/drawable.h"
 #include "core/lessons/highlights.h"
 #include "core/lessons/set_link.h"
-#include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_fields.h"
-#include "core/scene_file/strict_json.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +18,7 @@ using namespace geometry;
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using base::Json, base::JsonNode;
 using namespace scene_file;
 
 /// Names that paths use already.
@@ -28,117 +27,86 @@ constexpr std::array kTaken{"scene",  "model", "view",    "projection", "viewpor
                             "widget", "pixel", "formula", "inverse",    "point",    "surface",   "set",
                             "pi",     "sqrt",  "deg",     "rad"};
 
-LessonError failed(std::string_view file, const std::string &key, const std::string &reason)
-{
-    return {std::string(file) + ": " + key + ": " + reason};
-}
-
 bool isName(std::string_view name)
 {
     const auto isPart = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
     return !name.empty() && name.front() >= 'a' && std::all_of(name.begin(), name.end(), isPart);
 }
 
-/// Reads a lesson; keeps the first error.
-class LessonReader {
-public:
-    explicit LessonReader(std::string file) : m_file(std::move(file)) {}
-
-    Result<Json, LessonError> document(std::string_view text) const
-    {
-        Result<Json, SceneFileError> json = parseStrictJson(text);
-        if (json)
-            return std::move(json).value();
-        SceneFileError error = json.error();
-        error.file = m_file;
-        return LessonError{sceneErrorText(error)};
-    }
-
-    /// Runs a description on an object; keys that it does not name are an error.
-    template <class Describe>
-    void object(const JsonNode &node, const Describe &describe)
-    {
-        int nothing = 0;
-        const Json unknown = FieldReader::read(node, nothing, [&](FieldReader &fields, int &) { describe(fields); });
-        if (!unknown.empty())
-            fail(node, "there is no key \"" + unknown.begin().key() + "\"");
-    }
-
-    /// Records an error.
-    /// @param reason  a sentence; only the first one is kept
-    void fail(const JsonNode &node, const std::string &reason)
-    {
-        if (!m_error && !m_jsonError)
-            m_error = failed(m_file, node.path(), reason);
-    }
-
-    std::optional<LessonError> error() const
-    {
-        if (m_error)
-            return m_error;
-        if (!m_jsonError)
-            return std::nullopt;
-        SceneFileError error = *m_jsonError;
-        error.file = m_file;
-        return LessonError{sceneErrorText(error)};
-    }
-    bool hasFailed() const { return m_error || m_jsonError; }
-    JsonNode::FirstError &jsonError() { return m_jsonError; }
-
-private:
-    std::string m_file;
-    std::optional<LessonError> m_error;
-    JsonNode::FirstError m_jsonError;
-};
-
-/// The members that a translation has as well.
-void describeTexts(FieldReader &json, Question &question)
+/// Runs a description on an object; keys that it does not name are an error.
+template <class Describe>
+void readStrictly(SceneReader &json, const Describe &description)
 {
-    json.optional("text", question.text);
-    json.list("reveal", question.reveal);
+    description(json);
+    if (const Json unknown = json.take(); !unknown.empty())
+        json.fail("there is no key \"" + unknown.begin().key() + "\"");
 }
 
-void describeTexts(FieldReader &json, Step &step)
+/// Parses a text and runs a description on it.
+template <class Describe>
+base::Done read(const std::string &file, std::string_view text, const Describe &description)
+{
+    const auto document = base::parseJson(text, file);
+    if (!document)
+        return document.error();
+    try {
+        SceneReader root(*document, text);
+        readStrictly(root, description);
+        return std::monostate{};
+    } catch (base::Error &error) {
+        error.file = file;
+        return error;
+    }
+}
+
+/// The members that a translation has as well.
+void describeTexts(SceneReader &json, Question &question)
+{
+    json.optional("text", question.text);
+    json.optional("reveal", question.reveal);
+}
+
+void describeTexts(SceneReader &json, Step &step)
 {
     json.required("id", step.id);
     json.optional("title", step.title);
-    json.list("text", step.text);
+    json.optional("text", step.text);
     json.optional("source", step.source);
 }
 
-StepPoint readPoint(LessonReader &reader, const JsonNode &node)
+StepPoint readPoint(SceneReader &node)
 {
     StepPoint point;
-    if (node.isObject() && node.json().contains("pixel"))
-        reader.object(node, [&](FieldReader &json) {
-            static constexpr std::array kSnaps{"surface", "vertex", "edge", "face"};
-            auto &clicked = point.emplace<ClickedPixel>();
-            json.required("pixel", clicked.pixel);
-            if (json.has("snap", true))
-                json.required("snap", clicked.snap, Words{kSnaps});
-        });
-    else
-        reader.object(node, [&](FieldReader &json) { describe(json, point.emplace<GivenPoint>()); });
+    readStrictly(node, [&](SceneReader &json) {
+        static constexpr std::array kSnaps{"surface", "vertex", "edge", "face"};
+        if (!json.has("pixel"))
+            return describe(json, point.emplace<GivenPoint>());
+        auto &clicked = point.emplace<ClickedPixel>();
+        json.required("pixel", clicked.pixel);
+        json.optional("snap", clicked.snap, Words{kSnaps});
+    });
     return point;
 }
 
 /// @param document  of the previous step, null for the first
-void readScene(LessonReader &reader, const JsonNode &node, Json &document)
+void readScene(SceneReader &json, Json &document)
 {
-    const JsonNode whole = node.member("scene"), change = node.member("change");
-    if (whole.exists() && change.exists())
-        reader.fail(node, "has a \"scene\" and a \"change\"; there may be one of both");
-    else if (whole.exists() && whole.json().is_string()) {
-        if (const std::string_view example = examples::exampleScene(whole.text()); !example.empty())
-            document = Json::parse(example);
-        else
-            reader.fail(whole, "the program brings along no scene \"" + whole.text() + "\"");
-    } else if (whole.exists())
+    const bool hasScene = json.has("scene"), hasChange = json.has("change");
+    const JsonNode whole(json, "scene");
+    if (hasScene && hasChange)
+        json.fail("has a \"scene\" and a \"change\"; there may be one of both");
+    if (hasScene && whole.json().is_string()) {
+        const std::string_view example = examples::exampleScene(whole.text());
+        if (example.empty())
+            whole.fail("the program brings along no scene \"" + whole.text() + "\"");
+        document = Json::parse(example);
+    } else if (hasScene) {
         document = whole.json();
-    else if (document.is_null())
-        reader.fail(node, "the first step must have a \"scene\"");
-    else if (change.exists())
-        document.merge_patch(change.json());
+    } else if (document.is_null()) {
+        json.fail("the first step must have a \"scene\"");
+    } else if (hasChange) {
+        document.merge_patch(JsonNode(json, "change").json());
+    }
 }
 
 /// The names in quotes, with commas.
@@ -152,7 +120,7 @@ std::string listed(const Names &names)
 }
 
 /// Checks that each link of the texts has a target.
-void checkLinks(LessonReader &reader, const JsonNode &node, const std::vector<std::string> &paragraphs)
+void checkLinks(const JsonNode &node, const std::vector<std::string> &paragraphs)
 {
     constexpr std::string_view kStart = "<a href='";
     for (const std::string &paragraph : paragraphs) {
@@ -160,30 +128,27 @@ void checkLinks(LessonReader &reader, const JsonNode &node, const std::vector<st
             const std::size_t from = at + kStart.size();
             const std::string link = paragraph.substr(from, paragraph.find('\'', from) - from);
             if (!parseLink(link))
-                reader.fail(node, "the link \"" + link + "\" leads nowhere");
+                node.fail("the link \"" + link + "\" leads nowhere");
         }
     }
 }
 
-void readChanges(LessonReader &reader, const JsonNode &node, FieldReader &json, Step &step)
+void readChanges(SceneReader &json, Step &step)
 {
-    static_cast<void>(json.has("set", true));
-    const JsonNode changes = node.member("set");
-    if (!changes.exists() || !changes.isObject())
-        return;
-    for (const auto &[name, change] : changes.json().items()) {
-        const JsonNode one = changes.member(name.c_str());
-        if (!isName(name))
-            reader.fail(changes,
-                        "\"" + name + "\" is no name; take one of small letters, digits and _, a letter first");
-        if (!one.isObject())
-            return;
-        for (const auto &[key, value] : change.items()) {
-            if (std::find(kSettableKeys.begin(), kSettableKeys.end(), key) == kSettableKeys.end())
-                reader.fail(one, "a link cannot change \"" + key + "\", only " + listed(kSettableKeys));
+    json.optionalObject("set", [&step](SceneReader &changes) {
+        changes.requireObject();
+        for (const auto &[name, change] : changes.json().items()) {
+            if (!isName(name))
+                changes.fail("\"" + name + "\" is no name; take one of small letters, digits and _, a letter first");
+            const JsonNode one(changes, name);
+            one.requireObject();
+            for (const auto &[key, value] : change.items()) {
+                if (std::find(kSettableKeys.begin(), kSettableKeys.end(), key) == kSettableKeys.end())
+                    one.fail("a link cannot change \"" + key + "\", only " + listed(kSettableKeys));
+            }
+            step.changes[name] = base::JsonValue(change);
         }
-        step.changes[name] = base::JsonValue(change);
-    }
+    });
 }
 
 /// The points that a click can read: pixels, and points that links of the texts click, in this step
@@ -216,104 +181,101 @@ std::set<std::string> clickedPoints(const Step &step, const std::vector<Step> &b
 }
 
 /// @param earlier  the steps read before
-void readStep(LessonReader &reader, const JsonNode &node, const std::vector<Step> &earlier, Step &step)
+void describeStep(SceneReader &json, const std::vector<Step> &earlier, Step &step)
 {
-    const Step *before = earlier.empty() ? nullptr : &earlier.back();
-    reader.object(node, [&](FieldReader &json) {
-        describeTexts(json, step);
-        if (const bool hasScene = json.has("scene", true); before && !hasScene) {
-            step.scene = before->scene;
-            step.view = before->view;
-            step.workspace = before->workspace;
-            step.points = before->points;
-            step.changes = before->changes;
-        }
-        static_cast<void>(json.has("change", true));
-        readScene(reader, node, step.scene.edit());
-        if (json.has("view", true)) {
-            glm::dvec2 size{0.0};
-            json.required("view", size);
-            const auto isSide = [](double side) {
-                return side >= 1.0 && side <= kMostDrawnPixels && side == std::floor(side);
-            };
-            if (isSide(size.x) && isSide(size.y))
-                step.view = glm::ivec2(size);
-            else
-                reader.fail(node, "\"view\" must be two whole numbers from 1 to " + std::to_string(kMostDrawnPixels));
-        }
-        if (json.has("place", true))
-            json.required("place", step.workspace.emplace(), Words{kWorkspaceNames});
-        json.list("panels", step.panels, kPanelNames.size(), Words{kPanelNames});
-        std::vector<Highlight> highlights;
-        json.list("highlights", highlights, kHighlightNames.size(), Words{kHighlightNames});
-        step.highlights = {highlights.begin(), highlights.end()};
-        readChanges(reader, node, json, step);
-        static_cast<void>(json.has("points", true));
-        if (const JsonNode points = node.member("points"); points.exists() && points.isObject()) {
-            for (const auto &[name, point] : points.json().items()) {
-                if (!isName(name) || std::find(kTaken.begin(), kTaken.end(), name) != kTaken.end())
-                    reader.fail(
-                        points,
-                        "\"" + name
+    describeTexts(json, step);
+    if (!earlier.empty() && !json.has("scene")) {
+        const Step &before = earlier.back();
+        step.scene = before.scene;
+        step.view = before.view;
+        step.workspace = before.workspace;
+        step.points = before.points;
+        step.changes = before.changes;
+    }
+    readScene(json, step.scene.edit());
+    if (glm::dvec2 size{0.0}; json.has("view")) {
+        json.required("view", size);
+        const auto isSide = [](double side) {
+            return side >= 1.0 && side <= kMostDrawnPixels && side == std::floor(side);
+        };
+        if (!isSide(size.x) || !isSide(size.y))
+            json.fail("\"view\" must be two whole numbers from 1 to " + std::to_string(kMostDrawnPixels));
+        step.view = glm::ivec2(size);
+    }
+    json.optional("place", step.workspace, Words{kWorkspaceNames});
+    json.list("panels", step.panels, kPanelNames.size(), Words{kPanelNames});
+    std::vector<Highlight> highlights;
+    json.list("highlights", highlights, kHighlightNames.size(), Words{kHighlightNames});
+    step.highlights = {highlights.begin(), highlights.end()};
+    readChanges(json, step);
+    json.optionalObject("points", [&step](SceneReader &points) {
+        points.requireObject();
+        for (const auto &[name, point] : points.json().items()) {
+            if (!isName(name) || std::find(kTaken.begin(), kTaken.end(), name) != kTaken.end())
+                points.fail("\"" + name
                             + "\" is no free name; take others, of small letters, digits and _, a letter first");
-                step.points[name] = readPoint(reader, points.member(name.c_str()));
-            }
-        }
-        static_cast<void>(json.has("question", true));
-        if (const JsonNode question = node.member("question"); question.exists()) {
-            Question &asked = step.question.emplace();
-            reader.object(question, [&](FieldReader &fields) {
-                describeTexts(fields, asked);
-                fields.required("answer", asked.answer);
-                fields.required("tolerance", asked.tolerance);
-                fields.list("hides", asked.hides, kPanelNames.size(), Words{kPanelNames});
-            });
-            for (const Panel panel : panelsWithAnswer(asked.answer, clickedPoints(step, earlier))) {
-                if (std::find(asked.hides.begin(), asked.hides.end(), panel) == asked.hides.end())
-                    asked.hides.push_back(panel);
-            }
-            checkLinks(reader, question, asked.reveal);
-            if (!(asked.tolerance > 0.0))
-                reader.fail(question, "\"tolerance\" must be greater than 0");
+            SceneReader one(points, name);
+            step.points[name] = readPoint(one);
         }
     });
-    checkLinks(reader, node, step.text);
+    json.optionalObject("question", [&](SceneReader &question) {
+        Question &asked = step.question.emplace();
+        readStrictly(question, [&](SceneReader &fields) {
+            describeTexts(fields, asked);
+            fields.required("answer", asked.answer);
+            fields.required("tolerance", asked.tolerance);
+            fields.list("hides", asked.hides, kPanelNames.size(), Words{kPanelNames});
+        });
+        for (const Panel panel : panelsWithAnswer(asked.answer, clickedPoints(step, earlier))) {
+            if (std::find(asked.hides.begin(), asked.hides.end(), panel) == asked.hides.end())
+                asked.hides.push_back(panel);
+        }
+        checkLinks(question, asked.reveal);
+        if (!(asked.tolerance > 0.0))
+            question.fail("\"tolerance\" must be greater than 0");
+    });
+    checkLinks(json, step.text);
     if (!isName(step.id))
-        reader.fail(node, "\"id\" must be of small letters, digits and _, a letter first");
+        json.fail("\"id\" must be of small letters, digits and _, a letter first");
     if (step.title.empty() || step.text.empty())
-        reader.fail(node, "must have a \"title\" and a \"text\"");
+        json.fail("must have a \"title\" and a \"text\"");
+}
+
+/// Reads each of the "steps".
+/// @return their number
+template <class Describe>
+std::size_t readSteps(SceneReader &json, const Describe &description)
+{
+    if (!json.has("steps"))
+        return 0;
+    const JsonNode steps(json, "steps");
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        SceneReader step(steps, i);
+        readStrictly(step, description);
+    }
+    return steps.size();
 }
 
 /// Replaces the texts of the lesson by a translation's.
-void readTexts(LessonReader &reader, const JsonNode &root, Lesson &lesson)
+base::Done readTexts(std::string_view texts, Lesson &lesson)
 {
-    reader.object(root, [&](FieldReader &json) {
-        json.optional("title", lesson.title);
-        static_cast<void>(json.has("steps", true));
-    });
-    const JsonNode steps = root.member("steps");
-    for (std::size_t i = 0; !reader.hasFailed() && i < steps.size(); ++i) {
-        const JsonNode node = steps.element(i);
-        const JsonNode id = node.member("id");
-        const std::string named = node.isObject() && id.exists() ? id.text() : std::string();
-        const auto step = std::find_if(lesson.steps.begin(), lesson.steps.end(),
-                                       [&named](const Step &one) { return one.id == named; });
-        if (step == lesson.steps.end()) {
-            reader.fail(node, "the lesson has no step \"" + named + "\"");
-            return;
-        }
-        reader.object(node, [&](FieldReader &json) {
+    return read(lesson.name + ", translated", texts, [&lesson](SceneReader &root) {
+        root.optional("title", lesson.title);
+        readSteps(root, [&lesson](SceneReader &json) {
+            std::string id;
+            json.optional("id", id);
+            const auto step =
+                std::find_if(lesson.steps.begin(), lesson.steps.end(), [&id](const Step &one) { return one.id == id; });
+            if (step == lesson.steps.end())
+                json.fail("the lesson has no step \"" + id + "\"");
             describeTexts(json, *step);
-            static_cast<void>(json.has("question", true));
-            const JsonNode question = node.member("question");
-            if (!question.exists())
-                return;
-            if (step->question)
-                reader.object(question, [&](FieldReader &fields) { describeTexts(fields, *step->question); });
-            else
-                reader.fail(question, "the lesson asks nothing here");
+            json.optionalObject("question", [&step](SceneReader &question) {
+                if (!step->question)
+                    question.fail("the lesson asks nothing here");
+                readStrictly(question, [&step](SceneReader &fields) { describeTexts(fields, *step->question); });
+            });
         });
-    }
+    });
 }
 
 } // namespace
@@ -361,38 +323,23 @@ Result<Lesson, LessonError> parseLesson(std::string_view name, std::string_view 
                                         const std::optional<std::string_view> &texts)
 {
     Lesson lesson{std::string(name), {}, {}};
-    LessonReader reader(lesson.name + ".json");
-    const Result<Json, LessonError> document = reader.document(json);
-    if (!document)
-        return document.error();
-    const JsonNode root(*document, reader.jsonError());
-    reader.object(root, [&](FieldReader &fields) {
-        fields.required("title", lesson.title);
-        static_cast<void>(fields.has("steps", true));
+    base::Done done = read(lesson.name + ".json", json, [&lesson](SceneReader &root) {
+        root.required("title", lesson.title);
+        std::set<std::string> ids;
+        const std::size_t count = readSteps(root, [&](SceneReader &node) {
+            Step step;
+            describeStep(node, lesson.steps, step);
+            if (!ids.insert(step.id).second)
+                node.fail("a step before has the id \"" + step.id + "\" already");
+            lesson.steps.push_back(std::move(step));
+        });
+        if (count == 0)
+            root.fail("must have \"steps\"");
     });
-    const JsonNode steps = root.member("steps");
-    std::set<std::string> ids;
-    for (std::size_t i = 0; !reader.hasFailed() && i < steps.size(); ++i) {
-        const JsonNode node = steps.element(i);
-        Step step;
-        readStep(reader, node, lesson.steps, step);
-        if (!ids.insert(step.id).second)
-            reader.fail(node, "a step before has the id \"" + step.id + "\" already");
-        lesson.steps.push_back(std::move(step));
-    }
-    if (lesson.steps.empty() && !reader.hasFailed())
-        reader.fail(root, "must have \"steps\"");
-    if (reader.hasFailed())
-        return *reader.error();
-    if (!texts)
-        return lesson;
-    LessonReader translation(lesson.name + ", translated");
-    const Result<Json, LessonError> translated = translation.document(*texts);
-    if (!translated)
-        return translated.error();
-    readTexts(translation, JsonNode(*translated, translation.jsonError()), lesson);
-    if (translation.hasFailed())
-        return *translation.error();
+    if (done && texts)
+        done = readTexts(*texts, lesson);
+    if (!done)
+        return LessonError{done.error().message()};
     return lesson;
 }
 
@@ -411,13 +358,8 @@ Result<std::vector<std::string>, LessonError> untranslated(const Lesson &lesson,
             step.question->reveal.clear();
         }
     }
-    LessonReader reader(lesson.name + ", translated");
-    const Result<Json, LessonError> document = reader.document(texts);
-    if (!document)
-        return document.error();
-    readTexts(reader, JsonNode(*document, reader.jsonError()), silent);
-    if (reader.hasFailed())
-        return *reader.error();
+    if (const base::Done done = readTexts(texts, silent); !done)
+        return LessonError{done.error().message()};
     std::vector<std::string> missing;
     const auto look = [&missing](const auto &wanted, const auto &there, const std::string &key) {
         if (wanted.empty() != there.empty())
@@ -439,14 +381,11 @@ Result<std::vector<std::string>, LessonError> untranslated(const Lesson &lesson,
 
 Result<std::vector<std::string>, LessonError> parseLessonNames(std::string_view json)
 {
-    LessonReader reader("lessons.json");
-    const Result<Json, LessonError> document = reader.document(json);
-    if (!document)
-        return document.error();
     std::vector<std::string> names;
-    reader.object(JsonNode(*document, reader.jsonError()), [&](FieldReader &fields) { fields.list("lessons", names); });
-    if (reader.hasFailed())
-        return *reader.error();
+    const base::Done done =
+        read("lessons.json", json, [&names](SceneReader &fields) { fields.optional("lessons", names); });
+    if (!done)
+        return LessonError{done.error().message()};
     return names;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/json_value.h"
+#include "core/base/json.h"
 #include "core/geometry/given_point.h"
 #include "core/geometry/result.h"
 #include "core/geometry/viewport.h"

@@ -1,6 +1,5 @@
 #include "core/lessons/set_link.h"
 
-#include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 
 #include <nlohmann/json.hpp>
@@ -25,20 +24,20 @@ std::string firstPath(const nlohmann::ordered_json &object)
 Result<SceneSettings, LessonError> settingsWith(const Scene &scene, const Setup &setup, const base::JsonValue &change)
 {
     using namespace scene_file;
-    const auto failed = [](SceneFileError error) {
+    const auto failed = [](base::Error error) {
         error.file = "set";
-        return LessonError{sceneErrorText(error)};
+        return LessonError{error.message()};
     };
     SceneFile file = sceneFileFrom(scene, setup, {});
     file.extra = {}; // so that the change's extra keys show
     if (change.json().contains("point"))
         file.point.reset(); // coordinates alone would use the space of the user's last point
-    const Result<SceneFile, SceneFileError> next = changed(file, change, "set");
+    const scene_file::SceneOrError next = changed(file, change, "set");
     if (!next)
         return failed(next.error());
     if (!next->extra.json().empty())
         return LessonError{"set: there is no " + firstPath(next->extra.json())};
-    const Result<Scene, SceneFileError> made = sceneFromFile(*next, {}, scene.objects);
+    const base::Expected<Scene, base::Error> made = sceneFromFile(*next, {}, scene.objects);
     if (!made)
         return failed(made.error());
     // Settings that the change does not name stay the same to the last bit, with the matrices that

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/json_value.h"
+#include "core/base/json.h"
 #include "core/lessons/lesson.h"
 #include "core/scene/scene.h"
 

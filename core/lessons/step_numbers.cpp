@@ -1,7 +1,7 @@
 #include "core/lessons/step_numbers.h"
 
 #include "core/base/expression.h"
-#include "core/base/json_number.h"
+#include "core/base/json.h"
 #include "core/base/number_text.h"
 #include "core/base/path_text.h"
 #include "core/geometry/error_text.h"
@@ -10,8 +10,6 @@
 #include "core/matrices/pipeline.h"
 #include "core/opening/models.h"
 #include "core/ray/mesh_point.h"
-#include "core/scene_file/json_text.h"
-#include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 #include "core/unproject/unprojector.h"
 
@@ -208,22 +206,18 @@ std::optional<std::string> faultOf(const Statement &statement, const std::vector
 Result<Scene, LessonError> sceneOf(const Step &step)
 {
     const std::string where = step.id + ".scene";
-    const Result<scene_file::SceneFile, scene_file::SceneFileError> file =
-        scene_file::parseScene(scene_file::compactJson(step.scene.json()), where);
+    const scene_file::SceneOrError file = scene_file::parseScene(base::compactJson(step.scene.json()), where);
     if (!file)
-        return LessonError{scene_file::sceneErrorText(file.error())};
+        return LessonError{file.error().message()};
     auto objects = opening::objectsOf(*file, {}, [](const std::filesystem::path &model) {
         return opening::ReadModel(
             base::Error{.text = "a lesson has no files except its own", .file = base::utf8FromPath(model)});
     });
     if (!objects)
         return failed(where, objects.error().message());
-    Result<Scene, scene_file::SceneFileError> scene = scene_file::sceneFromFile(*file, {}, std::move(objects).value());
-    if (!scene) {
-        scene_file::SceneFileError error = scene.error();
-        error.file = where;
-        return LessonError{scene_file::sceneErrorText(error)};
-    }
+    auto scene = scene_file::sceneFromFile(*file, {}, std::move(objects).value());
+    if (!scene)
+        return failed(where + ": " + scene.error().subject, scene.error().text);
     return std::move(scene).value();
 }
 
@@ -263,7 +257,7 @@ Result<StepNumbers, LessonError> StepNumbers::of(const Scene &scene, const Surfa
     }
     const auto file = scene_file::sceneText(scene_file::sceneFileFrom(scene, *setup, {}));
     if (!file)
-        return LessonError{scene_file::sceneErrorText(file.error())};
+        return LessonError{file.error().message()};
     all["surface"] = {
         {"width", surface.widthPixels}, {"height", surface.heightPixels}, {"ratio", surface.devicePixelRatio}};
     all["scene"] = Json::parse(*file);

@@ -161,8 +161,8 @@ Result<std::vector<std::string>> Landmarks::write(const std::filesystem::path &f
         error.file = name;
         return publicError(error);
     }
-    if (const base::Written written = base::replaceFile(file, text->text); !written)
-        return publicError({LandmarkFileError::Code::NotWritable, name, 0, base::fileErrorText(written.error())});
+    if (const base::Done written = base::replaceFile(file, text->text); !written)
+        return publicError({LandmarkFileError::Code::NotWritable, name, 0, written.error().text});
     return sentences(file, text->notes);
 }
 

@@ -8,7 +8,6 @@
 #include "core/library/scene_data.h"
 #include "core/ray/snap.h"
 #include "core/scene_file/clicks.h"
-#include "core/scene_file/scene_error_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +33,7 @@ Result<scene_file::SceneFile> sceneIn(std::string_view text, const std::string &
 {
     const auto parsed = scene_file::parseSceneOrClicks(text, name);
     if (!parsed)
-        return valueError(scene_file::sceneErrorText(parsed.error()));
+        return valueError(parsed.error().message());
     const auto scene = scene_file::oneScene(*parsed);
     if (!scene)
         return valueError(name + ": " + scene.error());
@@ -60,7 +59,7 @@ Result<Scene> Scene::load(const std::filesystem::path &file)
         return madeOf(opening::openModel(file));
     const auto text = scene_file::readSceneText(file);
     if (!text)
-        return publicError(opening::openingError(text.error()));
+        return publicError(text.error());
     const std::string name = base::utf8FromPath(file);
     Result<scene_file::SceneFile> scene = sceneIn(*text, name);
     if (!scene)
@@ -162,7 +161,7 @@ Result<std::monostate> Scene::save(const std::filesystem::path &file) const
     }
     const auto written = scene_file::writeSceneFile(file, scene);
     if (!written)
-        return publicError(opening::openingError(written.error()));
+        return publicError(written.error());
     return std::monostate{};
 }
 

@@ -8,7 +8,6 @@
 #include "core/geometry/condition_number.h"
 #include "core/library/internal.h"
 #include "core/matrices/matrix_findings.h"
-#include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 
 #include <algorithm>
@@ -364,7 +363,7 @@ Result<Setup> Setup::fromSceneText(std::string_view text, const std::string &nam
 {
     const auto scene = scene_file::parseScene(text, name);
     if (!scene)
-        return valueError(scene_file::sceneErrorText(scene.error()));
+        return valueError(scene.error().message());
     return SetupAccess::make(scene_file::setupOf(*scene),
                              worldFindings(scene->conventions.value_or(geometry::Api::OpenGl)));
 }

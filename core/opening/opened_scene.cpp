@@ -4,7 +4,6 @@
 #include "core/geometry/error_text.h"
 #include "core/scene/opening_view.h"
 #include "core/scene/reach.h"
-#include "core/scene_file/scene_error_text.h"
 
 #include <map>
 #include <utility>
@@ -15,21 +14,6 @@ using namespace mesh;
 using namespace scene;
 using namespace scene_file;
 using namespace base;
-
-base::Error openingError(const SceneFileError &error)
-{
-    base::Error::Kind kind = base::Error::Kind::Value;
-    switch (error.code) {
-    case SceneFileErrorCode::NotFound: kind = base::Error::Kind::NoFile; break;
-    case SceneFileErrorCode::IsDirectory:
-    case SceneFileErrorCode::NotAFile:
-    case SceneFileErrorCode::NotReadable:
-    case SceneFileErrorCode::NotWritable:
-    case SceneFileErrorCode::ChangedMeanwhile: kind = base::Error::Kind::File; break;
-    default: break;
-    }
-    return {.text = sceneErrorText(error), .kind = kind};
-}
 
 std::vector<std::string> filesOf(const std::filesystem::path &file, const Model &model)
 {
@@ -112,11 +96,11 @@ Expected<Setup, base::Error> setupOf(const OpenedScene &opened, const std::optio
     Scene scene;
     if (opened.file) {
         surface.devicePixelRatio = opened.file->devicePixelRatio;
-        Result<Scene, SceneFileError> shown = sceneFromFile(*opened.file, pathFromUtf8(opened.name), opened.objects);
+        auto shown = sceneFromFile(*opened.file, pathFromUtf8(opened.name), opened.objects);
         if (!shown) {
-            SceneFileError error = shown.error();
+            base::Error error = shown.error();
             error.file = opened.name;
-            return openingError(error);
+            return error;
         }
         scene = std::move(shown).value();
     } else {

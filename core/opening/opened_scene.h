@@ -13,8 +13,6 @@
 
 namespace unprojector::opening {
 
-base::Error openingError(const scene_file::SceneFileError &error);
-
 /// A scene, or a model as the window shows it on opening, with all models read.
 struct OpenedScene {
     std::vector<scene::SceneObject> objects;

@@ -1,6 +1,6 @@
 #include "core/ray/placed_landmark.h"
 
-#include "core/base/json_number.h"
+#include "core/base/json.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -2,12 +2,8 @@
 
 #include "core/base/translation.h"
 #include "core/geometry/transform.h"
-#include "core/scene_file/json_text.h"
 #include "core/scene_file/scene_fields.h"
-#include "core/scene_file/strict_json.h"
 #include "core/unproject/object_from_world.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -37,16 +33,17 @@ void describe(Fields &json, T &uncertainty)
 template <class Fields, Is<ClickedObject> T>
 void describe(Fields &json, T &object)
 {
-    json.required("index", object.index, Count{0, std::numeric_limits<int>::max()});
+    json.required("index", object.index, Whole{0, std::numeric_limits<int>::max()});
     json.required("name", object.name);
     describe(json, object.point);
 }
 
-/// Written but not read: values derived from a click are recomputed.
-struct WrittenRay {
-    static void read(const JsonNode &, RayOnMesh &) {}
-    static nlohmann::ordered_json write(const RayOnMesh &ray) { return jsonOf(ray); }
-};
+template <class Fields, Is<RayOnMesh> T>
+void describe(Fields &json, T &ray)
+{
+    if constexpr (!Fields::kReads) // values derived from a click are recomputed
+        json.set(jsonOf(ray));
+}
 
 template <class Fields, Is<Click> T>
 void describe(Fields &json, T &click)
@@ -65,13 +62,25 @@ void describe(Fields &json, T &click)
     json.optional("world", click.world, describePlace);
     json.optional("uncertainty", click.uncertainty);
     json.nullable("object", click.object);
-    json.optional("rayOnMesh", click.rayOnMesh, WrittenRay{});
+    json.optional("rayOnMesh", click.rayOnMesh);
     json.required("scene", click.scene);
 }
 
-namespace {
+/// One click, or a list of them; only read.
+struct GivenClicks {
+    std::vector<Click> clicks;
+};
 
-using Json = nlohmann::ordered_json;
+template <class Fields, Is<GivenClicks> T>
+void describe(Fields &json, T &given)
+{
+    if (json.json().is_array())
+        json.value(given.clicks);
+    else
+        json.value(given.clicks.emplace_back());
+}
+
+namespace {
 
 template <class Space>
 ClickPoint pointOf(const Answers<Space> &answers)
@@ -128,42 +137,26 @@ Click clickOf(const Pick &pick, const Scene &scene, std::optional<RayOnMesh> ray
     return click;
 }
 
-Result<std::string, SceneFileError> clicksText(const std::vector<Click> &clicks)
+base::Expected<std::string, base::Error> clicksText(const std::vector<Click> &clicks)
 {
-    Json array = Json::array();
-    for (const Click &click : clicks)
-        array.push_back(FieldWriter::write(click, Plain{}, nullptr));
-    return readableJson(array);
+    return base::readableJson(base::jsonOfValue<Room>(clicks));
 }
 
-Result<SceneOrClicks, SceneFileError> parseSceneOrClicks(std::string_view text, const std::string &name)
+base::Expected<SceneOrClicks, base::Error> parseSceneOrClicks(std::string_view text, const std::string &name)
 {
-    const Result<Json, SceneFileError> json = parseStrictJson(text);
-    JsonNode::FirstError error;
-    if (!json) {
-        error = json.error();
-    } else {
-        const JsonNode root(*json, error);
-        const bool isClick = json->is_object() && json->contains("scene") && !json->contains("unprojector");
-        if (json->is_array() || isClick) {
-            std::vector<Click> clicks;
-            if (isClick)
-                static_cast<void>(FieldReader::read(root, clicks.emplace_back(), Plain{}));
-            // One by one: text that is no click must not use a click's memory, which is hundreds of
-            // times its text's.
-            for (std::size_t i = 0; !isClick && i < json->size() && !error; ++i)
-                static_cast<void>(FieldReader::read(root.element(i), clicks.emplace_back(), Plain{}));
-            if (!error)
-                return SceneOrClicks(std::move(clicks));
-        } else {
-            SceneFile scene;
-            static_cast<void>(FieldReader::read(root, scene, Plain{}));
-            if (!error)
-                return SceneOrClicks(std::move(scene));
-        }
+    const auto json = parsedJson(text, name);
+    if (!json)
+        return json.error();
+    if (!json->is_array() && !(json->is_object() && json->contains("scene") && !json->contains("unprojector"))) {
+        auto scene = base::valueOfJson<Room, SceneFile>(*json, text, name);
+        if (!scene)
+            return scene.error();
+        return SceneOrClicks(std::move(scene).value());
     }
-    error->file = name;
-    return *error;
+    auto given = base::valueOfJson<Room, GivenClicks>(*json, text, name);
+    if (!given)
+        return given.error();
+    return SceneOrClicks(std::move(given).value().clicks);
 }
 
 Result<SceneFile, std::string> oneScene(const SceneOrClicks &given)
@@ -173,9 +166,9 @@ Result<SceneFile, std::string> oneScene(const SceneOrClicks &given)
     const auto &clicks = std::get<std::vector<Click>>(given);
     if (clicks.empty())
         return base::tr("it has no click and so no scene; give a scene file");
-    const Result<std::string, SceneFileError> first = sceneText(clicks.front().scene);
+    const auto first = sceneText(clicks.front().scene);
     const bool isOne = std::all_of(clicks.begin() + 1, clicks.end(), [&first](const Click &click) {
-        const Result<std::string, SceneFileError> other = sceneText(click.scene);
+        const auto other = sceneText(click.scene);
         return first && other && *first == *other;
     });
     if (!isOne)

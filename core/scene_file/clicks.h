@@ -69,14 +69,14 @@ Click clickOf(const unproject::Pick &pick, const scene::Scene &scene, std::optio
 
 /// The clicks as a JSON array. Numbers have all their digits, so parseSceneOrClicks restores them
 /// exactly.
-/// @return NotUtf8
-geometry::Result<std::string, SceneFileError> clicksText(const std::vector<Click> &clicks);
+/// @return as sceneText
+base::Expected<std::string, base::Error> clicksText(const std::vector<Click> &clicks);
 
 using SceneOrClicks = std::variant<SceneFile, std::vector<Click>>;
 
 /// Reads a scene file, or clicks: an array of them, or a single one, recognized by its "scene".
 /// @return as parseScene
-geometry::Result<SceneOrClicks, SceneFileError> parseSceneOrClicks(std::string_view text, const std::string &name);
+base::Expected<SceneOrClicks, base::Error> parseSceneOrClicks(std::string_view text, const std::string &name);
 
 /// The scene, or the one that all clicks share.
 /// @return why there is none, in the language of base::tr()

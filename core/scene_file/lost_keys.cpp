@@ -1,16 +1,12 @@
 #include "core/scene_file/lost_keys.h"
 
 #include "core/scene_file/scene_file.h"
-#include "core/scene_file/strict_json.h"
 
 #include <nlohmann/json.hpp>
 
 namespace unprojector::scene_file {
-using namespace geometry;
-
+using base::Json;
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string element(const std::string &list, std::size_t i)
 {
@@ -28,7 +24,7 @@ void addKeys(const Json &object, const std::string &path, std::vector<std::strin
 LostKeys lostKeys(std::string_view text, const SceneFile &scene)
 {
     LostKeys lost;
-    const Result<Json, SceneFileError> json = parseStrictJson(text);
+    const base::Expected<Json, base::Error> json = base::parseJson(text);
     for (std::size_t i = 0; json && i < scene.objects.size(); ++i) {
         for (std::size_t j = 0; j < scene.objects[i].transform.size(); ++j) {
             Json step = (*json)["objects"][i]["transform"][j];

@@ -1,7 +1,5 @@
 #include "core/scene_file/ray_on_mesh.h"
 
-#include "core/scene_file/json_text.h"
-
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -9,9 +7,8 @@
 namespace unprojector::scene_file {
 using namespace geometry;
 using namespace ray;
+using base::Json, base::jsonNumber;
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// The number, or null if it is not finite: JSON has no infinity.
 Json number(double value)

@@ -1,8 +1,7 @@
 #pragma once
 
+#include "core/base/json.h"
 #include "core/ray/pixel_edge.h"
-
-#include <nlohmann/json_fwd.hpp>
 
 #include <optional>
 #include <string>
@@ -26,6 +25,6 @@ struct RayOnMesh {
     std::string edgeObject = {}; ///< of the edge's other side
 };
 
-nlohmann::ordered_json jsonOf(const RayOnMesh &ray);
+base::Json jsonOf(const RayOnMesh &ray);
 
 } // namespace unprojector::scene_file

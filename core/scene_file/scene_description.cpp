@@ -1,5 +1,6 @@
 #include "core/base/path_text.h"
 #include "core/geometry/drawable.h"
+#include "core/geometry/error_text.h"
 #include "core/scene/given_matrices.h"
 #include "core/scene/reach.h"
 #include "core/scene_file/scene_file.h"
@@ -53,19 +54,14 @@ std::filesystem::path relativePath(const std::filesystem::path &file, const std:
     return failed || failedToo ? file : (to / file.filename()).lexically_proximate(from);
 }
 
-SceneFileError failed(const std::string &name, std::string keyPath, const Error &cause)
+base::Error failed(const std::string &name, std::string path, const Error &cause)
 {
-    SceneFileError error;
-    error.code = SceneFileErrorCode::InvalidValue;
-    error.file = name;
-    error.keyPath = std::move(keyPath);
-    error.cause = cause;
-    return error;
+    return {errorText(cause), std::move(path), name};
 }
 
 } // namespace
 
-std::optional<SceneFileError> whyNotShown(const SceneFile &file, const std::string &name)
+std::optional<base::Error> whyNotShown(const SceneFile &file, const std::string &name)
 {
     // The first of the two that the window would use, see sceneFromFile.
     const ViewportRule *rule = file.ui.viewportRule ? &*file.ui.viewportRule : nullptr;
@@ -115,11 +111,11 @@ std::filesystem::path objectFile(const SceneFileObject &object, const std::files
     return std::filesystem::exists(whole, failed) ? whole : file;
 }
 
-Result<Scene, SceneFileError> sceneFromFile(const SceneFile &file, const std::filesystem::path &sceneFile,
-                                            std::vector<SceneObject> objects)
+base::Expected<Scene, base::Error> sceneFromFile(const SceneFile &file, const std::filesystem::path &sceneFile,
+                                                 std::vector<SceneObject> objects)
 {
     const std::string name = base::utf8FromPath(sceneFile.filename());
-    if (const std::optional<SceneFileError> error = whyNotShown(file, name))
+    if (const std::optional<base::Error> error = whyNotShown(file, name))
         return *error;
     const Setup setup = setupOf(file);
     Scene scene;

@@ -1,11 +1,20 @@
 #pragma once
 
-#include "core/scene_file/json_fields.h"
-#include "core/scene_file/landmark_fields.h"
+#include "core/base/json_fields.h"
+#include "core/base/number_text.h"
+#include "core/base/translation.h"
+#include "core/geometry/condition_number.h"
+#include "core/geometry/error_text.h"
+#include "core/geometry/numbers.h"
+#include "core/landmarks/landmark.h"
 #include "core/scene_file/scene_file.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <span>
 
 namespace unprojector::scene_file {
@@ -13,35 +22,222 @@ namespace unprojector::scene_file {
 // The keys of a scene file in the order in which they are written: see json_fields.h. Reading,
 // writing, unknown keys and error paths all follow from this.
 
+using base::Is, base::Whole, base::Words, base::tr;
+
+struct Room {};
+using SceneReader = base::JsonReader<Room>;
+
 constexpr int kSceneVersion = 1;
+constexpr Whole kAnyWhole{-std::numeric_limits<int>::max(), std::numeric_limits<int>::max()};
+constexpr Whole kElementNumber{0, std::numeric_limits<std::uint32_t>::max()};
 
-/// The keys of the APIs, in the order of Api.
-inline std::span<const char *const> apiWords()
-{
-    static const auto words = [] {
-        std::array<const char *, geometry::kApis.size()> keys{};
-        std::transform(geometry::kApis.begin(), geometry::kApis.end(), keys.begin(),
-                       [](geometry::Api api) { return conventionsOf(api).key; });
-        return keys;
-    }();
-    return words;
-}
+/// The error of a scene with more bytes than a limit.
+std::string tooLargeText(std::size_t mostBytes);
 
-/// Returns the value of type T in a variant; when reading, sets the variant to that type first.
-template <class T, class Variant>
-auto &as(Variant &variant)
+/// parseJson, or that error.
+base::Expected<base::Json, base::Error> parsedJson(std::string_view text, const std::string &name,
+                                                   std::size_t mostBytes = kMostSceneBytes);
+
+/// Refuses values that core's check of them refuses.
+/// @param key  of the member that the error is about; empty: the value itself
+template <class Fields, class T>
+void refuse(Fields &json, const geometry::Result<T> &checked, const char *key = "")
 {
-    if constexpr (!std::is_const_v<Variant>) {
-        if (!std::holds_alternative<T>(variant))
-            variant = T{};
+    if constexpr (Fields::kReads) {
+        if (!checked && *key != '\0')
+            json.failAt(key, errorText(checked.error()));
+        if (!checked)
+            json.fail(errorText(checked.error()));
     }
-    return std::get<T>(variant);
 }
 
-inline geometry::Check checkPositive(double value, geometry::ErrorCode code)
+inline geometry::Check checkThat(bool isValid, geometry::ErrorCode code, double value = 0.0)
 {
-    return value > 0.0 ? geometry::Check(std::monostate{}) : geometry::Check(geometry::Error{code, value});
+    return isValid ? geometry::Check(std::monostate{}) : geometry::Check(geometry::Error{code, value});
 }
+
+// ---- lists of numbers ----
+
+template <class Fields, class T>
+requires requires(T &point)
+{
+    point.coordinates();
+}
+void describe(Fields &json, T &point)
+{
+    auto coordinates = point.coordinates();
+    json.value(coordinates);
+    if constexpr (Fields::kReads)
+        point = T(coordinates);
+}
+
+template <class Fields, Is<geometry::DepthRange> T>
+void describe(Fields &json, T &range)
+{
+    glm::dvec2 ends(range.atNear, range.atFar);
+    json.value(ends);
+    if constexpr (Fields::kReads)
+        range = {ends.x, ends.y};
+}
+
+template <class Fields, Is<geometry::DevicePixel> T>
+void describe(Fields &json, T &pixel)
+{
+    std::array numbers{pixel.i, pixel.j};
+    json.elements(numbers, kAnyWhole);
+    if constexpr (Fields::kReads)
+        pixel = {numbers[0], numbers[1]};
+}
+
+template <class Fields, Is<geometry::DoubleDouble> T>
+void describe(Fields &json, T &number)
+{
+    double value = number.value;
+    json.value(value);
+    if constexpr (Fields::kReads)
+        number = value;
+}
+
+/// [-1, 1] or [0, 1]; an API may allow only one of them.
+struct NdcDepthOf {
+    geometry::Api api;
+
+    template <class Fields, class T>
+    void operator()(Fields &json, T &depth) const
+    {
+        using geometry::NdcDepth;
+        glm::dvec2 ends(depth == NdcDepth::ZeroToOne ? 0.0 : -1.0, 1.0);
+        json.value(ends);
+        if constexpr (Fields::kReads) {
+            static constexpr std::array kChoices{"[-1, 1]", "[0, 1]"};
+            if (ends.y != 1.0 || (ends.x != 0.0 && ends.x != -1.0))
+                json.failChoice(kChoices);
+            depth = ends.x == 0.0 ? NdcDepth::ZeroToOne : NdcDepth::MinusOneToOne;
+            const geometry::ApiConventions &conventions = conventionsOf(api);
+            const std::string only = "[0, 1] (\"conventions\": \"" + std::string(conventions.key) + "\")";
+            if (conventions.hasOnlyThatDepth && depth != conventions.ndcDepth)
+                json.failChoice(std::array{only.c_str()});
+        }
+    }
+};
+
+/// A matrix that has an inverse: 16 numbers, column by column.
+struct InvertibleMatrix {
+    template <class Fields, class T>
+    void operator()(Fields &json, T &matrix) const
+    {
+        json.elements(std::span(glm::value_ptr(matrix), 16), {}, tr("a list of 16 numbers, column by column"));
+        if constexpr (Fields::kReads)
+            refuse(json,
+                   checkThat(!std::isinf(geometry::conditionNumber(matrix)), geometry::ErrorCode::SingularMatrix));
+    }
+};
+
+/// (A, B, C, D), the first three not all 0.
+struct ClipPlaneNumbers {
+    template <class Fields, class T>
+    void operator()(Fields &json, T &plane) const
+    {
+        json.elements(plane);
+        refuse(json, checkThat(glm::dvec3(plane) != glm::dvec3(0.0), geometry::ErrorCode::ClipPlaneHasNoNormal));
+    }
+};
+
+/// Degrees. An angle that was given in radians has these under a key of their own beside it.
+template <class Fields, Is<geometry::Angle> T>
+void describeAngle(Fields &json, const char *degreesKey, const char *radiansKey, T &angle)
+{
+    double degrees = angle.degrees();
+    json.required(degreesKey, degrees);
+    const auto rounded = geometry::Angle::fromDegrees(degrees);
+    if constexpr (Fields::kReads)
+        angle = rounded;
+    if (!json.has(radiansKey, rounded != angle))
+        return;
+    double exact = angle.radians.value;
+    json.required(radiansKey, exact);
+    if constexpr (Fields::kReads) {
+        // Other programs may have rewritten the degrees with fewer digits; a different angle is a
+        // deliberate change.
+        constexpr double kSame = 1e-9;
+        if (!(std::abs(exact - rounded.radians.value) <= kSame * std::abs(rounded.radians.value)))
+            json.failAt(radiansKey, tr("%1 radians differ from %2, which is %3 degrees; remove the wrong key",
+                                       base::shortestText(exact), degreesKey, base::shortestText(degrees)));
+        angle = exact;
+    }
+}
+
+// ---- landmarks ----
+
+template <class Fields, Is<landmarks::Anchor> T>
+void describe(Fields &json, T &anchor)
+{
+    static constexpr std::array kKinds{"triangle", "vertex", "edge"};
+    // Free comes first in the variant, and is not written.
+    const std::size_t kind = json.oneKeyOf(kKinds, anchor.index() - 1);
+    base::describeAlternative(anchor, kind + 1, [&]<class Held>(Held &held) {
+        if constexpr (Is<Held, landmarks::OnTriangle>) {
+            json.required("triangle", held.triangle, kElementNumber);
+            json.required("barycentric", held.barycentric);
+        } else if constexpr (Is<Held, landmarks::AtVertex>) {
+            json.required("vertex", held.vertex, kElementNumber);
+        } else if constexpr (Is<Held, landmarks::OnEdge>) {
+            json.object("edge", [&held](auto &edge) { edge.elements(held.vertices, kElementNumber); });
+            json.required("share", held.share);
+        }
+    });
+}
+
+template <class Fields, Is<landmarks::Landmark> T>
+void describe(Fields &json, T &landmark)
+{
+    static constexpr std::array kAbsences{"notPlaced", "skipped", "missing"};
+    json.optional("name", landmark.name);
+    json.nullable("position", landmark.world);
+    if (!landmark.world)
+        json.unlessDefault("absence", landmark.absence, Words{kAbsences});
+    json.unlessDefault("object", landmark.object);
+    json.unlessDefault("held", landmark.anchor);
+    json.optional("uncertainty", landmark.uncertainty);
+    json.unlessDefault("note", landmark.note);
+    json.optional("color", landmark.color, Whole{0, 255});
+    json.unlessDefault("hidden", landmark.isHidden);
+}
+
+template <class Fields, Is<landmarks::Curve> T>
+void describe(Fields &json, T &curve)
+{
+    static constexpr std::array kKinds{"geodesic", "planeSection"};
+    json.optional("name", curve.name);
+    json.optional("points", curve.points);
+    json.required("kind", curve.kind, Words{kKinds});
+    json.required("count", curve.count, Whole{2, landmarks::kMostSemilandmarks});
+    json.unlessDefault("semilandmarks", curve.semilandmarks);
+}
+
+template <class Fields, Is<landmarks::KeptMeasure> T>
+void describe(Fields &json, T &measure)
+{
+    static constexpr std::array kKinds{"distance", "angle", "height", "length", "surface"};
+    json.required("name", measure.name);
+    json.required("kind", measure.kind, Words{kKinds});
+    json.optional("landmarks", measure.landmarks);
+}
+
+template <class Fields, Is<landmarks::LandmarkSet> T>
+void describe(Fields &json, T &set)
+{
+    static constexpr std::array kAxes{"LPS", "RAS"};
+    json.unlessDefault("name", set.name);
+    json.unlessDefault("mesh", set.mesh);
+    json.unlessDefault("unit", set.unit);
+    json.unlessDefault("axes", set.axes, Words{kAxes});
+    json.optional("points", set.landmarks);
+    json.unlessDefault("curves", set.curves);
+    json.unlessDefault("measures", set.measures);
+}
+
+// ---- the setup ----
 
 template <class Fields, Is<geometry::Viewport> T>
 void describe(Fields &json, T &viewport)
@@ -50,7 +246,7 @@ void describe(Fields &json, T &viewport)
     json.required("y", viewport.y);
     json.required("width", viewport.width);
     json.required("height", viewport.height);
-    json.check([&] { return check(viewport); }, viewport.width > 0.0 ? "height" : "width");
+    refuse(json, check(viewport), viewport.width > 0.0 ? "height" : "width");
 }
 
 template <class Fields, Is<geometry::LookAt> T>
@@ -59,16 +255,13 @@ void describe(Fields &json, T &camera)
     json.required("eye", camera.eye);
     json.required("center", camera.center);
     json.required("up", camera.up);
-    json.check(
-        [&] {
-            const geometry::Result<geometry::EyeFrame> frame = eyeFrame(camera);
-            return frame ? geometry::Check(std::monostate{}) : geometry::Check(frame.error());
-        },
-        [](const geometry::Error &error) {
-            const bool isUp =
-                error.code == geometry::ErrorCode::UpIsZero || error.code == geometry::ErrorCode::UpParallelToView;
-            return isUp ? "up" : "center";
-        });
+    if constexpr (Fields::kReads) {
+        const geometry::Result<geometry::EyeFrame> frame = eyeFrame(camera);
+        const bool isUp = !frame
+                          && (frame.error().code == geometry::ErrorCode::UpIsZero
+                              || frame.error().code == geometry::ErrorCode::UpParallelToView);
+        refuse(json, frame, isUp ? "up" : "center");
+    }
 }
 
 template <class Fields, class Box>
@@ -80,30 +273,23 @@ requires(Is<Box, geometry::Frustum> || Is<Box, geometry::Ortho>) void describe(F
     json.required("top", box.top);
     json.required("near", box.nearDistance);
     json.required("far", box.farDistance);
-    if constexpr (Is<Box, geometry::Frustum>) {
-        if (json.has("skew", box.skew != 0.0))
-            json.required("skew", box.skew);
-    }
+    if constexpr (Is<Box, geometry::Frustum>)
+        json.unlessDefault("skew", box.skew);
 }
 
 /// A camera matrix with its image's size.
 template <class Fields, Is<geometry::Pinhole> T>
 void describe(Fields &json, T &pinhole)
 {
-    enum class Centers { Half, Integer };
     static constexpr std::array kCenters{"half", "integer"};
     json.required("fx", pinhole.fx);
     json.required("fy", pinhole.fy);
     json.required("cx", pinhole.cx);
     json.required("cy", pinhole.cy);
-    if (json.has("skew", pinhole.skew != 0.0))
-        json.required("skew", pinhole.skew);
+    json.unlessDefault("skew", pinhole.skew);
     json.required("width", pinhole.width);
     json.required("height", pinhole.height);
-    auto centers = static_cast<Centers>(pinhole.areCentersWhole);
-    json.required("pixelCenters", centers, Words{kCenters});
-    if constexpr (Fields::kReads)
-        pinhole.areCentersWhole = centers == Centers::Integer;
+    json.required("pixelCenters", pinhole.areCentersWhole, Words{kCenters});
     json.required("near", pinhole.nearDistance);
     json.required("far", pinhole.farDistance);
 }
@@ -112,37 +298,34 @@ template <class Fields, Is<geometry::Oblique> T>
 void describe(Fields &json, T &oblique)
 {
     describe(json, oblique.box);
-    json.angle("theta", "thetaRadians", oblique.theta);
-    json.angle("phi", "phiRadians", oblique.phi);
+    describeAngle(json, "theta", "thetaRadians", oblique.theta);
+    describeAngle(json, "phi", "phiRadians", oblique.phi);
 }
 
 /// Describes a matrix in the convention of the file's API; the scene stores OpenGL's.
 template <class Fields, Is<geometry::MatrixProjection> T>
 void describe(Fields &json, T &projection, geometry::Api api)
 {
-    if constexpr (Fields::kReads) {
-        json.required("matrix", projection.clipFromEye, InvertibleMatrix{});
-        json.optional("ndcDepth", projection.ndcDepth, NdcDepthOf{api});
-        projection = oursFromApi(projection, api);
-    } else {
-        geometry::MatrixProjection written = apiFromOurs(projection, api);
+    geometry::MatrixProjection inFile;
+    if constexpr (!Fields::kReads) {
+        inFile = apiFromOurs(projection, api);
         if (conventionsOf(api).hasOnlyThatDepth)
-            written.ndcDepth.reset();
-        json.required("matrix", written.clipFromEye, InvertibleMatrix{});
-        json.optional("ndcDepth", std::as_const(written.ndcDepth), NdcDepthOf{api});
+            inFile.ndcDepth.reset();
     }
+    json.required("matrix", inFile.clipFromEye, InvertibleMatrix{});
+    json.optional("ndcDepth", inFile.ndcDepth, NdcDepthOf{api});
+    if constexpr (Fields::kReads)
+        projection = oursFromApi(inFile, api);
 }
 
 /// The same for eyeFromWorld.
 template <class Fields, Is<glm::dmat4> T>
 void describeView(Fields &json, T &eyeFromWorld, geometry::Api api)
 {
-    if constexpr (Fields::kReads) {
-        json.required("matrix", eyeFromWorld, InvertibleMatrix{});
-        eyeFromWorld = oursFromView(eyeFromWorld, api);
-    } else {
-        json.required("matrix", viewFromOurs(eyeFromWorld, api), InvertibleMatrix{});
-    }
+    glm::dmat4 inFile = viewFromOurs(eyeFromWorld, api);
+    json.required("matrix", inFile, InvertibleMatrix{});
+    if constexpr (Fields::kReads)
+        eyeFromWorld = oursFromView(inFile, api);
 }
 
 /// A perspective may take its aspect from the viewport. It does so too where no double gives the
@@ -150,14 +333,14 @@ void describeView(Fields &json, T &eyeFromWorld, geometry::Api api)
 template <class Fields, Is<geometry::Perspective> T, Is<SceneFile> Scene>
 void describe(Fields &json, T &perspective, Scene &scene)
 {
-    json.angle("fovy", "fovyRadians", perspective.verticalFov);
+    describeAngle(json, "fovy", "fovyRadians", perspective.verticalFov);
     const bool hasAspect = json.has("aspect", !scene.aspectFromViewport && perspective.aspect.rest == 0.0);
     if (hasAspect)
-        json.number("aspect", perspective.aspect);
+        json.required("aspect", perspective.aspect);
     if constexpr (Fields::kReads) {
         scene.aspectFromViewport = !hasAspect;
-        if (const geometry::Viewport viewport = setupOf(scene).viewport; !hasAspect)
-            perspective.aspect = aspectOf(viewport);
+        if (!hasAspect)
+            perspective.aspect = aspectOf(setupOf(scene).viewport);
     }
     json.required("near", perspective.nearDistance);
     json.required("far", perspective.farDistance);
@@ -193,35 +376,44 @@ void describeProjection(Fields &json, T &scene)
     if (const auto *parameters = std::get_if<geometry::Projection>(&scene.projection))
         type = static_cast<Type>(parameters->index());
     json.required("type", type, Words{kTypes});
-    if (json.failed())
-        return;
-    if (type == Type::Matrix)
-        return describe(json, as<geometry::MatrixProjection>(scene.projection),
-                        scene.conventions.value_or(geometry::Api::OpenGl));
-    auto &projection = as<geometry::Projection>(scene.projection);
-    switch (type) {
-    case Type::Frustum: describe(json, as<geometry::Frustum>(projection)); break;
-    case Type::Ortho: describe(json, as<geometry::Ortho>(projection)); break;
-    case Type::Perspective: describe(json, as<geometry::Perspective>(projection), scene); break;
-    case Type::Oblique: describe(json, as<geometry::Oblique>(projection)); break;
-    case Type::Pinhole: describe(json, as<geometry::Pinhole>(projection)); break;
-    case Type::Matrix: break;
-    }
-    json.check([&] { return check(projection); },
-               [&](const geometry::Error &error) { return keyOf(error, projection); });
+    base::describeAlternative(scene.projection, type == Type::Matrix ? 1 : 0, [&]<class Either>(Either &either) {
+        if constexpr (Is<Either, geometry::MatrixProjection>) {
+            describe(json, either, scene.conventions.value_or(geometry::Api::OpenGl));
+        } else {
+            base::describeAlternative(either, static_cast<std::size_t>(type), [&]<class Kind>(Kind &projection) {
+                if constexpr (Is<Kind, geometry::Perspective>)
+                    describe(json, projection, scene);
+                else
+                    describe(json, projection);
+            });
+            if constexpr (Fields::kReads) {
+                const geometry::Check valid = check(either);
+                refuse(json, valid, valid ? "" : keyOf(valid.error(), either));
+            }
+        }
+    });
 }
+
+// ---- the scene ----
 
 template <class Fields, Is<geometry::TransformStep> T>
 void describe(Fields &json, T &step)
 {
     static constexpr std::array kSteps{"translate", "rotate", "scale"};
     const std::size_t kind = json.oneKeyOf(kSteps, step.index());
-    switch (kind) {
-    case 0: json.required(kSteps[kind], as<geometry::Translate>(step).offset); break;
-    case 1: json.required(kSteps[kind], as<geometry::Rotate>(step)); break;
-    default: json.required(kSteps[kind], as<geometry::Scale>(step).factors); break;
-    }
-    json.check([&] { return check(step); }, kSteps[kind]);
+    base::describeAlternative(step, kind, [&]<class Step>(Step &one) {
+        if constexpr (Is<Step, geometry::Translate>) {
+            json.required(kSteps[0], one.offset);
+        } else if constexpr (Is<Step, geometry::Scale>) {
+            json.required(kSteps[2], one.factors);
+        } else {
+            glm::dvec4 numbers(one.degrees, one.axis);
+            json.required(kSteps[1], numbers);
+            if constexpr (Fields::kReads)
+                one = {numbers.x, {numbers.y, numbers.z, numbers.w}};
+        }
+    });
+    refuse(json, check(step), kSteps[kind]);
 }
 
 template <class Fields, Is<SceneFileObject> T>
@@ -232,10 +424,13 @@ void describe(Fields &json, T &object)
     if (json.oneKeyOf(kSources, object.file.empty() ? 1 : 0) == 0)
         json.required("file", object.file);
     else
-        json.required("bundled", object.bundled, SomeText{});
-    json.list("transform", object.transform);
-    if (json.has("hidden", object.isHidden))
-        json.required("hidden", object.isHidden);
+        json.required("bundled", object.bundled);
+    if constexpr (Fields::kReads) {
+        if (object.file.empty() && object.bundled.empty())
+            json.failAt("bundled", tr("this is not a name of a file"));
+    }
+    json.optional("transform", object.transform);
+    json.unlessDefault("hidden", object.isHidden);
 }
 
 template <class Fields, Is<scene::ViewportRule> T>
@@ -244,28 +439,18 @@ void describe(Fields &json, T &rule)
     static constexpr std::array kKinds{"wholeWindow", "fixed", "keepAspect", "quarter"};
     json.required("kind", rule.kind, Words{kKinds});
     json.optional("aspect", rule.aspect);
-    json.check([&] { return checkPositive(rule.aspect, geometry::ErrorCode::AspectNotPositive); }, "aspect");
+    refuse(json, checkThat(rule.aspect > 0.0, geometry::ErrorCode::AspectNotPositive, rule.aspect), "aspect");
     json.optional("fixed", rule.fixed);
 }
 
 template <class Fields, Is<geometry::GivenPoint> T>
 void describe(Fields &json, T &given)
 {
-    enum class Space { Object, World, Eye, Clip, Ndc, Window };
     static constexpr std::array kSpaces{"object", "world", "eye", "clip", "ndc", "window"};
-    auto space = static_cast<Space>(given.point.index());
+    std::size_t space = given.point.index();
     json.required("space", space, Words{kSpaces});
-    if (json.failed())
-        return;
-    switch (space) {
-    case Space::Object: json.required("coordinates", as<geometry::ObjectPoint>(given.point)); break;
-    case Space::World: json.required("coordinates", as<geometry::WorldPoint>(given.point)); break;
-    case Space::Eye: json.required("coordinates", as<geometry::EyePoint>(given.point)); break;
-    case Space::Clip: json.required("coordinates", as<geometry::ClipPoint>(given.point)); break;
-    case Space::Ndc: json.required("coordinates", as<geometry::NdcPoint>(given.point)); break;
-    case Space::Window: json.required("coordinates", as<geometry::WindowPoint>(given.point)); break;
-    }
-    describeText(json, "object", given.object);
+    base::describeAlternative(given.point, space, [&json](auto &point) { json.required("coordinates", point); });
+    json.unlessDefault("object", given.object);
 }
 
 template <class Fields, Is<SceneFile> T>
@@ -276,13 +461,14 @@ void describeUi(Fields &json, T &scene)
     json.optional("projectionFollowsViewport", ui.projectionFollowsViewport);
     json.optional("clipDistancesFitObjects", ui.clipDistancesFitObjects);
     json.optional("home", ui.home);
-    const std::size_t notCutting = json.sizeOf("clipPlanesOff", ui.clipPlanesOff.size());
-    if (notCutting == 0)
+    if (!json.has("clipPlanesOff", !ui.clipPlanesOff.empty()))
         return;
-    const std::size_t cutting = scene.clipPlanes.size();
-    json.list("clipPlanesOff", ui.clipPlanesOff, scene::kMostClipPlanes - cutting, [&](auto &entry, auto &off) {
-        const int last = static_cast<int>(cutting + notCutting) - 1;
-        entry.required("place", off.index, Count{0, last});
+    std::size_t planes = scene.clipPlanes.size();
+    const std::size_t most = scene::kMostClipPlanes - planes;
+    if constexpr (Fields::kReads)
+        planes += base::JsonNode(json, "clipPlanesOff").size();
+    json.list("clipPlanesOff", ui.clipPlanesOff, most, [planes](auto &entry, auto &off) {
+        entry.required("place", off.index, Whole{0, double(planes) - 1});
         entry.required("plane", off.plane, ClipPlaneNumbers{});
     });
 }
@@ -290,34 +476,48 @@ void describeUi(Fields &json, T &scene)
 template <class Fields, Is<SceneFile> T>
 void describe(Fields &json, T &scene)
 {
-    int version = kSceneVersion;
-    json.required("unprojector", version, Version{kSceneVersion});
+    json.object("unprojector", [](auto &version) {
+        if constexpr (!Fields::kReads)
+            version.set(kSceneVersion);
+        else if (const double found = version.number(); found != kSceneVersion)
+            version.fail(tr("version %1 cannot be read, only version %2", base::shortestText(found), kSceneVersion));
+    });
     json.written("generator", "Unprojector " UNPROJECTOR_VERSION); // who wrote it last: of no meaning to who reads it
-    json.optional("conventions", scene.conventions, Words{apiWords()});
+    std::array<const char *, geometry::kApis.size()> apis{};
+    std::transform(geometry::kApis.begin(), geometry::kApis.end(), apis.begin(),
+                   [](geometry::Api api) { return conventionsOf(api).key; });
+    json.optional("conventions", scene.conventions, Words{apis});
     json.object("window", [&](auto &window) {
-        window.required("width", scene.windowWidth, Count{1, kMostWindowPixels});
-        window.required("height", scene.windowHeight, Count{1, kMostWindowPixels});
-        window.optional("devicePixelRatio", scene.devicePixelRatio,
-                        PixelRatio{scene.windowWidth, scene.windowHeight, kMostWindowPixels});
-        if (window.has("fixed", scene.isWindowFixed))
-            window.required("fixed", scene.isWindowFixed);
+        constexpr Whole kPixels{1, kMostWindowPixels};
+        window.required("width", scene.windowWidth, kPixels);
+        window.required("height", scene.windowHeight, kPixels);
+        // Either side has at least half a device pixel, which is rounded to one, and at most the
+        // number above.
+        window.optional("devicePixelRatio", scene.devicePixelRatio, [&](auto &member, auto &ratio) {
+            member.value(ratio);
+            refuse(member, checkThat(ratio > 0.0, geometry::ErrorCode::PixelRatioNotPositive, ratio));
+            const auto [shorter, longer] = std::minmax(scene.windowWidth, scene.windowHeight);
+            if constexpr (Fields::kReads)
+                static_cast<void>(member.number(0.5 / shorter, double(kMostWindowPixels) / longer));
+        });
+        window.unlessDefault("fixed", scene.isWindowFixed);
     });
     json.optional("viewport", scene.viewport);
     json.optional("depthRange", scene.depthRange);
-    json.check([&] { return check(scene.depthRange); }, "depthRange");
-    if (json.failed()) // a perspective may take its aspect from these
-        return;
+    refuse(json, check(scene.depthRange), "depthRange");
     json.object("projection", [&](auto &projection) { describeProjection(projection, scene); });
     json.object("view", [&](auto &view) {
-        if (view.has("matrix", std::holds_alternative<glm::dmat4>(scene.view)))
-            describeView(view, as<glm::dmat4>(scene.view), scene.conventions.value_or(geometry::Api::OpenGl));
-        else
-            describe(view, as<geometry::LookAt>(scene.view));
+        const bool isMatrix = view.has("matrix", std::holds_alternative<glm::dmat4>(scene.view));
+        base::describeAlternative(scene.view, isMatrix ? 1 : 0, [&]<class Either>(Either &either) {
+            if constexpr (Is<Either, glm::dmat4>)
+                describeView(view, either, scene.conventions.value_or(geometry::Api::OpenGl));
+            else
+                describe(view, either);
+        });
     });
-    json.list("objects", scene.objects);
+    json.optional("objects", scene.objects);
     json.list("clipPlanes", scene.clipPlanes, scene::kMostClipPlanes, ClipPlaneNumbers{});
-    if (json.has("landmarks", !(scene.landmarks == landmarks::LandmarkSet())))
-        json.required("landmarks", scene.landmarks);
+    json.unlessDefault("landmarks", scene.landmarks);
     json.optional("point", scene.point);
     json.optionalObject("ui", [&](auto &ui) { describeUi(ui, scene); });
 }

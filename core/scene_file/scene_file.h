@@ -1,10 +1,9 @@
 #pragma once
 
 #include "core/base/file_stamp.h"
-#include "core/base/json_value.h"
+#include "core/base/json.h"
 #include "core/landmarks/landmark.h"
 #include "core/scene/scene.h"
-#include "core/scene_file/scene_file_error.h"
 #include "core/unproject/unprojector.h"
 
 #include <filesystem>
@@ -82,11 +81,12 @@ struct SceneFile {
     base::JsonValue extra;
 };
 
-/// The maximum number of bytes and depth of brackets of a scene file. This allows more than a
+using SceneOrError = base::Expected<SceneFile, base::Error>;
+
+/// The maximum number of bytes of a scene file. This allows more than a
 /// million landmarks, and every file of landmarks that can be imported. A file or a pipe without end is
-/// refused, as is one that would exhaust the stack. A scene takes up to some 40 times its text.
+/// refused. A scene takes up to some 40 times its text.
 constexpr std::size_t kMostSceneBytes = std::size_t{256} << 20;
-constexpr std::size_t kMostSceneLevels = 64;
 /// The maximum size of the window, in logical pixels and in device pixels.
 constexpr int kMostWindowPixels = 65536;
 
@@ -94,22 +94,24 @@ constexpr int kMostWindowPixels = 65536;
 /// @param text  UTF-8, with or without a byte order mark
 /// @param name  of the file, for the error
 /// @param mostBytes  the maximum size of the text; a text that this program wrote needs none
-geometry::Result<SceneFile, SceneFileError> parseScene(std::string_view text, const std::string &name,
-                                                       std::size_t mostBytes = kMostSceneBytes);
+SceneOrError parseScene(std::string_view text, const std::string &name, std::size_t mostBytes = kMostSceneBytes);
 
 /// Applies a JSON merge patch to a scene file.
 /// @param change  the changed keys in objects as in the file; null removes a key (RFC 7396)
 /// @param name    of the change, for the error
 /// @return as parseScene
-geometry::Result<SceneFile, SceneFileError> changed(const SceneFile &scene, const base::JsonValue &change,
-                                                    const std::string &name);
+SceneOrError changed(const SceneFile &scene, const base::JsonValue &change, const std::string &name);
+
+/// The error of a file that cannot be read.
+/// @param reason  the system's, as errno; 0: unknown
+base::Error notReadable(const std::string &name, int reason = 0);
 
 /// The bytes of a scene file. Of a file that is too large, only enough to show that it is.
-/// @return NotFound, IsDirectory, NotAFile, NotReadable
-geometry::Result<std::string, SceneFileError> readSceneText(const std::filesystem::path &file);
+/// @return an error of kind NoFile or File
+base::Expected<std::string, base::Error> readSceneText(const std::filesystem::path &file);
 
 /// @return the errors of readSceneText and parseScene
-geometry::Result<SceneFile, SceneFileError> readSceneFile(const std::filesystem::path &file);
+SceneOrError readSceneFile(const std::filesystem::path &file);
 
 /// Returns whether a file is meant as a scene: a JSON object with the key "unprojector", under any
 /// file name. It may still be invalid; readSceneFile returns the error. A glTF file is JSON too,
@@ -119,16 +121,16 @@ bool isSceneText(std::string_view text);
 
 /// The text of a scene file. Numbers have all their digits, so parseScene restores them exactly.
 /// It may have more bytes than a scene file.
-/// @return NotUtf8
-geometry::Result<std::string, SceneFileError> sceneText(const SceneFile &scene);
+/// @return an error with the path of a text that is not UTF-8
+base::Expected<std::string, base::Error> sceneText(const SceneFile &scene);
 
 /// Writes a scene file atomically: to a new file beside it, which then replaces the old one. Does
 /// not overwrite a model that the scene shows.
 /// @param onlyIf  the expected state of the file, so that no other program's changes are
 ///         overwritten unseen
-/// @return the stamp of the new contents; the errors of sceneText; TooLarge if it could not be read
-///         again; IsDirectory, IsOwnModel, ChangedMeanwhile, NotWritable
-geometry::Result<base::FileStamp, SceneFileError>
+/// @return the stamp of the new contents; the errors of sceneText and replaceFile; an error if it could
+///         not be read again, or would overwrite such a model
+base::Expected<base::FileStamp, base::Error>
 writeSceneFile(const std::filesystem::path &file, const SceneFile &scene,
                const std::optional<base::FileStamp> &onlyIf = std::nullopt);
 
@@ -142,10 +144,10 @@ std::filesystem::path objectFile(const SceneFileObject &object, const std::files
 /// The reason why a window cannot draw a scene file, with the first key to change. The command
 /// computes with all such files.
 /// @param name  of the file, for the error
-/// @return InvalidValue: the errors of checkViewportNumber and checkDepthRangeEnd; EmptyDepthRange
-///         if both ends are equal in single precision; the errors of byParameters(Setup), for
-///         matrices that no camera of the window makes
-std::optional<SceneFileError> whyNotShown(const SceneFile &scene, const std::string &name);
+/// @return the errors of checkViewportNumber and checkDepthRangeEnd; of a depth range whose ends are
+///         equal in single precision; of byParameters(Setup), for matrices that no camera of the
+///         window makes
+std::optional<base::Error> whyNotShown(const SceneFile &scene, const std::string &name);
 
 /// The scene to show for a file.
 ///
@@ -153,9 +155,9 @@ std::optional<SceneFileError> whyNotShown(const SceneFile &scene, const std::str
 /// projection follows the viewport only if the file leaves its aspect to it. A viewport that covers
 /// the whole window keeps doing so.
 /// @param objects  of the scene, with their models: see opening::objectsOf
-/// @return InvalidValue: whyNotShown; the error of reachable for an object, with its index
-geometry::Result<scene::Scene, SceneFileError>
-sceneFromFile(const SceneFile &scene, const std::filesystem::path &sceneFile, std::vector<scene::SceneObject> objects);
+/// @return whyNotShown; the error of reachable for an object, with its index
+base::Expected<scene::Scene, base::Error> sceneFromFile(const SceneFile &scene, const std::filesystem::path &sceneFile,
+                                                        std::vector<scene::SceneObject> objects);
 
 /// An object as a scene file describes it.
 /// @param sceneFile  the file that will have it: the model's path is relative to its folder

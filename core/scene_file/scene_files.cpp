@@ -1,7 +1,8 @@
 #include "core/base/path_text.h"
 #include "core/base/replace_file.h"
 #include "core/base/system_error.h"
-#include "core/scene_file/scene_file.h"
+#include "core/base/translation.h"
+#include "core/scene_file/scene_fields.h"
 
 #include <array>
 #include <cerrno>
@@ -9,53 +10,36 @@
 #include <system_error>
 
 namespace unprojector::scene_file {
-using namespace geometry;
 using namespace base;
-namespace {
 
-SceneFileError failed(const std::filesystem::path &file, SceneFileErrorCode code, std::string detail = {})
+Error notReadable(const std::string &name, int reason)
 {
-    SceneFileError error;
-    error.code = code;
-    error.file = utf8FromPath(file);
-    error.detail = std::move(detail);
+    Error error{tr("the file cannot be read") + (reason != 0 ? tr(" (%1)", systemErrorText(reason)) : ""), {}, name};
+    error.kind = Error::Kind::File;
     return error;
 }
 
-SceneFileError failed(const std::filesystem::path &file, const FileError &error)
+Expected<std::string, Error> readSceneText(const std::filesystem::path &file)
 {
-    switch (error.code) {
-    case FileErrorCode::IsDirectory: return failed(file, SceneFileErrorCode::IsDirectory);
-    case FileErrorCode::ChangedMeanwhile: return failed(file, SceneFileErrorCode::ChangedMeanwhile);
-    case FileErrorCode::IsReadOnly:
-    case FileErrorCode::NotAFile:
-    case FileErrorCode::NoFolder:
-    case FileErrorCode::System: break;
-    }
-    return failed(file, SceneFileErrorCode::NotWritable, fileErrorText(error));
-}
-
-} // namespace
-
-Result<std::string, SceneFileError> readSceneText(const std::filesystem::path &file)
-{
+    const auto failed = [&file](std::string text, Error::Kind kind = Error::Kind::File) {
+        Error error{std::move(text), {}, utf8FromPath(file)};
+        error.kind = kind;
+        return error;
+    };
     std::error_code system;
     const std::filesystem::file_status status = std::filesystem::status(file, system);
     if (status.type() == std::filesystem::file_type::not_found)
-        return failed(file, SceneFileErrorCode::NotFound);
+        return failed(tr("there is no such file"), Error::Kind::NoFile);
     if (std::filesystem::is_directory(status))
-        return failed(file, SceneFileErrorCode::IsDirectory);
+        return failed(tr("this is a folder, not a scene file"));
     // Opening a named pipe waits for a writer, perhaps for ever. A pipe inherited by this program
     // is open already.
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) && !isOwnDescriptor(file))
-        return failed(file, SceneFileErrorCode::NotAFile);
-    const auto notReadable = [&file] {
-        return failed(file, SceneFileErrorCode::NotReadable, errno != 0 ? base::systemErrorText(errno) : std::string());
-    };
+        return failed(tr("this is a pipe or a device, not a scene file"));
     errno = 0;
     std::ifstream stream(file, std::ios::binary);
     if (!stream)
-        return notReadable();
+        return notReadable(utf8FromPath(file), errno);
 
     std::string text;
     std::array<char, 65536> block;
@@ -64,41 +48,37 @@ Result<std::string, SceneFileError> readSceneText(const std::filesystem::path &f
         text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
     } while (stream && text.size() <= kMostSceneBytes);
     if (stream.bad())
-        return notReadable();
+        return notReadable(utf8FromPath(file), errno);
     return text;
 }
 
-Result<SceneFile, SceneFileError> readSceneFile(const std::filesystem::path &file)
+SceneOrError readSceneFile(const std::filesystem::path &file)
 {
-    const Result<std::string, SceneFileError> text = readSceneText(file);
+    const Expected<std::string, Error> text = readSceneText(file);
     if (!text)
         return text.error();
     return parseScene(*text, utf8FromPath(file));
 }
 
-Result<FileStamp, SceneFileError> writeSceneFile(const std::filesystem::path &file, const SceneFile &scene,
-                                                 const std::optional<FileStamp> &onlyIf)
+Expected<FileStamp, Error> writeSceneFile(const std::filesystem::path &file, const SceneFile &scene,
+                                          const std::optional<FileStamp> &onlyIf)
 {
-    const Result<std::string, SceneFileError> text = sceneText(scene);
-    if (!text) {
-        SceneFileError error = text.error();
+    const auto failed = [&file](Error error) {
         error.file = utf8FromPath(file);
         return error;
-    }
-    if (text->size() > kMostSceneBytes) {
-        SceneFileError error = failed(file, SceneFileErrorCode::TooLarge);
-        error.limit = double(kMostSceneBytes);
-        return error;
-    }
+    };
+    const Expected<std::string, Error> text = sceneText(scene);
+    if (!text)
+        return failed(text.error());
+    if (text->size() > kMostSceneBytes)
+        return failed({tooLargeText(kMostSceneBytes)});
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        if (scene.objects[i].file.empty() || !isSameFile(objectFile(scene.objects[i], file), file))
-            continue;
-        SceneFileError error = failed(file, SceneFileErrorCode::IsOwnModel);
-        error.keyPath = "objects[" + std::to_string(i) + "].file";
-        return error;
+        if (!scene.objects[i].file.empty() && isSameFile(objectFile(scene.objects[i], file), file))
+            return failed({tr("the scene shows this model and would overwrite it; give another name"),
+                           "objects[" + std::to_string(i) + "].file"});
     }
-    if (const Written written = replaceFile(file, *text, onlyIf); !written)
-        return failed(file, written.error());
+    if (const Done written = replaceFile(file, *text, onlyIf); !written)
+        return failed(written.error());
     return stampOfContents(*text);
 }
 

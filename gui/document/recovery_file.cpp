@@ -244,16 +244,12 @@ std::optional<RecoveryInfo> RecoveryFile::info() const
     return info;
 }
 
-Result<SceneFile, SceneFileError> RecoveryFile::scene() const
+SceneOrError RecoveryFile::scene() const
 {
     const std::string name = QFileInfo(path()).fileName().toStdString();
     QFile file(path());
-    if (!file.open(QIODevice::ReadOnly)) {
-        SceneFileError error;
-        error.code = SceneFileErrorCode::NotReadable;
-        error.file = name;
-        return error;
-    }
+    if (!file.open(QIODevice::ReadOnly))
+        return notReadable(name);
     file.readLine(kMostInfoBytes);
     const QByteArray text = file.readAll();
     const auto size = static_cast<std::size_t>(text.size());

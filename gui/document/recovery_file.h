@@ -74,7 +74,7 @@ public:
     /// @return nothing if the file is damaged
     std::optional<RecoveryInfo> info() const;
     /// @return NotReadable; the errors of parseScene, with lines counted from the scene's first
-    geometry::Result<scene_file::SceneFile, scene_file::SceneFileError> scene() const;
+    scene_file::SceneOrError scene() const;
 
     QString path() const;
     void remove();

@@ -2,7 +2,6 @@
 
 #include "core/base/path_text.h"
 #include "core/scene_file/lost_keys.h"
-#include "core/scene_file/scene_error_text.h"
 #include "gui/document/landmark_objects.h"
 #include "gui/document/object_names.h"
 #include "gui/document/texture_decoding.h"
@@ -57,9 +56,9 @@ Result<Scene, QString> sceneOf(const Opening &asked, const std::vector<LoadedMod
         error.file = origin.name.toStdString();
         return errorText(error);
     }
-    Result<Scene, SceneFileError> scene = sceneFromFile(asked.contents, origin.file, std::move(objects).value());
+    base::Expected<Scene, base::Error> scene = sceneFromFile(asked.contents, origin.file, std::move(objects).value());
     if (!scene) {
-        SceneFileError reason = scene.error();
+        base::Error reason = scene.error();
         reason.file = origin.name.toStdString();
         return errorText(reason);
     }
@@ -119,12 +118,12 @@ Result<Opening, QString> SceneOpener::readScene(const std::filesystem::path &fil
     std::error_code error;
     if (std::filesystem::file_size(opening.origin.file, error) <= kMostSceneBytes && !error)
         opening.origin.stamp = base::stampOf(opening.origin.file);
-    const Result<std::string, SceneFileError> text = readSceneText(file);
+    const base::Expected<std::string, base::Error> text = readSceneText(file);
     if (!text)
-        return QString::fromStdString(sceneErrorText(text.error()));
-    Result<SceneFile, SceneFileError> scene = parseScene(*text, base::utf8FromPath(file));
+        return QString::fromStdString(text.error().message());
+    SceneOrError scene = parseScene(*text, base::utf8FromPath(file));
     if (!scene)
-        return QString::fromStdString(sceneErrorText(scene.error()));
+        return QString::fromStdString(scene.error().message());
     if (const auto reason = whyNotShown(*scene, base::utf8FromPath(file.filename())))
         return errorText(*reason);
     opening.contents = std::move(scene).value();

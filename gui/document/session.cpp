@@ -1,7 +1,6 @@
 #include "gui/document/session.h"
 
 #include "core/examples/examples.h"
-#include "core/scene_file/scene_error_text.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/landmark_files.h"
 #include "gui/document/picks.h"
@@ -296,14 +295,14 @@ bool Session::saveScene(const std::filesystem::path &file)
     const std::filesystem::path path = absolutePath(file);
     const SceneFile contents = sceneFileFrom(m_document.scene(), m_document.setup(), path);
     const std::optional<base::FileStamp> onlyIf = path == m_origin.file ? m_origin.stamp : std::nullopt;
-    Result<base::FileStamp, SceneFileError> written = writeSceneFile(path, contents, onlyIf);
-    if (!written && written.error().code == SceneFileErrorCode::ChangedMeanwhile) {
+    base::Expected<base::FileStamp, base::Error> written = writeSceneFile(path, contents, onlyIf);
+    if (!written && written.error().kind == base::Error::Kind::Changed) {
         if (!m_questions.askOverwriteChanged(path))
             return false;
         written = writeSceneFile(path, contents);
     }
     if (!written) {
-        emit failed(QString::fromStdString(sceneErrorText(written.error())));
+        emit failed(QString::fromStdString(written.error().message()));
         return false;
     }
     emit progressed();
@@ -429,11 +428,11 @@ SceneFile Session::contents() const
 
 Result<Autosave::Content, QString> Session::unsavedContent() const
 {
-    Result<std::string, SceneFileError> text = sceneText(contents());
+    base::Expected<std::string, base::Error> text = sceneText(contents());
     if (!text) {
-        SceneFileError error = text.error();
+        base::Error error = text.error();
         error.file = name().toStdString();
-        return QString::fromStdString(sceneErrorText(error));
+        return QString::fromStdString(error.message());
     }
     return Autosave::Content{{name(), m_origin.file, QDateTime::currentDateTime(), m_origin.stamp,
                               m_keeper ? m_keeper->series() : std::nullopt},
@@ -479,9 +478,9 @@ void Session::recover(std::size_t index)
     m_opener.cancel(); // it would replace the scene later
     const RecoveryFile &file = *m_offered.at(index);
     const std::optional<RecoveryInfo> info = file.info();
-    Result<SceneFile, SceneFileError> scene = file.scene();
+    SceneOrError scene = file.scene();
     if (!info || !scene) {
-        const QString reason = scene ? QString() : QString::fromStdString(sceneErrorText(scene.error()));
+        const QString reason = scene ? QString() : QString::fromStdString(scene.error().message());
         const QString aside = takeOffered(index)->putAside();
         emit failed(tr("The unsaved changes are damaged and cannot be recovered. The file was kept as %1.\n%2")
                         .arg(QDir::toNativeSeparators(aside), reason));

@@ -406,9 +406,8 @@ void MeasuresView::saveProtocol()
             .file;
     if (file.empty())
         return;
-    if (const base::Written written = base::replaceFile(file, landmark_files::measuresText(protocol())); !written)
-        emit warned(
-            QStringLiteral("%1: %2").arg(pathText(file), QString::fromStdString(base::fileErrorText(written.error()))));
+    if (const base::Done written = base::replaceFile(file, landmark_files::measuresText(protocol())); !written)
+        emit warned(QStringLiteral("%1: %2").arg(pathText(file), QString::fromStdString(written.error().text)));
 }
 
 void MeasuresView::selectLandmarksOf(std::size_t row)

@@ -70,9 +70,8 @@ QString SeriesProtocol::write()
         return Texts::tr("Another window or program has changed %1 since it was read. It is not overwritten; move it "
                          "away to keep the measures.")
             .arg(pathText(m_file));
-    if (const base::Written written = base::replaceFile(m_file, landmark_files::measuresText(m_measures)); !written)
-        return QStringLiteral("%1: %2").arg(pathText(m_file),
-                                            QString::fromStdString(base::fileErrorText(written.error())));
+    if (const base::Done written = base::replaceFile(m_file, landmark_files::measuresText(m_measures)); !written)
+        return QStringLiteral("%1: %2").arg(pathText(m_file), QString::fromStdString(written.error().text));
     m_stamp = base::stampOf(m_file);
     m_isUnsaved = false;
     return {};

@@ -161,10 +161,9 @@ bool holds(const std::vector<Scan> &scans, const std::filesystem::path &file)
 /// @return why it was not written; empty: no error
 QString writtenTo(const std::filesystem::path &file, const std::string &text)
 {
-    const base::Written written = base::replaceFile(file, text);
+    const base::Done written = base::replaceFile(file, text);
     return written ? QString()
-                   : QStringLiteral("%1: %2").arg(pathText(file),
-                                                  QString::fromStdString(base::fileErrorText(written.error())));
+                   : QStringLiteral("%1: %2").arg(pathText(file), QString::fromStdString(written.error().text));
 }
 
 QString reasonOf(LandmarkFileError error, const std::filesystem::path &file)

@@ -196,11 +196,10 @@ QString MapOverlay::exportTo(const std::filesystem::path &file) const
     } else {
         return tr("%1: maps are written as .png or .pfm. End the name with one of these.").arg(pathText(file));
     }
-    const base::Written written =
+    const base::Done written =
         base::replaceFile(file, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
     return written ? QString()
-                   : QStringLiteral("%1: %2").arg(pathText(file),
-                                                  QString::fromStdString(base::fileErrorText(written.error())));
+                   : QStringLiteral("%1: %2").arg(pathText(file), QString::fromStdString(written.error().text));
 }
 
 } // namespace unprojector::gui

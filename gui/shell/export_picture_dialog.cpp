@@ -193,8 +193,8 @@ QString writePicture(SceneView &view, const PictureOptions &options, const std::
         return ExportPictureDialog::tr("OpenGL has no memory for an image of %1 × %2 pixels. Choose a smaller size.")
             .arg(options.surface.widthPixels)
             .arg(options.surface.heightPixels);
-    const base::Written written = base::replaceFile(file, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
-    return written ? QString() : pathText(file) + ": " + QString::fromStdString(base::fileErrorText(written.error()));
+    const base::Done written = base::replaceFile(file, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    return written ? QString() : pathText(file) + ": " + QString::fromStdString(written.error().text);
 }
 
 void exportPicture(Window &window)

@@ -148,10 +148,9 @@ QString SceneCodeWindow::exportTo(const std::filesystem::path &file)
     m_said->clear();
     if (QString refusal = overwritingText(m_document, m_session, file); !refusal.isEmpty())
         return refusal;
-    const base::Written written = base::replaceFile(file, code().toStdString());
+    const base::Done written = base::replaceFile(file, code().toStdString());
     if (!written)
-        return QStringLiteral("%1: %2").arg(pathText(file),
-                                            QString::fromStdString(base::fileErrorText(written.error())));
+        return QStringLiteral("%1: %2").arg(pathText(file), QString::fromStdString(written.error().text));
     m_said->setText(tr("Saved: %1").arg(pathText(file.filename())));
     m_said->setToolTip(plainToolTip(pathText(file)));
     return {};

@@ -2,7 +2,6 @@
 
 #include "core/base/replace_file.h"
 #include "core/scene_file/clicks.h"
-#include "core/scene_file/scene_error_text.h"
 #include "gui/document/overwriting.h"
 #include "gui/document/picks.h"
 #include "gui/document/scene_curves.h"
@@ -101,9 +100,8 @@ QString ScreenshotRun::savePicture()
     const std::filesystem::path file(m_options.picture->toStdU16String());
     if (QString refusal = overwritingText(m_window->document(), m_window->session(), file); !refusal.isEmpty())
         return refusal;
-    const base::Written written = base::replaceFile(file, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
-    return written ? QString()
-                   : *m_options.picture + ": " + QString::fromStdString(base::fileErrorText(written.error()));
+    const base::Done written = base::replaceFile(file, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    return written ? QString() : *m_options.picture + ": " + QString::fromStdString(written.error().text);
 }
 
 void ScreenshotRun::pressAndSave()
@@ -153,9 +151,9 @@ void ScreenshotRun::pressAndSave()
         }
         clicks.push_back(clickOf(*document.picks().pick(), document.scene(), rayOf(document)));
     }
-    const Result<std::string, SceneFileError> text = clicksText(clicks);
+    const base::Expected<std::string, base::Error> text = clicksText(clicks);
     if (!text) {
-        fail(QString::fromStdString(sceneErrorText(text.error())));
+        fail(QString::fromStdString(text.error().message()));
         return;
     }
     if (const QString problem = savePicture(); !problem.isEmpty()) {

@@ -134,8 +134,8 @@ QString SeriesPictures::write(const QImage &picture, const QString &name) const
     QBuffer buffer(&bytes);
     if (picture.isNull() || !picture.save(&buffer, "png"))
         return tr("There is no memory for the image %1.").arg(name);
-    const base::Written written = base::replaceFile(file, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
-    return written ? QString() : pathText(file) + ": " + QString::fromStdString(base::fileErrorText(written.error()));
+    const base::Done written = base::replaceFile(file, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    return written ? QString() : pathText(file) + ": " + QString::fromStdString(written.error().text);
 }
 
 void SeriesPictures::finish()

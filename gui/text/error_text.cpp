@@ -2,7 +2,6 @@
 
 #include "core/base/path_text.h"
 #include "core/geometry/error_text.h"
-#include "core/scene_file/scene_error_text.h"
 #include "gui/text/sentences.h"
 
 #include <QCoreApplication>
@@ -13,7 +12,6 @@
 #include <utility>
 
 namespace unprojector::gui {
-using namespace scene_file;
 using namespace geometry;
 namespace {
 
@@ -49,15 +47,10 @@ QString openableFileFilter()
     return Errors::tr("Models and scenes (%1)").arg(QLatin1String(kModelSuffixes) + QStringLiteral(" *.json"));
 }
 
-QString errorText(const Error &error)
+QString errorText(const geometry::Error &error)
 {
     static const QRegularExpression size(QStringLiteral("(?<=\\d) x (?=[-\\d])"));
     return sentence(geometry::errorText(error)).replace(size, QStringLiteral(" × "));
-}
-
-QString errorText(const scene_file::SceneFileError &error)
-{
-    return ended(sceneErrorText(error));
 }
 
 QString errorText(const base::ExpressionError &error, const QString &typed)
@@ -111,8 +104,11 @@ QString errorText(const base::ExpressionError &error, const QString &typed)
 QString errorText(base::Error error)
 {
     const QString file = pathText(base::pathFromUtf8(std::exchange(error.file, {})));
+    if (error.line > 0)
+        error.file = file.toStdString();
     const QString text = ended(error.message());
-    return file.isEmpty() ? text : Errors::tr("%1: %2", "a file: the message about it").arg(file, text);
+    return file.isEmpty() || error.line > 0 ? text
+                                            : Errors::tr("%1: %2", "a file: the message about it").arg(file, text);
 }
 
 } // namespace unprojector::gui

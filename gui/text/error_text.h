@@ -3,7 +3,6 @@
 #include "core/base/error.h"
 #include "core/base/expression.h"
 #include "core/geometry/result.h"
-#include "core/scene_file/scene_file_error.h"
 
 #include <QString>
 
@@ -13,10 +12,8 @@ namespace unprojector::gui {
 
 /// Core's errors as sentences for the window.
 QString errorText(const geometry::Error &error);
-/// "FILE: text." of an error without a line.
+/// Names the file, and the position or the value in it.
 QString errorText(base::Error error);
-/// Names the file and the position in it.
-QString errorText(const scene_file::SceneFileError &error);
 /// Explains why a typed text is not a number, with the position of the error.
 QString errorText(const base::ExpressionError &error, const QString &typed);
 

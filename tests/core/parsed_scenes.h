@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 
 #include <nlohmann/json.hpp>
@@ -15,7 +14,7 @@ inline unprojector::scene_file::SceneFile parsed(const QByteArray &text)
     const auto scene =
         unprojector::scene_file::parseScene(std::string_view(text.constData(), std::size_t(text.size())), "scene.json");
     if (!scene)
-        qFatal("%s", sceneErrorText(scene.error()).c_str());
+        qFatal("%s", scene.error().message().c_str());
     return *scene;
 }
 

@@ -2,7 +2,6 @@
 
 #include "core/examples/examples.h"
 #include "core/opening/models.h"
-#include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 
 #include <QtGlobal>
@@ -23,14 +22,14 @@ inline const unprojector::scene::Scene &sceneOfExample(std::string_view id)
         return known->second;
     const auto file = files::parseScene(unprojector::examples::exampleScene(id), name);
     if (!file)
-        qFatal("%s", files::sceneErrorText(file.error()).c_str());
+        qFatal("%s", file.error().message().c_str());
     auto objects = unprojector::opening::objectsOf(*file, {}, [](const std::filesystem::path &) {
-        return unprojector::opening::ReadModel(unprojector::mesh::ImportError{}); // no example names a file
+        return unprojector::opening::ReadModel(unprojector::base::Error{}); // no example names a file
     });
     if (!objects)
-        qFatal("%s: %s", name.c_str(), objects.error().c_str());
+        qFatal("%s: %s", name.c_str(), objects.error().message().c_str());
     const auto scene = files::sceneFromFile(*file, name, std::move(objects).value());
     if (!scene)
-        qFatal("%s", files::sceneErrorText(scene.error()).c_str());
+        qFatal("%s", scene.error().message().c_str());
     return scenes.emplace(name, *scene).first->second;
 }

@@ -137,7 +137,7 @@ public:
 private:
     Setup m_geometry;
     EyeFrame m_frame;
-    std::optional<Error> m_problem;
+    std::optional<geometry::Error> m_problem;
 };
 
 /// The middle of the i-th of so many equal parts of [0, 1].
@@ -234,7 +234,7 @@ ExitCode runCompare(const CompareOptions &options)
     const Setup setup = setupOf(scene);
     const std::optional<ExactUnprojection> exact = ExactUnprojection::of(setup);
     if (!exact)
-        refuse(options.scene + ": " + errorText(Error{ErrorCode::SingularMatrix}));
+        refuse(options.scene + ": " + errorText(geometry::Error{ErrorCode::SingularMatrix}));
     const Unprojector unprojector = needed(Unprojector::of(setup), options.scene);
     Output sink("-", filesOf(scene, options.scene));
     const FormulaInFloat formulaInFloat(setup);

@@ -1,3 +1,4 @@
+#include "core/base/json.h"
 #include "core/base/number_text.h"
 #include "core/base/path_text.h"
 #include "core/base/translation.h"
@@ -13,7 +14,6 @@
 #include "core/doctor/written_points.h"
 #include "core/opening/models.h"
 #include "core/ray/mesh_point.h"
-#include "core/scene_file/json_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -120,8 +120,6 @@ WrongPoints wrongPoints(const std::string &file)
         refuse(tr("%1: there is no point in it; give rows of px,py,depth,x,y,z", source.name()));
     return result;
 }
-
-using Json = nlohmann::ordered_json;
 
 Json jsonOf(const glm::dvec3 &v)
 {

@@ -1,3 +1,4 @@
+#include "core/base/json.h"
 #include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/base/translation.h"
@@ -13,7 +14,6 @@
 #include "core/ray/snap.h"
 #include "core/report/report.h"
 #include "core/scene/measures.h"
-#include "core/scene_file/json_text.h"
 #include "core/scene_file/ray_on_mesh.h"
 
 #include <glm/common.hpp>
@@ -34,8 +34,6 @@ using namespace ray;
 using namespace base;
 using namespace mesh;
 using namespace scene;
-using scene_file::jsonLine;
-using scene_file::jsonNumber;
 using scene_file::RayOnMesh;
 namespace {
 

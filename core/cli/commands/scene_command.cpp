@@ -10,7 +10,6 @@
 #include "core/matrices/decomposition.h"
 #include "core/matrices/matrix_format.h"
 #include "core/matrices/pasted_calls.h"
-#include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 
 #include <algorithm>
@@ -54,9 +53,9 @@ ExitCode writeScene(const SceneOptions &options, const InputFiles &inputs, const
     Output sink(options.output, inputs);
     const auto written = sceneText(scene);
     const auto readAgain = written ? parseScene(*written, options.output == "-" ? "scene" : options.output)
-                                   : Result<SceneFile, SceneFileError>(written.error());
+                                   : SceneOrError(written.error());
     if (!readAgain)
-        refuse(sceneErrorText(readAgain.error()));
+        refuse(readAgain.error().message());
     sink.write(*written);
     return sink.finish();
 }

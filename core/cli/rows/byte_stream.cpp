@@ -128,9 +128,9 @@ ByteSink::ByteSink(const std::string &file, const InputFiles &inputs) : m_name(f
         return;
     }
     const InterruptionsWait untilItIsGuarded;
-    Expected<ReplacingFile, FileError> replacing = ReplacingFile::open(path);
+    Expected<ReplacingFile, base::Error> replacing = ReplacingFile::open(path);
     if (!replacing) {
-        complain(file + ": " + fileErrorText(replacing.error()));
+        complain(file + ": " + replacing.error().text);
         return;
     }
     m_file = std::move(replacing).value();
@@ -185,12 +185,12 @@ void ByteSink::failStream()
         complain(tr("%1: cannot be written: %2", m_name, base::systemErrorText(error)));
 }
 
-void ByteSink::check(const Written &written)
+void ByteSink::check(const Done &written)
 {
     if (written)
         return;
     m_state = State::Failed;
-    complain(m_name + ": " + fileErrorText(written.error()));
+    complain(m_name + ": " + written.error().text);
 }
 
 bool isOverInput(const std::string &output, const InputFiles &inputs)

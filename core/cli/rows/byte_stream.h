@@ -83,7 +83,7 @@ private:
         void operator()(std::FILE *file) const;
     };
     void failStream();
-    void check(const base::Written &written);
+    void check(const base::Done &written);
 
     std::unique_ptr<std::FILE, Close> m_stream;
     std::optional<RemovedWhenInterrupted> m_guard; ///< guard of the new file while it exists

@@ -1,5 +1,7 @@
 #include "core/cli/rows/csv_line.h"
 
+#include "core/base/json.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -10,35 +12,6 @@ namespace {
 bool isBlank(char c)
 {
     return c == ' ' || c == '\t' || c == '\r';
-}
-
-/// True if a text is a number in JSON's syntax.
-bool isJsonNumber(std::string_view text)
-{
-    std::size_t at = 0;
-    const auto digits = [&] {
-        const std::size_t from = at;
-        while (at < text.size() && text[at] >= '0' && text[at] <= '9')
-            ++at;
-        return at - from;
-    };
-    const auto has = [&](std::string_view any) {
-        const bool is = at < text.size() && any.find(text[at]) != std::string_view::npos;
-        at += is ? 1 : 0;
-        return is;
-    };
-    has("-");
-    const std::size_t first = at;
-    if (const std::size_t count = digits(); count == 0 || (count > 1 && text[first] == '0'))
-        return false;
-    if (has(".") && digits() == 0)
-        return false;
-    if (has("eE")) {
-        has("+-");
-        if (digits() == 0)
-            return false;
-    }
-    return at == text.size();
 }
 
 /// Quotes of a cell: none at its start, ending with the cell, or never closed.
@@ -142,7 +115,7 @@ std::string passedCell(std::string_view cell)
 
 std::string jsonOfText(std::string_view text)
 {
-    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return base::compactJson(text);
 }
 
 std::string jsonOfCell(std::string_view cell)
@@ -153,7 +126,7 @@ std::string jsonOfCell(std::string_view cell)
     }
     if (trimmed(cell).empty())
         return "null";
-    return isJsonNumber(trimmed(cell)) ? std::string(trimmed(cell)) : jsonOfText(cell);
+    return base::isJsonNumber(trimmed(cell)) ? std::string(trimmed(cell)) : jsonOfText(cell);
 }
 
 } // namespace unprojector::cli

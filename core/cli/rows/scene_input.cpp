@@ -4,7 +4,6 @@
 #include "core/base/translation.h"
 #include "core/mesh/import/file_contents.h"
 #include "core/opening/models.h"
-#include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 
 #include <algorithm>
@@ -24,7 +23,7 @@ using namespace mesh;
 namespace {
 
 /// Reads stdin as readSceneText reads a file.
-Result<std::string, SceneFileError> standardInput(const std::string &name)
+base::Expected<std::string, base::Error> standardInput(const std::string &name)
 {
     ByteSource source("-");
     std::string text;
@@ -35,10 +34,7 @@ Result<std::string, SceneFileError> standardInput(const std::string &name)
     }
     if (source.isOpen() && !source.hasFailed())
         return text;
-    SceneFileError error;
-    error.code = SceneFileErrorCode::NotReadable;
-    error.file = name;
-    return error;
+    return notReadable(name);
 }
 
 } // namespace
@@ -46,13 +42,13 @@ Result<std::string, SceneFileError> standardInput(const std::string &name)
 std::optional<SceneOrClicks> sceneOrClicks(const std::string &file)
 {
     const std::string name = file == "-" ? "stdin" : file;
-    const Result<std::string, SceneFileError> text =
+    const base::Expected<std::string, base::Error> text =
         file == "-" ? standardInput(name) : readSceneText(pathFromUtf8(file));
     if (!text) {
-        complain(sceneErrorText(text.error()));
+        complain(text.error().message());
         return std::nullopt;
     }
-    Result<SceneOrClicks, SceneFileError> given = parseSceneOrClicks(*text, name);
+    base::Expected<SceneOrClicks, base::Error> given = parseSceneOrClicks(*text, name);
     constexpr std::size_t kStart = 512;
     std::string advice = given ? std::string() : reader::adviceByContents(text->substr(0, kStart), "json");
     if (!advice.empty()) {
@@ -64,7 +60,7 @@ std::optional<SceneOrClicks> sceneOrClicks(const std::string &file)
         return std::nullopt;
     }
     if (!given) {
-        complain(sceneErrorText(given.error()));
+        complain(given.error().message());
         return std::nullopt;
     }
     return std::move(given).value();

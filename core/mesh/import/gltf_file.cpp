@@ -1,16 +1,14 @@
 #include "core/mesh/import/gltf_file.h"
 
 #include "core/base/byte_order.h"
-#include "core/base/json_syntax.h"
+#include "core/base/json.h"
 #include "core/base/translation.h"
 #include "core/mesh/import/gltf_extensions.h"
 #include "core/mesh/import/meshopt_view.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <optional>
-#include <set>
 #include <string>
 
 namespace unprojector::mesh::reader {
@@ -84,33 +82,6 @@ Chunks chunksOfGlb(const Source &source, std::vector<base::Note> &notes)
     return chunks;
 }
 
-/// Iterates over a text and exposes the parser's position, which the parser itself reports only for
-/// syntax errors.
-struct WatchedText {
-    using iterator_category = std::forward_iterator_tag;
-    using value_type = char;
-    using difference_type = std::ptrdiff_t;
-    using pointer = const char *;
-    using reference = const char &;
-
-    reference operator*() const { return *place; }
-    WatchedText &operator++()
-    {
-        *reached = ++place;
-        return *this;
-    }
-    WatchedText operator++(int)
-    {
-        const WatchedText before = *this;
-        ++*this;
-        return before;
-    }
-    bool operator==(const WatchedText &other) const { return place == other.place; }
-
-    const char *place = nullptr;
-    const char **reached = nullptr;
-};
-
 /// Returns whether the importer ignores a key's value, so that it may hold anything.
 /// @param object  the key whose value is the object that contains the key
 bool isUnread(std::string_view object, std::string_view key)
@@ -119,80 +90,6 @@ bool isUnread(std::string_view object, std::string_view key)
            || (object == "extensions" && gltfExtension(key) == GltfExtension::Unknown);
 }
 
-/// Finds JSON that cannot be read as a tree: a syntax error, a duplicate key in an object, or
-/// nesting so deep that the recursive reader would exhaust the stack.
-struct JsonCheck : nlohmann::json_sax<Json> {
-    explicit JsonCheck(std::string_view jsonText) : text(jsonText), reached(jsonText.data()) {}
-
-    void run()
-    {
-        Json::sax_parse(WatchedText{text.data(), &reached}, WatchedText{text.data() + text.size(), &reached}, this);
-    }
-
-    bool null() override { return true; }
-    bool boolean(bool) override { return true; }
-    bool number_integer(number_integer_t) override { return true; }
-    bool number_unsigned(number_unsigned_t) override { return true; }
-    bool number_float(number_float_t, const string_t &) override { return true; }
-    bool string(string_t &) override { return true; }
-    bool binary(binary_t &) override { return true; }
-    bool start_object(std::size_t) override
-    {
-        objects.emplace_back();
-        return open();
-    }
-    bool key(string_t &name) override
-    {
-        if (unread && objects.size() > *unread)
-            return true;
-        Object &object = objects.back();
-        const bool isUnreadHere =
-            isUnread(objects.size() > 1 ? std::string_view(objects[objects.size() - 2].key) : std::string_view(), name);
-        unread = isUnreadHere ? std::optional(objects.size()) : std::nullopt;
-        object.key = name;
-        if (object.keys.insert(name).second)
-            return true;
-        const std::string_view before = text.substr(0, static_cast<std::size_t>(reached - text.data()) - 1);
-        twice = before.rfind('"');
-        return false;
-    }
-    bool end_object() override
-    {
-        objects.pop_back();
-        if (unread && objects.size() < *unread)
-            unread.reset();
-        return close();
-    }
-    bool start_array(std::size_t) override { return open(); }
-    bool end_array() override { return close(); }
-    bool parse_error(std::size_t position, const std::string &lastToken,
-                     const nlohmann::detail::exception &error) override
-    {
-        mistake = base::jsonMistake(text, position, lastToken, error.what());
-        return false;
-    }
-    bool open() { return ++depth <= kDeepestJson; }
-    bool close()
-    {
-        --depth;
-        return true;
-    }
-
-    struct Object {
-        std::set<std::string> keys;
-        std::string key; ///< the last one read
-    };
-
-    std::string_view text;
-    const char *reached; ///< the parser's next character
-    std::optional<base::JsonMistake> mistake;
-    std::optional<std::size_t> twice; ///< position of a duplicate key
-    std::vector<Object> objects;      ///< open objects
-    /// The number of open objects at the current isUnread() value.
-    std::optional<std::size_t> unread;
-    std::size_t depth = 0;
-};
-
 Json parsed(std::string_view text)
 {
     // Some writers pad the chunk with zeros instead of blanks.
@@ -200,20 +97,10 @@ Json parsed(std::string_view text)
         text.remove_suffix(1);
     if (text.starts_with("\xef\xbb\xbf"))
         text.remove_prefix(3);
-    JsonCheck check(text);
-    check.run();
-    if (check.depth > kDeepestJson)
-        failMalformed(tr("the JSON is nested too deeply"));
-    const auto failAt = [text](std::size_t at, const std::string &what) {
-        const std::string_view before = text.substr(0, at);
-        const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-        const std::size_t column = before.size() - (before.rfind('\n') + 1) + 1; // npos + 1 is 0
-        failMalformed(tr("line %1, column %2: %3", line, column, what));
-    };
-    if (check.twice)
-        failAt(*check.twice, tr("the key \"%1\" occurs twice in one JSON object", check.objects.back().key));
-    if (check.mistake)
-        failAt(check.mistake->at, check.mistake->text);
+    if (const base::Done valid = base::checkJson(text, kDeepestJson, isUnread); !valid) {
+        const auto &[what, subject, file, line, column, kind] = valid.error();
+        failMalformed(line > 0 ? tr("line %1, column %2: %3", line, column, what) : what);
+    }
     return Json::parse(text);
 }
 

@@ -1,6 +1,6 @@
 #include "tests/support/test.h"
 
-#include "core/base/json_value.h"
+#include "core/base/json.h"
 
 #include <nlohmann/json.hpp>
 

@@ -11,7 +11,6 @@
 #include "tests/support/test.h"
 
 #include "core/geometry/api_conventions.h"
-#include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 
 #include <glm/geometric.hpp>
@@ -67,7 +66,7 @@ SceneFile parsed(const QByteArray &text)
 QByteArray messageFor(const QByteArray &text)
 {
     const auto scene = parseScene(text.toStdString(), "api.json");
-    return scene ? QByteArray("it was read") : QByteArray::fromStdString(sceneErrorText(scene.error()));
+    return scene ? QByteArray("it was read") : QByteArray::fromStdString(scene.error().message());
 }
 
 /// A scene whose matrices an API has written.
@@ -219,7 +218,7 @@ private slots:
         const glm::dvec3 window = windowFromWorld(p, kPoint).value().coordinates();
         QVERIFY(glm::distance(window, glm::dvec3(568.647484851, 425.662250382, 0.838330504968)) < kTolerance);
         const auto shown = sceneFromFile(parsed(text), "/there/api.json", {});
-        QVERIFY2(shown, shown ? "" : sceneErrorText(shown.error()).c_str());
+        QVERIFY2(shown, shown ? "" : shown.error().message().c_str());
         QVERIFY(shown->conventions == apiOf(QTest::currentDataTag()));
     }
 

@@ -4,6 +4,7 @@
 #include "tests/support/test.h"
 
 #include "core/matrices/pipeline.h"
+#include "core/scene_file/scene_file.h"
 #include "core/unproject/unprojector.h"
 #include "tests/support/example_scene.h"
 

@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 #include "core/scene_file/clicks.h"
-#include "core/scene_file/scene_error_text.h"
 #include "core/unproject/object_from_world.h"
 #include "tests/support/core_scene.h"
 #include "tests/support/unprojecting.h"
@@ -56,7 +55,7 @@ std::vector<Click> readAgain(const std::vector<Click> &clicks)
 {
     const auto read = parseSceneOrClicks(clicksText(clicks).value(), "clicks.json");
     if (!read)
-        qFatal("%s", sceneErrorText(read.error()).c_str());
+        qFatal("%s", read.error().message().c_str());
     return std::get<std::vector<Click>>(*read);
 }
 
@@ -266,7 +265,7 @@ private slots:
         json[Json::json_pointer(pointer.toStdString())] = Json::parse(value.toStdString());
         const auto read = parseSceneOrClicks(json.dump(), "clicks.json");
         QVERIFY(!read);
-        QCOMPARE(QString::fromStdString(sceneErrorText(read.error())), "clicks.json: " + message);
+        QCOMPARE(QString::fromStdString(read.error().message()), "clicks.json: " + message);
     }
 };
 

@@ -193,7 +193,7 @@ private slots:
         const auto model = std::make_shared<Model>();
         model->bounds = {glm::dvec3(-1.0), glm::dvec3(1.0)};
         const auto scene = sceneFromFile(file, "folder/s.json", objectsWith(model, file, "folder/s.json"));
-        QCOMPARE(scene ? QByteArray() : QByteArray::fromStdString(sceneErrorText(scene.error())), message);
+        QCOMPARE(scene ? QByteArray() : QByteArray::fromStdString(scene.error().message()), message);
     }
 
     void aModelBehindALinkStaysTheSame_data()

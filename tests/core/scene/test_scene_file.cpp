@@ -358,7 +358,7 @@ private slots:
         const auto edited = read(R"("fovy": 45, "fovyRadians": 1)");
         QVERIFY(!edited);
         QCOMPARE(
-            QByteArray::fromStdString(sceneErrorText(edited.error())),
+            QByteArray::fromStdString(edited.error().message()),
             QByteArray("scene.json: projection.fovyRadians: 1 radians differ from fovy, which is 45 degrees; remove "
                        "the wrong key"));
     }
@@ -374,13 +374,13 @@ private slots:
         QCOMPARE(written(*again), written(parsed(kFullScene)));
 
         const auto missing = readSceneFile(directory / "none.json");
-        QVERIFY(!missing && missing.error().code == SceneFileErrorCode::NotFound);
+        QVERIFY(!missing && missing.error().kind == base::Error::Kind::NoFile);
         const auto isFolder = readSceneFile(directory);
-        QVERIFY(!isFolder && isFolder.error().code == SceneFileErrorCode::IsDirectory);
+        QVERIFY(!isFolder && isFolder.error().kind == base::Error::Kind::File);
         const auto toFolder = writeSceneFile(directory, parsed(kFullScene));
-        QVERIFY(!toFolder && toFolder.error().code == SceneFileErrorCode::IsDirectory);
+        QVERIFY(!toFolder && toFolder.error().kind == base::Error::Kind::File);
         const auto nowhere = writeSceneFile(directory / "none" / "a.json", parsed(kFullScene));
-        QVERIFY(!nowhere && nowhere.error().code == SceneFileErrorCode::NotWritable);
+        QVERIFY(!nowhere && nowhere.error().kind == base::Error::Kind::File);
     }
 
     void manyLandmarksAreWrittenAndRead()
@@ -424,9 +424,8 @@ private slots:
         SceneFile scene = parsed(kFullScene);
         scene.objects[1].name = "\xC3(";
         const auto text = sceneText(scene);
-        QVERIFY(!text && text.error().code == SceneFileErrorCode::NotUtf8);
-        QCOMPARE(sceneErrorText(text.error()),
-                 "objects[1].name: the name is not UTF-8 and cannot be written; rename it");
+        QVERIFY(!text && text.error().subject == "objects[1].name");
+        QCOMPARE(text.error().message(), "objects[1].name: the name is not UTF-8 and cannot be written; rename it");
     }
 };
 

@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 #include "core/scene_file/clicks.h"
-#include "core/scene_file/scene_error_text.h"
 
 #include "tests/core/scene_texts.h"
 
@@ -82,8 +81,7 @@ private slots:
         try {
             const auto read =
                 parseSceneOrClicks(std::string_view(text.constData(), std::size_t(text.size())), "scene.json");
-            QCOMPARE(read ? QByteArray("it was read") : QByteArray::fromStdString(sceneErrorText(read.error())),
-                     message);
+            QCOMPARE(read ? QByteArray("it was read") : QByteArray::fromStdString(read.error().message()), message);
         } catch (const std::bad_alloc &) {
             QFAIL("it takes too much memory");
         }

@@ -2,7 +2,6 @@
 // another program's changes.
 #include "tests/support/test.h"
 
-#include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 
 #include "tests/core/scene_texts.h"
@@ -47,9 +46,9 @@ SceneFile parsed(const char *text)
     return parseScene(text, "scene").value();
 }
 
-QByteArray textOf(const SceneFileError &error)
+QByteArray textOf(const base::Error &error)
 {
-    return QByteArray::fromStdString(sceneErrorText(error));
+    return QByteArray::fromStdString(error.message());
 }
 
 } // namespace
@@ -119,9 +118,9 @@ private slots:
         QVERIFY(!isSceneFile(folder / "pipe.json"));
         for (const std::filesystem::path &path : {folder / "pipe.json", std::filesystem::path("/dev/zero")}) {
             const auto scene = readSceneFile(path);
-            QVERIFY(!scene && scene.error().code == SceneFileErrorCode::NotAFile);
+            QVERIFY(!scene && scene.error().kind == base::Error::Kind::File);
             const auto written = writeSceneFile(path, parsed(kLeastScene));
-            QVERIFY(!written && written.error().code == SceneFileErrorCode::NotWritable);
+            QVERIFY(!written && written.error().kind == base::Error::Kind::File);
             QVERIFY(textOf(written.error()).endsWith(": this is a device or a pipe; give the name of a file"));
         }
 #endif
@@ -135,7 +134,7 @@ private slots:
         scene.objects[0].file = "face.obj";
         QVERIFY(writeSceneFile(folder / "scene.json", scene).hasValue());
         const auto written = writeSceneFile(folder / "face.obj", scene);
-        QVERIFY(!written && written.error().code == SceneFileErrorCode::IsOwnModel);
+        QVERIFY(!written && written.error().subject == "objects[0].file");
         QCOMPARE(textOf(written.error()),
                  folder.filePath("face.obj")
                      + ": objects[0].file: the scene shows this model and would overwrite it; give another name");
@@ -152,7 +151,7 @@ private slots:
         QVERIFY(second.hasValue());
         const QByteArray text = folder.read("scene");
         const auto late = writeSceneFile(folder / "scene", parsed(kLeastScene), *first);
-        QVERIFY(!late && late.error().code == SceneFileErrorCode::ChangedMeanwhile);
+        QVERIFY(!late && late.error().kind == base::Error::Kind::Changed);
         QVERIFY(
             textOf(late.error()).endsWith(": the file was changed by another program or window since it was opened"));
         QCOMPARE(folder.read("scene"), text);
@@ -165,16 +164,16 @@ private slots:
 #else
         const Folder folder;
         const auto written = writeSceneFile(folder / QString(256, 'a'), parsed(kLeastScene));
-        QVERIFY(!written && written.error().code == SceneFileErrorCode::NotWritable);
+        QVERIFY(!written && written.error().kind == base::Error::Kind::File);
         QVERIFY2(textOf(written.error()).endsWith("a: the file cannot be written (File name too long)"),
                  textOf(written.error()).constData());
         const auto read = readSceneFile(folder / QString(256, 'a'));
-        QVERIFY(!read && read.error().code == SceneFileErrorCode::NotReadable);
+        QVERIFY(!read && read.error().kind == base::Error::Kind::File);
         QVERIFY(textOf(read.error()).endsWith("a: the file cannot be read (File name too long)"));
         if (!QFile::exists("/proc/self/mem"))
             return;
         const auto broken = readSceneFile("/proc/self/mem"); // opens, and fails on its first byte
-        QVERIFY(!broken && broken.error().code == SceneFileErrorCode::NotReadable);
+        QVERIFY(!broken && broken.error().kind == base::Error::Kind::File);
         QVERIFY(textOf(broken.error()).endsWith("mem: the file cannot be read (Input/output error)"));
 #endif
     }

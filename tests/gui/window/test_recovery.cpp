@@ -125,7 +125,7 @@ private slots:
         QCOMPARE(files[0]->path(), path);
         const std::optional<RecoveryInfo> again = files[0]->info();
         QVERIFY(again && again->name == info.name && again->sceneFile == info.sceneFile && again->time == info.time);
-        const Result<SceneFile, SceneFileError> scene = files[0]->scene();
+        const SceneOrError scene = files[0]->scene();
         QVERIFY(scene && scene->objects.size() == 1);
     }
 
@@ -145,7 +145,7 @@ private slots:
         const auto text = sceneText(scene);
         QVERIFY(text && text->size() > std::size_t{8} << 20);
         QVERIFY((*created)->write({QStringLiteral("x.json"), {}, QDateTime::currentDateTime()}, *text));
-        const Result<SceneFile, SceneFileError> again = (*created)->scene();
+        const SceneOrError again = (*created)->scene();
         QVERIFY(again && again->landmarks.landmarks == scene.landmarks.landmarks);
     }
 
