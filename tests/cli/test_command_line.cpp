@@ -26,20 +26,22 @@ QMap<QString, QString> sectionsOf(const QString &file)
     for (auto it = heading.globalMatch(all); it.hasNext();) {
         const QRegularExpressionMatch found = it.next();
         const qsizetype start = found.capturedEnd(), end = it.hasNext() ? it.peekNext().capturedStart() : all.size();
-        sections[found.captured(1)] = all.mid(start, end - start);
+        for (const QString &name : found.captured(1).split(u','))
+            sections[name] = all.mid(start, end - start);
     }
     return sections;
 }
 
-/// The options and positionals of a command, as its help lists them: "-o,--output".
+/// The options and positionals of a command, as its help lists them, with all their names.
 QStringList optionsOf(const char *command)
 {
     static const QRegularExpression entry(QStringLiteral("^  ([A-Z]\\S*|-\\S+)"), QRegularExpression::MultilineOption);
     const QString help = QString::fromUtf8(runCommand({command, "--help"}).output);
     QStringList options;
     for (auto it = entry.globalMatch(help.mid(help.indexOf(QStringLiteral("\n\n")))); it.hasNext();)
-        options << it.next().captured(1);
-    options.removeAll(QStringLiteral("-h,--help"));
+        options << it.next().captured(1).split(u',');
+    options.removeOne(QStringLiteral("-h"));
+    options.removeOne(QStringLiteral("--help"));
     return options;
 }
 
