@@ -94,10 +94,10 @@ bool isSeen(const Argument &argument)
     return argument.literals.size() > argument.rest.count(u'?');
 }
 
-/// The first arguments of all tr() and marked() of some code.
-QList<Argument> argumentsIn(QString code)
+/// The first arguments of all these calls of some code.
+QList<Argument> argumentsIn(QString code, const QString &calls = QStringLiteral("tr|marked"))
 {
-    static const QRegularExpression call(QStringLiteral("(?<![A-Za-z0-9_])(?:tr|marked)\\("));
+    const QRegularExpression call(QStringLiteral("(?<![A-Za-z0-9_])(?:%1)\\(").arg(calls));
     static const QRegularExpression comment(QStringLiteral("//[^\"\n]*$"), QRegularExpression::MultilineOption);
     code.remove(comment);
     QList<Argument> arguments;
@@ -106,15 +106,15 @@ QList<Argument> argumentsIn(QString code)
     return arguments;
 }
 
-/// All arguments that core passes to tr() or marks for it.
-QList<Argument> argumentsOfSource()
+/// The arguments of these calls in core or gui.
+QList<Argument> argumentsOfSource(const QString &room, const QString &calls)
 {
     QList<Argument> arguments;
-    QDirIterator files(QStringLiteral(UNPROJECTOR_SOURCE_DIR "/core"), {"*.h", "*.cpp"}, QDir::Files,
+    QDirIterator files(QStringLiteral(UNPROJECTOR_SOURCE_DIR "/") + room, {"*.h", "*.cpp"}, QDir::Files,
                        QDirIterator::Subdirectories);
     while (files.hasNext()) {
         if (const QString file = files.next(); !file.endsWith(QStringLiteral("/base/translation.h")))
-            arguments << argumentsIn(textOf(file));
+            arguments << argumentsIn(textOf(file), calls);
     }
     return arguments;
 }
@@ -171,7 +171,7 @@ private slots:
     /// A text that is no literal where it is translated could stay untranslated and unnoticed.
     void noTextIsHidden()
     {
-        for (const Argument &argument : argumentsOfSource())
+        for (const Argument &argument : argumentsOfSource("core", "tr|marked"))
             QVERIFY2(isSeen(argument), qPrintable(argument.rest + u'|' + argument.literals.join(u'|')));
     }
 
@@ -202,7 +202,8 @@ private slots:
     void everyTextHasATranslationAndNoneIsLeftOver()
     {
         QSet<QString> texts;
-        for (const Argument &argument : argumentsOfSource()) {
+        // The window has its own tr(), and marks what core words: notes about textures.
+        for (const Argument &argument : argumentsOfSource("core", "tr|marked") + argumentsOfSource("gui", "marked")) {
             for (const QString &text : argument.literals)
                 texts << text;
         }
