@@ -3,7 +3,6 @@
 #include "core/base/number_text.h"
 #include "core/base/path_text.h"
 #include "core/base/printable.h"
-#include "core/base/translation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +27,14 @@ void appendOthers(Json &object, const Json &from, const std::vector<std::string_
         if (std::find(known.begin(), known.end(), key) == known.end())
             append(object, key, value);
     }
+}
+
+void know(std::vector<std::string_view> &known, std::string_view key)
+{
+    if (known.empty())
+        known.reserve(16);
+    if (known.empty() || known.back() != key)
+        known.push_back(key);
 }
 
 const Json *memberOf(const Json &object, std::string_view key)
@@ -70,17 +77,17 @@ void JsonNode::fail(std::string text) const
     throw error;
 }
 
-void JsonNode::require(bool isIt, const std::string &expected) const
+void JsonNode::require(bool isIt, const char *expected, std::size_t count) const
 {
     if (!exists())
         fail(tr("is missing"));
     if (!isIt)
-        fail(tr("expected %1, found %2", expected, shown()));
+        fail(tr("expected %1, found %2", tr(expected, count), shown()));
 }
 
 void JsonNode::requireObject() const
 {
-    require(exists() && m_json->is_object(), tr("an object in { }"));
+    require(exists() && m_json->is_object(), marked("an object in { }"));
 }
 
 /// A value for a message.
@@ -94,22 +101,22 @@ std::string JsonNode::shown() const
 
 std::size_t JsonNode::size(std::size_t most) const
 {
-    require(exists() && m_json->is_array(), tr("a list in [ ]"));
+    require(exists() && m_json->is_array(), marked("a list in [ ]"));
     if (m_json->size() > most)
         fail(tr("has %1 elements; there may be at most %2", m_json->size(), most));
     return m_json->size();
 }
 
-void JsonNode::requireSize(std::size_t size, const std::string &expected) const
+void JsonNode::requireSize(std::size_t size, const char *expected) const
 {
-    require(exists() && m_json->is_array(), expected.empty() ? tr("a list of %1 numbers", size) : expected);
+    require(exists() && m_json->is_array(), expected, size);
     if (m_json->size() != size)
         fail(tr("has %1 elements; it must have %2", m_json->size(), size));
 }
 
 double JsonNode::number() const
 {
-    require(exists() && isJsonNumber(*m_json), tr("a number"));
+    require(exists() && isJsonNumber(*m_json), marked("a number"));
     return valueOfJsonNumber(*m_json);
 }
 
@@ -131,7 +138,7 @@ double JsonNode::whole(double lowest, double highest) const
 
 std::string JsonNode::text() const
 {
-    require(exists() && m_json->is_string(), tr("a text in quotes"));
+    require(exists() && m_json->is_string(), marked("a text in quotes"));
     return m_json->get<std::string>();
 }
 
@@ -151,7 +158,7 @@ void JsonNode::failChoice(std::span<const char *const> choices) const
 
 bool JsonNode::has(std::string_view key, bool)
 {
-    m_known.push_back(key);
+    know(m_known, key);
     return JsonNode(*this, key).exists();
 }
 
@@ -170,6 +177,11 @@ std::size_t JsonNode::oneKeyOf(std::span<const char *const> keys, std::size_t)
     return found;
 }
 
+void JsonNode::written(std::string_view key, const char *)
+{
+    know(m_known, key);
+}
+
 Json JsonNode::take()
 {
     if (!m_known.empty())
@@ -180,14 +192,14 @@ Json JsonNode::take()
 
 void JsonNode::add(std::string_view key, Json &&unknown, bool)
 {
-    m_known.push_back(key);
+    know(m_known, key);
     if (!unknown.is_null())
         append(m_unknown, key, std::move(unknown));
 }
 
 void JsonNode::scalar(bool &value) const
 {
-    require(exists() && m_json->is_boolean(), tr("true or false"));
+    require(exists() && m_json->is_boolean(), marked("true or false"));
     value = m_json->get<bool>();
 }
 
@@ -208,7 +220,7 @@ bool JsonOutput::has(std::string_view key, bool isWritten)
 {
     if (m_json.is_null())
         m_json = Json::object();
-    m_known.push_back(key);
+    know(m_known, key);
     return isWritten;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/json.h"
+#include "core/base/translation.h"
 
 #include <nlohmann/json.hpp>
 
@@ -123,8 +124,8 @@ public:
     /// The number of elements of a list.
     std::size_t size(std::size_t most = std::numeric_limits<std::size_t>::max()) const;
     /// Checks the number of elements of a list.
-    /// @param expected  what it is, for an error; may be empty
-    void requireSize(std::size_t size, const std::string &expected) const;
+    /// @param expected  what it is, for an error, with %1 for the size
+    void requireSize(std::size_t size, const char *expected) const;
     double number() const;
     /// A number within both ends.
     double number(double lowest, double highest) const;
@@ -142,7 +143,7 @@ public:
     /// @param written  the one to write
     std::size_t oneKeyOf(std::span<const char *const> keys, std::size_t written = 0);
     /// A member that is written but never read; a file may have any value there.
-    void written(std::string_view key, const char *) { m_known.push_back(key); }
+    void written(std::string_view key, const char *);
     /// The members that no call has named, and those of nested objects; null if there are none.
     Json take();
 
@@ -160,7 +161,7 @@ protected:
     static void addElement(Json &&) {}
 
 private:
-    void require(bool isIt, const std::string &expected) const;
+    void require(bool isIt, const char *expected, std::size_t count = 0) const;
     std::string shown() const;
 
     const Json *m_json = nullptr;
@@ -195,7 +196,7 @@ protected:
 
     static bool isNull(bool hasValue) { return !hasValue; }
     static void limitSize(std::size_t) {}
-    void requireSize(std::size_t, const std::string &) { m_json = Json::array(); }
+    void requireSize(std::size_t, const char *) { m_json = Json::array(); }
     void add(std::string_view key, Json &&value, bool mayBeMissing);
     void addElement(Json &&value) { m_json.push_back(std::move(value)); }
 
@@ -303,7 +304,7 @@ public:
     /// A list of a fixed length.
     /// @param expected  what it is, for an error
     template <class T, class How = Plain>
-    void elements(T &&values, const How &how = {}, const std::string &expected = {})
+    void elements(T &&values, const How &how = {}, const char *expected = marked("a list of %1 numbers"))
     {
         const auto all = elementsOf(values);
         Side::requireSize(all.size(), expected);

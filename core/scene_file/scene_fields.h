@@ -126,7 +126,8 @@ struct InvertibleMatrix {
     template <class Fields, class T>
     void operator()(Fields &json, T &matrix) const
     {
-        json.elements(std::span(glm::value_ptr(matrix), 16), {}, tr("a list of 16 numbers, column by column"));
+        json.elements(std::span(glm::value_ptr(matrix), 16), {},
+                      base::marked("a list of 16 numbers, column by column"));
         if constexpr (Fields::kReads)
             refuse(json,
                    checkThat(!std::isinf(geometry::conditionNumber(matrix)), geometry::ErrorCode::SingularMatrix));

@@ -241,10 +241,10 @@ private slots:
         const auto row = [](const char *name, const char *pointer, const char *value, const char *message) {
             newRow(name) << pointer << value << message;
         };
-        row("no click", "/1", "7", "[1]: expected an object in { }, found a number");
+        row("no click", "/1", "7", "[1]: expected an object in { }, found 7");
         row("window of two", "/1/window", "[1, 2]", "[1].window: has 2 elements; it must have 3");
         row("window an object", "/0/window", "{}", "[0].window: expected a list of 3 numbers, found an object in { }");
-        row("hit a number", "/0/hit", "1", "[0].hit: expected true or false, found a number");
+        row("hit a number", "/0/hit", "1", "[0].hit: expected true or false, found 1");
         row("scene null", "/0/scene", "null", "[0].scene: expected an object in { }, found null");
         row("in the scene", "/1/scene/view/up", "[0, 0, 0]", "[1].scene.view.up: up is (0, 0, 0); give it a length");
         row("half a pixel", "/0/devicePixel/1", "0.5", "[0].devicePixel[1]: 0.5 must be a whole number");
@@ -265,7 +265,10 @@ private slots:
         json[Json::json_pointer(pointer.toStdString())] = Json::parse(value.toStdString());
         const auto read = parseSceneOrClicks(json.dump(), "clicks.json");
         QVERIFY(!read);
-        QCOMPARE(QString::fromStdString(read.error().message()), "clicks.json: " + message);
+        QVERIFY(read.error().line == 1 && read.error().column > 0);
+        base::Error withoutPlace = read.error();
+        withoutPlace.line = withoutPlace.column = 0;
+        QCOMPARE(QString::fromStdString(withoutPlace.message()), "clicks.json: " + message);
     }
 };
 

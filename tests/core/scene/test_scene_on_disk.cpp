@@ -46,7 +46,7 @@ SceneFile parsed(const char *text)
     return parseScene(text, "scene").value();
 }
 
-QByteArray textOf(const base::Error &error)
+QByteArray textOf(const unprojector::base::Error &error)
 {
     return QByteArray::fromStdString(error.message());
 }
@@ -118,9 +118,9 @@ private slots:
         QVERIFY(!isSceneFile(folder / "pipe.json"));
         for (const std::filesystem::path &path : {folder / "pipe.json", std::filesystem::path("/dev/zero")}) {
             const auto scene = readSceneFile(path);
-            QVERIFY(!scene && scene.error().kind == base::Error::Kind::File);
+            QVERIFY(!scene && scene.error().kind == unprojector::base::Error::Kind::File);
             const auto written = writeSceneFile(path, parsed(kLeastScene));
-            QVERIFY(!written && written.error().kind == base::Error::Kind::File);
+            QVERIFY(!written && written.error().kind == unprojector::base::Error::Kind::File);
             QVERIFY(textOf(written.error()).endsWith(": this is a device or a pipe; give the name of a file"));
         }
 #endif
@@ -151,7 +151,7 @@ private slots:
         QVERIFY(second.hasValue());
         const QByteArray text = folder.read("scene");
         const auto late = writeSceneFile(folder / "scene", parsed(kLeastScene), *first);
-        QVERIFY(!late && late.error().kind == base::Error::Kind::Changed);
+        QVERIFY(!late && late.error().kind == unprojector::base::Error::Kind::Changed);
         QVERIFY(
             textOf(late.error()).endsWith(": the file was changed by another program or window since it was opened"));
         QCOMPARE(folder.read("scene"), text);
@@ -164,16 +164,16 @@ private slots:
 #else
         const Folder folder;
         const auto written = writeSceneFile(folder / QString(256, 'a'), parsed(kLeastScene));
-        QVERIFY(!written && written.error().kind == base::Error::Kind::File);
+        QVERIFY(!written && written.error().kind == unprojector::base::Error::Kind::File);
         QVERIFY2(textOf(written.error()).endsWith("a: the file cannot be written (File name too long)"),
                  textOf(written.error()).constData());
         const auto read = readSceneFile(folder / QString(256, 'a'));
-        QVERIFY(!read && read.error().kind == base::Error::Kind::File);
+        QVERIFY(!read && read.error().kind == unprojector::base::Error::Kind::File);
         QVERIFY(textOf(read.error()).endsWith("a: the file cannot be read (File name too long)"));
         if (!QFile::exists("/proc/self/mem"))
             return;
         const auto broken = readSceneFile("/proc/self/mem"); // opens, and fails on its first byte
-        QVERIFY(!broken && broken.error().kind == base::Error::Kind::File);
+        QVERIFY(!broken && broken.error().kind == unprojector::base::Error::Kind::File);
         QVERIFY(textOf(broken.error()).endsWith("mem: the file cannot be read (Input/output error)"));
 #endif
     }
