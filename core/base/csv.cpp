@@ -1,11 +1,16 @@
 #include "core/base/csv.h"
 
+#include "core/base/json.h"
 #include "core/base/printable.h"
+#include "core/base/text_scanner.h"
 #include "core/base/translation.h"
 #include "core/base/utf8.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 namespace unprojector::base {
 namespace {
@@ -35,6 +40,15 @@ bool isSignedNumber(std::string_view text)
     return !text.empty() && text.front() != '-' && std::from_chars(text.data(), end, number).ptr == end;
 }
 
+/// The closing quote of a cell; npos if it stays open. Doubled quotes are part of the text.
+std::size_t closingQuote(std::string_view text, std::size_t opening)
+{
+    std::size_t quote = text.find('"', opening + 1);
+    while (quote != text.npos && quote + 1 < text.size() && text[quote + 1] == '"')
+        quote = text.find('"', quote + 2);
+    return quote;
+}
+
 /// The row with each quoted cell replaced by one character, for any dialect: separators inside
 /// quotes don't separate.
 std::string withoutQuotedCells(std::string_view row)
@@ -42,16 +56,10 @@ std::string withoutQuotedCells(std::string_view row)
     std::string plain;
     bool beginsCell = true;
     for (std::size_t at = 0; at < row.size(); ++at) {
-        std::size_t end = row.npos;
-        if (beginsCell && row[at] == '"') {
-            end = row.find('"', at + 1);
-            while (end != row.npos && end + 1 < row.size() && row[end + 1] == '"')
-                end = row.find('"', end + 2);
-        }
-        plain += end == row.npos ? row[at] : 'q';
+        const std::size_t quote = beginsCell && row[at] == '"' ? closingQuote(row, at) : row.npos;
+        plain += quote == row.npos ? row[at] : 'q';
         beginsCell = std::find(kCsvSeparators.begin(), kCsvSeparators.end(), row[at]) != kCsvSeparators.end();
-        if (end != row.npos)
-            at = end;
+        at = quote == row.npos ? at : quote;
     }
     return plain;
 }
@@ -65,14 +73,24 @@ bool hasDecimalComma(std::string_view cell)
            && cell[comma + 1] >= '0' && cell[comma + 1] <= '9' && cell.find('.') == cell.npos;
 }
 
-} // namespace
-
+/// Returns whether a spreadsheet takes a text for a formula: it begins with =, +, - or @ and is no
+/// number.
 bool isFormula(std::string_view text)
 {
     if (text.empty() || std::string_view("=+-@").find(text.front()) == text.npos)
         return false;
     return !((text.front() == '+' || text.front() == '-') && isSignedNumber(text));
 }
+
+void appendQuoted(std::string &output, std::string_view text, std::string_view apostrophe = {})
+{
+    output.append("\"").append(apostrophe);
+    for (const char c : text)
+        output.append(c == '"' ? 2 : 1, c);
+    output += '"';
+}
+
+} // namespace
 
 bool isQuotedFormula(std::string_view text)
 {
@@ -82,137 +100,136 @@ bool isQuotedFormula(std::string_view text)
 
 bool CsvRow::isPadding() const
 {
-    return std::all_of(cells.begin(), cells.end(),
-                       [](const CsvCell &cell) { return cell.text.empty() && !cell.isQuoted; });
+    return std::all_of(cells.begin(), cells.end(), [](const CsvCell &cell) { return cell.isBlank(); });
 }
 
 void CsvRow::trimPadding(std::size_t count)
 {
-    while (cells.size() > count && cells.back().text.empty() && !cells.back().isQuoted)
+    while (cells.size() > count && cells.back().isBlank())
         cells.pop_back();
 }
 
-CsvReader::CsvReader(std::string_view text, char separator, std::size_t firstLine)
-    : m_text(text), m_separator(separator), m_lineEnd(lineEndOf(text)), m_line(firstLine)
+std::size_t CsvRow::column(std::string_view name, std::size_t from) const
 {
+    while (from < cells.size() && lowerCase(trimmed(cells[from].text)) != name)
+        ++from;
+    return from;
 }
 
-bool CsvReader::isBlank(char c) const
+std::string_view CsvRow::text(std::size_t index) const
 {
-    return c == ' ' || c == '\r' || (c == '\t' && m_separator != '\t');
+    return index < cells.size() ? cells[index].text : std::string_view();
 }
+
+CsvReader::CsvReader(std::string_view text, char separator) : CsvReader(text, separator, lineEndOf(text)) {}
 
 bool CsvReader::next()
 {
-    while (m_at < m_text.size() && !m_error) {
-        const std::size_t start = m_at;
-        m_row.line = m_line;
-        const bool isFilled = readRow();
-        std::size_t end = m_at;
-        if (m_at < m_text.size() && !m_error) {
-            ++m_at;
-            ++m_line;
-        }
-        while (end > start && m_text[end - 1] == '\r')
-            --end;
+    while (!m_error && nextSource()) {
+        split();
+        if (!m_error && !m_row.cells.empty())
+            return true;
+    }
+    return false;
+}
+
+bool CsvReader::nextSource()
+{
+    m_error.reset();
+    m_row.cells.clear();
+    m_row.line = m_line;
+    const std::size_t start = m_next;
+    std::size_t end = std::min(m_text.find(m_lineEnd, start), m_text.size());
+    m_row.source = m_text.substr(start, end - start);
+    if (m_row.source.find('"') != m_text.npos) { // most tables have none
+        end = endWithQuotes(start, end);
         m_row.source = m_text.substr(start, end - start);
-        if (isFilled)
-            return true;
+        m_line += static_cast<std::size_t>(std::count(m_row.source.begin(), m_row.source.end(), m_lineEnd));
     }
-    return false;
+    ++m_line;
+    m_next = std::min(end + 1, m_text.size());
+    while (m_row.source.ends_with('\r'))
+        m_row.source.remove_suffix(1);
+    return start < m_text.size();
 }
 
-void CsvReader::skipBlanks()
+std::size_t CsvReader::behindBlanks(std::string_view text, std::size_t at) const
 {
-    while (!isLineEnd(m_at) && isBlank(m_text[m_at]))
-        ++m_at;
+    while (at < text.size() && text[at] != m_lineEnd && isBlank(text[at]))
+        ++at;
+    return at;
 }
 
-CsvCell &CsvReader::addCell()
+/// The end of a row; that of its first line if its quotes are wrong.
+std::size_t CsvReader::endWithQuotes(std::size_t start, std::size_t lineEnd)
 {
-    if (m_count == m_row.cells.size())
-        m_row.cells.emplace_back();
-    CsvCell &cell = m_row.cells[m_count++]; // reuses the memory of the previous row's cell
-    cell.text.clear();
-    cell.isQuoted = cell.hadBlanks = false;
-    return cell;
-}
-
-bool CsvReader::readRow()
-{
-    const bool isRunOfBlanks = m_separator == ' ';
-    m_count = 0;
-    while (true) {
-        const std::size_t start = m_at;
-        skipBlanks();
-        if (isLineEnd(m_at) && (m_count == 0 || isRunOfBlanks)) { // a blank line, or trailing blanks of a row
-            m_row.cells.resize(m_count);
-            return m_count > 0;
+    std::size_t at = start;
+    const auto failed = [&](std::size_t place, std::size_t cell, bool isOpen, std::string text) {
+        const auto before = m_text.substr(start, place - start);
+        m_error = CsvError{m_line + static_cast<std::size_t>(std::count(before.begin(), before.end(), m_lineEnd)), cell,
+                           isOpen, std::move(text)};
+        return lineEnd;
+    };
+    for (std::size_t cell = 0;; ++cell, ++at) {
+        at = behindBlanks(m_text, at);
+        if (at < m_text.size() && m_text[at] == '"') {
+            const std::size_t quote = closingQuote(m_text, at);
+            if (quote == m_text.npos)
+                return failed(at, cell, true,
+                              tr("a quote is opened here and never closed; close it, or double it within quotes"));
+            at = behindBlanks(m_text, quote + 1);
+            const bool isBehindBlank = m_separator == ' ' && at > quote + 1; // one of the blanks is the separator
+            if (at < m_text.size() && m_text[at] != m_lineEnd && !isSeparator(m_text[at]) && !isBehindBlank)
+                return failed(
+                    at, cell, false,
+                    tr("\"%1\" follows the closing quote; put the whole cell in quotes and double those in it",
+                       printableLine(firstCharacters(m_text.substr(at), 1))));
+            if (isBehindBlank)
+                at = quote + 1;
         }
-        CsvCell &cell = addCell();
-        if (!isLineEnd(m_at) && m_text[m_at] == '"') {
-            if (!readQuoted(cell))
-                return false;
+        while (at < m_text.size() && m_text[at] != m_lineEnd && !isSeparator(m_text[at]))
+            ++at;
+        if (at == m_text.size() || m_text[at] == m_lineEnd)
+            return at;
+    }
+}
+
+void CsvReader::split()
+{
+    const std::string_view row = m_row.source;
+    m_row.cells.clear();
+    m_unescaped.clear();
+    for (std::size_t start = 0;;) {
+        const std::size_t first = behindBlanks(row, start);
+        if (first == row.size() && (m_row.cells.empty() || m_separator == ' '))
+            return; // a blank line, or trailing blanks of a row
+        CsvCell &cell = m_row.cells.emplace_back();
+        const std::size_t quote = first < row.size() && row[first] == '"' ? closingQuote(row, first) : row.npos;
+        const std::size_t from = quote == row.npos ? first : quote + 1;
+        const std::size_t end =
+            std::min(m_separator == ' ' ? row.find_first_of(" \t\r", from) : row.find(m_separator, from), row.size());
+        cell.source = row.substr(start, end - start);
+        cell.isQuoted = quote != row.npos && behindBlanks(row.substr(0, end), quote + 1) == end;
+        if (cell.isQuoted) {
+            cell.text = row.substr(first + 1, quote - first - 1);
+            if (cell.text.find('"') != row.npos) {
+                m_unescaped.reserve(row.size()); // the texts before stay where they are
+                const std::size_t begin = m_unescaped.size();
+                for (std::size_t i = 0; i < cell.text.size(); i += cell.text[i] == '"' ? 2u : 1u)
+                    m_unescaped += cell.text[i];
+                cell.text = std::string_view(m_unescaped).substr(begin);
+            }
         } else {
-            const std::size_t first = m_at;
-            readPlain(cell);
-            cell.hadBlanks = !isRunOfBlanks && !cell.text.empty() && (cell.hadBlanks || first > start);
+            cell.text = row.substr(first, end - first);
+            while (!cell.text.empty()
+                   && (isBlank(cell.text.back()) || cell.text.ends_with('\v') || cell.text.ends_with('\f')))
+                cell.text.remove_suffix(1);
+            cell.hadBlanks = m_separator != ' ' && !cell.text.empty() && cell.text.size() < cell.source.size();
         }
-        if (isLineEnd(m_at)) {
-            m_row.cells.resize(m_count);
-            return true;
-        }
-        ++m_at; // the separator
+        if (end == row.size())
+            return;
+        start = end + 1;
     }
-}
-
-void CsvReader::readPlain(CsvCell &cell)
-{
-    const std::size_t start = m_at;
-    const auto isEnd = [this](char c) { return c == m_separator || (m_separator == ' ' && isBlank(c)); };
-    while (!isLineEnd(m_at) && !isEnd(m_text[m_at]))
-        ++m_at;
-    std::size_t end = m_at, lastReturn = m_at;
-    while (isLineEnd(m_at) && lastReturn > start && m_text[lastReturn - 1] == '\r')
-        --lastReturn; // belongs to the line end, not to the cell
-    while (end > start && (isBlank(m_text[end - 1]) || m_text[end - 1] == '\v' || m_text[end - 1] == '\f'))
-        --end;
-    cell.text.assign(m_text.substr(start, end - start));
-    cell.hadBlanks = end < lastReturn;
-}
-
-bool CsvReader::readQuoted(CsvCell &cell)
-{
-    const std::size_t firstLine = m_line;
-    cell.isQuoted = true;
-    for (++m_at;; ++m_at) {
-        if (m_at == m_text.size()) {
-            m_error = CsvError{firstLine,
-                               tr("a quote is opened here and never closed; close it, or double it within quotes")};
-            return false;
-        }
-        const char c = m_text[m_at];
-        if (c == '"' && (m_at + 1 == m_text.size() || m_text[m_at + 1] != '"'))
-            break;
-        if (c == '"')
-            ++m_at;
-        else if (c == '\n' || (c == '\r' && (m_at + 1 == m_text.size() || m_text[m_at + 1] != '\n')))
-            ++m_line;
-        cell.text += c;
-    }
-    ++m_at;
-    const std::size_t behind = m_at;
-    skipBlanks();
-    if (isLineEnd(m_at) || m_text[m_at] == m_separator)
-        return true;
-    if (m_separator == ' ' && m_at > behind) {
-        --m_at; // one of the blanks is the separator
-        return true;
-    }
-    m_error =
-        CsvError{m_line, tr("\"%1\" follows the closing quote; put the whole cell in quotes and double those in it",
-                            printableLine(firstCharacters(m_text.substr(m_at), 1)))};
-    return false;
 }
 
 char csvSeparatorOf(std::string_view row)
@@ -257,6 +274,60 @@ std::string DecimalMark::withPoint(std::string_view cell) const
     if (isComma() && hasDecimalComma(cell))
         number[cell.find(',')] = '.';
     return number;
+}
+
+std::string jsonText(std::string_view text)
+{
+    return compactJson(text);
+}
+
+RowWriter::RowWriter(std::string &output, CellTexts texts, const std::vector<std::string> &keys)
+    : m_output(output), m_texts(texts), m_isJson(!keys.empty())
+{
+    for (const std::string &key : keys)
+        m_keys.push_back((m_keys.empty() ? "{\"" : "\"") + key + "\":");
+}
+
+void RowWriter::text(std::string_view text)
+{
+    if (m_isJson)
+        return plain(jsonText(text));
+    const bool isGuarded = (m_texts == CellTexts::SpreadsheetSafe && isFormula(text))
+                           || (m_texts != CellTexts::Verbatim && isQuotedFormula(text));
+    const char *apostrophe = isGuarded ? "'" : "";
+    if (text.find_first_of(",\"\r\n") == text.npos && trimmed(text).size() == text.size() && text != "NA"
+        && text != "#N/A")
+        m_output.append(apostrophe).append(text);
+    else
+        appendQuoted(m_output, text, apostrophe);
+    m_output += ',';
+}
+
+void RowWriter::passed(const CsvCell &cell)
+{
+    if (m_isJson)
+        return cell.isQuoted             ? text(cell.text)
+               : cell.text.empty()       ? nothing()
+               : isJsonNumber(cell.text) ? plain(cell.text)
+                                         : text(cell.source);
+    const std::size_t start = m_output.size();
+    if (!cell.isQuoted && cell.text.starts_with('"')) // an open quote would swallow the cells behind it
+        appendQuoted(m_output, cell.source);
+    else
+        m_output += cell.source;
+    if (m_texts == CellTexts::SpreadsheetSafe && isFormula(trimmed(cell.text)))
+        m_output.insert(m_output.find_first_not_of(" \t\"", start), 1, '\'');
+    m_output += ',';
+}
+
+void RowWriter::passedNumber(const CsvCell &cell)
+{
+    if (!m_isJson)
+        passed(cell);
+    else if (const std::string_view number = trimmed(cell.text); isJsonNumber(number))
+        plain(number);
+    else
+        nothing();
 }
 
 } // namespace unprojector::base

@@ -131,6 +131,21 @@ std::optional<long long> integerFromWord(std::string_view word)
     return value;
 }
 
+std::string_view trimmed(std::string_view text)
+{
+    const std::size_t first = text.find_first_not_of(" \t\r\n\v\f");
+    return first == text.npos ? std::string_view()
+                              : text.substr(first, text.find_last_not_of(" \t\r\n\v\f") - first + 1);
+}
+
+std::string lowerCase(std::string_view text)
+{
+    std::string lower(text);
+    for (char &c : lower)
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return lower;
+}
+
 std::string quoted(std::string_view word)
 {
     return base::tr("\"%1\"", base::printableBeginning(word, 40));

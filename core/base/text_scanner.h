@@ -40,6 +40,10 @@ private:
     std::size_t m_line;
 };
 
+/// The text without blanks and line ends around it.
+std::string_view trimmed(std::string_view text);
+std::string lowerCase(std::string_view text);
+
 /// The number that a word represents, rounded correctly and independent of the locale. "nan", "inf"
 /// and "1.#IND" count as numbers; values beyond the range of double become infinity or 0. Nothing
 /// if the word is not a number.

@@ -2,8 +2,8 @@
 
 #include "core/base/csv.h"
 #include "core/base/number_text.h"
+#include "core/base/text_scanner.h"
 #include "core/base/translation.h"
-#include "core/landmark_files/lines.h"
 
 #include <algorithm>
 #include <charconv>
@@ -15,9 +15,6 @@ namespace unprojector::doctor {
 using namespace geometry;
 
 namespace {
-
-using base::CsvCell;
-using base::CsvRow;
 
 constexpr std::size_t kDepth = 2;
 
@@ -48,36 +45,8 @@ bool isLetter(char c)
 /// True for a word that is a name, such as vec3 and x, and no failed number.
 bool isName(std::string_view word)
 {
-    const std::string small = landmark_files::lowerCase(word);
+    const std::string small = base::lowerCase(word);
     return isLetter(word.front()) && small != "nan" && small != "inf" && small != "infinity";
-}
-
-/// The index of each of kPointColumns in a header; the header's size if it is missing.
-using Places = std::array<std::size_t, kPointColumns.size()>;
-
-bool isHeader(const CsvRow &row)
-{
-    return std::any_of(row.cells.begin(), row.cells.end(), [](const CsvCell &cell) {
-        return std::find(kPointColumns.begin(), kPointColumns.end(), landmark_files::lowerCase(cell.text))
-               != kPointColumns.end();
-    });
-}
-
-Result<Places, PointTableError> placesIn(const CsvRow &header)
-{
-    Places places{};
-    for (std::size_t column = 0; column < kPointColumns.size(); ++column) {
-        const auto is = [&](const CsvCell &cell) {
-            return landmark_files::lowerCase(cell.text) == kPointColumns[column];
-        };
-        const auto found = std::find_if(header.cells.begin(), header.cells.end(), is);
-        places[column] = std::size_t(found - header.cells.begin());
-        if (found == header.cells.end() && column != kDepth)
-            return PointTableError{PointTableError::Kind::NoColumn, header.line, kPointColumns[column]};
-        if (found != header.cells.end() && std::any_of(found + 1, header.cells.end(), is))
-            return PointTableError{PointTableError::Kind::DoubledColumn, header.line, kPointColumns[column]};
-    }
-    return places;
 }
 
 } // namespace
@@ -85,7 +54,7 @@ Result<Places, PointTableError> placesIn(const CsvRow &header)
 std::optional<WrittenNumber> writtenNumber(std::string_view text)
 {
     const std::string ascii = inAscii(text);
-    text = landmark_files::trimmed(ascii);
+    text = base::trimmed(ascii);
     if (text.starts_with('+'))
         text.remove_prefix(1);
     if (text.size() > 1 && (text.back() == 'f' || text.back() == 'F')
@@ -117,7 +86,7 @@ std::optional<WrittenNumber> writtenNumber(std::string_view text)
 
 bool NumbersFault::isNotFinite() const
 {
-    const std::string small = landmark_files::lowerCase(word);
+    const std::string small = base::lowerCase(word);
     return small.find("nan") != small.npos || small.find("inf") != small.npos || small.find("ind") != small.npos;
 }
 
@@ -188,37 +157,43 @@ double depthLastDigit(const WrittenNumber &depth)
     return depth.lastDigit <= 1.5 * kRounded ? depth.lastDigit : 0.0;
 }
 
-Result<std::vector<PointRow>, PointTableError> pointRows(std::string_view text)
+Result<std::vector<PointRow>, base::CsvError> pointRows(std::string_view text)
 {
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     if (text.starts_with(kByteOrderMark))
         text.remove_prefix(kByteOrderMark.size());
-    std::vector<CsvRow> read;
     base::CsvReader reader(text);
-    while (reader.next())
-        read.push_back(reader.row());
-    if (reader.error())
-        return PointTableError{PointTableError::Kind::OpenQuote, reader.error()->line, {}};
-    const bool hasHeader = !read.empty() && isHeader(read.front());
-    Places places{0, 1, 2, 3, 4, 5};
-    if (hasHeader) {
-        const Result<Places, PointTableError> named = placesIn(read.front());
-        if (!named)
-            return named.error();
-        places = *named;
+    bool hasRow = reader.next();
+    const base::CsvRow &read = reader.row();
+    std::array<std::size_t, kPointColumns.size()> places{0, 1, 2, 3, 4, 5};
+    const bool hasHeader = std::any_of(kPointColumns.begin(), kPointColumns.end(), [&read](std::string_view name) {
+        return read.column(name) < read.cells.size();
+    });
+    for (std::size_t i = 0; hasHeader && i < places.size(); ++i) {
+        places[i] = read.column(kPointColumns[i]);
+        const bool isMissing = places[i] == read.cells.size();
+        if (isMissing && i != kDepth)
+            return base::CsvError{
+                read.line, i, false,
+                base::tr("there is no column \"%1\"; give px,py,depth,x,y,z, where depth may be left out",
+                         kPointColumns[i])};
+        if (!isMissing && read.column(kPointColumns[i], places[i] + 1) < read.cells.size())
+            return base::CsvError{
+                read.line, i, false,
+                base::tr("the column \"%1\" is there twice; leave one of them out", kPointColumns[i])};
+        if (isMissing)
+            places[i] = std::string::npos; // a longer row has none either
     }
     std::vector<PointRow> rows;
-    for (std::size_t i = hasHeader ? 1 : 0; i < read.size(); ++i) {
-        const std::vector<CsvCell> &cells = read[i].cells;
-        PointRow row;
-        row.line = read[i].line;
-        row.isTooLong = !hasHeader && cells.size() > kPointColumns.size();
-        for (std::size_t column = 0; column < places.size(); ++column) {
-            if (places[column] < cells.size())
-                row.cells[column] = cells[places[column]].text;
-        }
-        rows.push_back(std::move(row));
+    for (hasRow = hasHeader ? reader.next() : hasRow; hasRow; hasRow = reader.next()) {
+        PointRow &row = rows.emplace_back();
+        row.line = read.line;
+        row.isTooLong = !hasHeader && read.cells.size() > kPointColumns.size();
+        for (std::size_t column = 0; column < places.size(); ++column)
+            row.cells[column] = read.text(places[column]);
     }
+    if (reader.error())
+        return *reader.error();
     return rows;
 }
 
@@ -228,7 +203,7 @@ Result<WrongPoint, std::size_t> pointOf(const PointRow &row)
         return row.cells.size();
     WrongPoint point;
     for (std::size_t column = 0; column < row.cells.size(); ++column) {
-        if (column == kDepth && landmark_files::trimmed(row.cells[column]).empty())
+        if (column == kDepth && base::trimmed(row.cells[column]).empty())
             continue;
         const auto number = writtenNumber(row.cells[column]);
         if (!number)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/csv.h"
 #include "core/doctor/diagnosis.h"
 
 #include <array>
@@ -71,20 +72,10 @@ struct PointRow {
     std::size_t line = 0;                                ///< line where it begins, counted from 1
     bool isTooLong = false; ///< no header exists, and the row has more cells than columns, as with decimal commas
 };
-/// The reason why a table cannot be read.
-struct PointTableError {
-    enum class Kind {
-        NoColumn,      ///< the header lacks `column`
-        DoubledColumn, ///< the header has `column` twice
-        OpenQuote,     ///< a quote is not closed
-    };
-    Kind kind = Kind::NoColumn;
-    std::size_t line = 0;
-    std::string_view column;
-};
 /// Parses the rows of a table, CSV as in RFC 4180. A header's names may be in any order and case.
 /// Without a header, the columns are kPointColumns.
-geometry::Result<std::vector<PointRow>, PointTableError> pointRows(std::string_view text);
+/// @return why it cannot be read: an open quote, a missing column, or one that is there twice
+geometry::Result<std::vector<PointRow>, base::CsvError> pointRows(std::string_view text);
 
 /// Converts a row to a point.
 /// @return index, in kPointColumns, of the first cell that is no number; the number of columns if

@@ -19,6 +19,8 @@ using namespace csv;
 using Json = nlohmann::ordered_json;
 namespace {
 
+using Row = std::array<std::string, kWrittenCount>;
+
 std::string cellOf(const Json &value)
 {
     return value.is_string() ? value.get<std::string>() : base::compactJson(value);
@@ -31,7 +33,7 @@ std::string number(double value)
     return text;
 }
 
-void putNumbers(std::array<std::string, kWrittenCount> &cells, Column first, const glm::dvec3 &v)
+void putNumbers(Row &cells, Column first, const glm::dvec3 &v)
 {
     for (int i = 0; i < 3; ++i)
         cells[first + std::size_t(i)] = number(v[i]);
@@ -49,12 +51,9 @@ std::string colorText(const glm::u8vec3 &color)
 }
 
 /// @param absent  stands for each coordinate of a landmark without a position
-std::array<std::string, kWrittenCount> cellsOf(const LandmarkSet &set, const Landmark &landmark,
-                                               const std::string &absent)
+/// @param cells  of its specimen
+Row rowOf(Row cells, const Landmark &landmark, const std::string &absent)
 {
-    std::array<std::string, kWrittenCount> cells;
-    cells[Mesh] = set.mesh;
-    cells[Unit] = set.unit;
     cells[Name] = landmark.name;
     if (landmark.world)
         putNumbers(cells, X, landmark.world->coordinates());
@@ -82,45 +81,23 @@ std::array<std::string, kWrittenCount> cellsOf(const LandmarkSet &set, const Lan
 }
 
 /// The rows of a curve: one per semilandmark that is no landmark, or one without coordinates.
-std::vector<std::array<std::string, kWrittenCount>> rowsOf(const LandmarkSet &set, const Curve &curve,
-                                                           const std::string &name)
+/// @param cells  of its specimen
+std::vector<Row> rowsOf(Row cells, const LandmarkSet &set, const Curve &curve, const std::string &name)
 {
     const CurvePart part = partOf(curve, set);
-    std::vector<std::array<std::string, kWrittenCount>> rows(std::max<std::size_t>(1, part.size()));
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        std::array<std::string, kWrittenCount> &cells = rows[i];
-        cells[Mesh] = set.mesh;
-        cells[Unit] = set.unit;
-        cells[Name] = name;
-        if (part.size() > 0) {
-            cells[Name] = semilandmarkName(name, part.begin + i, curve.semilandmarks.size());
-            putNumbers(cells, X, curve.semilandmarks[part.begin + i].coordinates());
-        }
-        cells[CurveName] = name;
-        if (!curve.points.empty())
-            cells[CurvePoints] = Json(curve.points).dump(-1, ' ', false, Json::error_handler_t::replace);
-        cells[CurveWay] = kCurveKinds[static_cast<std::size_t>(curve.kind)];
-        const std::size_t count = curve.semilandmarks.empty() ? curve.count : curve.semilandmarks.size();
-        cells[CurveCount] = std::to_string(std::min<std::size_t>(count, kMostSemilandmarks));
+    const std::size_t count = curve.semilandmarks.empty() ? curve.count : curve.semilandmarks.size();
+    cells[Name] = cells[CurveName] = name;
+    if (!curve.points.empty())
+        cells[CurvePoints] = Json(curve.points).dump(-1, ' ', false, Json::error_handler_t::replace);
+    cells[CurveWay] = kCurveKinds[static_cast<std::size_t>(curve.kind)];
+    cells[CurveCount] = std::to_string(std::min<std::size_t>(count, kMostSemilandmarks));
+    std::vector<Row> rows(std::max<std::size_t>(1, part.size()), cells);
+    for (std::size_t i = 0; i < part.size(); ++i) {
+        rows[i][Name] = semilandmarkName(name, part.begin + i, curve.semilandmarks.size());
+        putNumbers(rows[i], X, curve.semilandmarks[part.begin + i].coordinates());
     }
     return rows;
 }
-
-/// The name of a column in its usual spelling.
-std::string titleOf(std::size_t column)
-{
-    switch (column) {
-    case EdgeFrom: return "edgeFrom";
-    case EdgeTo: return "edgeTo";
-    case EdgeShare: return "edgeShare";
-    case CurvePoints: return "curvePoints";
-    case CurveWay: return "curveKind";
-    case CurveCount: return "curveCount";
-    default: return kColumnNames[column];
-    }
-}
-
-using Row = std::array<std::string, kWrittenCount>;
 
 /// Calls a function with each row of a table and its landmark, null for a semilandmark. All rows at
 /// once would need a kilobyte per landmark.
@@ -132,24 +109,20 @@ void forEachRow(std::span<const LandmarkSet> sets, const std::string &absent, No
     for (std::size_t i = 0; i < sets.size(); ++i) {
         const LandmarkSet &set = sets[i];
         PlainNames &names = specimens.try_emplace(set.placing, "", true, notes).first->second;
-        const std::string specimen = sets.size() > 1 ? names.of(set.name, std::to_string(i + 1)) : set.name;
-        const std::string placing = hasPlacings ? std::to_string(set.placing) : std::string();
+        Row cells;
+        cells[Specimen] = sets.size() > 1 ? names.of(set.name, std::to_string(i + 1)) : set.name;
+        cells[Placing] = hasPlacings ? std::to_string(set.placing) : std::string();
+        cells[Mesh] = set.mesh;
+        cells[Unit] = set.unit;
         if (set.landmarks.empty() && set.curves.empty() && (sets.size() > 1 || !set.name.empty()))
-            notes.add(LandmarkNote::Kind::EmptySpecimenLeftOut, 1, specimen);
-        for (const Landmark &landmark : set.landmarks) {
-            Row row = cellsOf(set, landmark, absent);
-            row[Specimen] = specimen;
-            row[Placing] = placing;
-            take(row, &landmark);
-        }
+            notes.add(LandmarkNote::Kind::EmptySpecimenLeftOut, 1, cells[Specimen]);
+        for (const Landmark &landmark : set.landmarks)
+            take(rowOf(cells, landmark, absent), &landmark);
         PlainNames curves("", true, notes); // rows of one name belong to one curve
         for (std::size_t k = 0; k < set.curves.size(); ++k) {
             const Curve &curve = set.curves[k];
-            for (Row &row : rowsOf(set, curve, curves.of(nameOf(curve, k)))) {
-                row[Specimen] = specimen;
-                row[Placing] = placing;
+            for (const Row &row : rowsOf(cells, set, curve, curves.of(nameOf(curve, k))))
                 take(row, static_cast<const Landmark *>(nullptr));
-            }
             for (auto it = curve.extra.json().begin(); it != curve.extra.json().end(); ++it)
                 notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, it.key());
         }
@@ -173,9 +146,6 @@ std::string csvText(std::span<const LandmarkSet> sets, base::CellTexts texts, No
     std::array<bool, kWrittenCount> isUsed{};
     std::vector<std::string> others;
     std::set<std::string> known;
-    const auto isOurs = [](const std::string &key) { // a column of that name would be read as this program's
-        return std::find(kColumnNames.begin(), kColumnNames.end(), lowerCase(trimmed(key))) != kColumnNames.end();
-    };
     std::fill(isUsed.begin() + Name, isUsed.begin() + Vertex, true);
     isUsed[Specimen] = sets.size() > 1;
     forEachRow(sets, absent, notes, [&](const Row &row, const Landmark *landmark) {
@@ -184,55 +154,45 @@ std::string csvText(std::span<const LandmarkSet> sets, base::CellTexts texts, No
         if (!landmark)
             return;
         for (auto it = landmark->extra.json().begin(); it != landmark->extra.json().end(); ++it) {
-            if (it.key().empty() || isOurs(it.key()))
+            if (it.key().empty() || columnOf(it.key()) < kWrittenCount) // it would be read as this program's
                 notes.add(LandmarkNote::Kind::KeysLeftOut, 1, it.key());
             else if (known.insert(it.key()).second)
                 others.push_back(it.key());
         }
     });
     std::string text;
-    const char *separator = "";
+    base::RowWriter writer(text, texts);
     for (std::size_t column = 0; column < kWrittenCount; ++column) {
-        if (!isUsed[column])
-            continue;
-        text += separator + titleOf(column);
-        separator = ",";
+        if (isUsed[column])
+            writer.plain(kColumnNames[column]);
     }
-    for (const std::string &other : others) {
-        text += ',';
-        appendCell(text, other, texts);
-    }
-    text += '\n';
+    for (const std::string &other : others)
+        writer.text(other);
+    writer.endRow();
     Notes said; // notes of the first pass
     forEachRow(sets, absent, said, [&](const Row &row, const Landmark *landmark) {
-        separator = "";
         // A row of commas only would look like a spreadsheet's padding.
         const bool isEmpty = std::all_of(row.begin(), row.end(), [](const std::string &cell) { return cell.empty(); });
         for (std::size_t column = 0; column < kWrittenCount; ++column) {
             if (!isUsed[column])
                 continue;
-            text += separator;
             if (isEmpty && column == Name)
-                text += "\"\"";
-            if (column >= X && column <= Z) // NA in quotes would be a text
-                text += row[column];
+                writer.plain("\"\"");
+            else if (column >= X && column <= Z) // NA in quotes would be a text
+                writer.plain(row[column]);
             else
-                appendCell(text, row[column], texts);
-            separator = ",";
+                writer.text(row[column]);
         }
         for (const std::string &other : others) {
-            text += ',';
-            if (!landmark)
-                continue;
-            const Json &extra = landmark->extra.json();
-            if (!extra.is_object() || !extra.contains(other))
-                continue;
-            if (extra[other].is_null())
-                text += "NA";
+            const Json *extra = landmark && landmark->extra.json().is_object() ? &landmark->extra.json() : nullptr;
+            if (!extra || !extra->contains(other))
+                writer.nothing();
+            else if ((*extra)[other].is_null())
+                writer.plain("NA");
             else
-                appendCell(text, cellOf(extra[other]), texts);
+                writer.text(cellOf((*extra)[other]));
         }
-        text += '\n';
+        writer.endRow();
     });
     return text;
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string_view>
 
 namespace unprojector::landmark_files::csv {
 
@@ -43,8 +44,10 @@ enum Column : std::size_t {
 inline constexpr std::size_t kColumnCount = Locked + 1, kWrittenCount = CurveCount + 1;
 inline constexpr std::array<const char *, kWrittenCount> kColumnNames{
     "specimen", "placing", "name",   "x",        "y",      "z",           "object",    "face",      "u",  "v",
-    "w",        "note",    "vertex", "edgefrom", "edgeto", "edgeshare",   "dx",        "dy",        "dz", "color",
-    "hidden",   "absence", "mesh",   "unit",     "curve",  "curvepoints", "curvekind", "curvecount"};
+    "w",        "note",    "vertex", "edgeFrom", "edgeTo", "edgeShare",   "dx",        "dy",        "dz", "color",
+    "hidden",   "absence", "mesh",   "unit",     "curve",  "curvePoints", "curveKind", "curveCount"};
+/// The column of a name, in any case; kWrittenCount if there is none.
+std::size_t columnOf(std::string_view name);
 inline constexpr std::array kCurveKinds{"geodesic", "planeSection"};
 inline constexpr std::array kAbsences{"", "skipped", "missing"};
 

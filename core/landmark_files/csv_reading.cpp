@@ -48,14 +48,14 @@ bool isOurs(const Header &header)
 /// The cells of a row by column.
 class Cells {
 public:
-    Cells(const Table &table, const CsvRow &row) : m_table(table), m_row(row) {}
+    explicit Cells(const Table &table) : m_table(table), m_row(table.row()) {}
 
     /// The text of a cell. A name may be "NA", which is short for nasion.
     std::string_view operator[](Column column) const
     {
-        if (!m_table.header.has(column))
+        if (!m_table.header().has(column))
             return {};
-        const CsvCell &cell = m_row.cells[m_table.header.places[column]];
+        const CsvCell &cell = m_row.cells[m_table.header().places[column]];
         return column != Name && column != Specimen && isNothing(cell) ? std::string_view()
                                                                        : std::string_view(cell.text);
     }
@@ -63,7 +63,7 @@ public:
 
     double number(Column column) const
     {
-        return numberOf(m_table.mark.withPoint((*this)[column]), line(), titleOf(column));
+        return numberOf(m_table.mark().withPoint((*this)[column]), line(), titleOf(column));
     }
 
     /// Three numbers; empty if all cells are empty or mean "missing".
@@ -97,7 +97,7 @@ public:
     {
         constexpr double kMissing = 9999.0;
         const std::optional<glm::dvec3> v = numbers(X);
-        if (!v || glm::abs(*v) != glm::dvec3(kMissing) || v->x != v->y || v->y != v->z || isOurs(m_table.header))
+        if (!v || glm::abs(*v) != glm::dvec3(kMissing) || v->x != v->y || v->y != v->z || isOurs(m_table.header()))
             return v;
         notes.add(LandmarkNote::Kind::CodeIsMissing);
         return std::nullopt;
@@ -118,11 +118,11 @@ public:
 private:
     std::string_view rawText(Column column) const
     {
-        return m_table.header.has(column) ? std::string_view(m_row.cells[m_table.header.places[column]].text)
-                                          : std::string_view();
+        return m_table.header().has(column) ? std::string_view(m_row.cells[m_table.header().places[column]].text)
+                                            : std::string_view();
     }
     /// The table's own name of the column.
-    const std::string &titleOf(Column column) const { return m_table.header.titles[column]; }
+    const std::string &titleOf(Column column) const { return m_table.header().titles[column]; }
 
     const Table &m_table;
     const CsvRow &m_row;
@@ -193,15 +193,16 @@ Json jsonOf(const std::string &cell)
     return isJson ? *json : Json(cell);
 }
 
-Landmark landmarkOf(const Table &table, const CsvRow &row, Notes &notes)
+Landmark landmarkOf(const Table &table, Notes &notes)
 {
-    const Cells cells(table, row);
+    const Cells cells(table);
+    const CsvRow &row = table.row();
     Landmark landmark;
     landmark.name = cells[Name];
     const std::optional<glm::dvec3> world = cells.position(notes);
     const bool isDefined = cells.flag(Defined, true);
     if (world && isDefined)
-        landmark.world = turned(WorldPoint(*world), table.header.axes);
+        landmark.world = turned(WorldPoint(*world), table.header().axes);
     else if (world && *world != glm::dvec3(0.0))
         notes.add(LandmarkNote::Kind::MissingHadPosition);
     landmark.absence = absenceOf(cells, world.has_value());
@@ -216,14 +217,14 @@ Landmark landmarkOf(const Table &table, const CsvRow &row, Notes &notes)
         landmark.extra.edit()["selected"] = false;
     if (cells.flag(Locked, false))
         landmark.extra.edit()["locked"] = true;
-    for (const auto &[place, name] : table.header.others) {
+    for (const auto &[place, name] : table.header().others) {
         const CsvCell &cell = row.cells[place];
         if (isNothing(cell))
             continue;
         if (name.empty())
             throw Failure{row.line, tr("the cell \"%1\" is in a column without a name; give it one in the first line",
                                        cell.text)};
-        landmark.extra.edit()[name] = jsonOf(cell.text);
+        landmark.extra.edit()[name] = jsonOf(std::string(cell.text));
     }
     return landmark;
 }
@@ -449,13 +450,13 @@ std::size_t trimmedTexts(const Header &header, const CsvRow &row)
 /// Adds notes about losses of the whole table.
 void addTableNotes(Notes &notes, const Table &table)
 {
-    if (table.header.isGuessed)
-        notes.add(LandmarkNote::Kind::HeaderMissing, 1, table.header.has(Name) ? "name,x,y,z" : "x,y,z");
-    if (table.mark.isComma())
+    if (table.header().isGuessed)
+        notes.add(LandmarkNote::Kind::HeaderMissing, 1, table.header().has(Name) ? "name,x,y,z" : "x,y,z");
+    if (table.mark().isComma())
         notes.add(LandmarkNote::Kind::DecimalCommas);
-    if (table.paddingCount > 0)
-        notes.add(LandmarkNote::Kind::EmptyRowsLeftOut, table.paddingCount);
-    if (table.header.axes == Axes::Ras)
+    if (table.paddingCount() > 0)
+        notes.add(LandmarkNote::Kind::EmptyRowsLeftOut, table.paddingCount());
+    if (table.header().axes == Axes::Ras)
         notes.add(LandmarkNote::Kind::AxesTurned);
 }
 
@@ -463,21 +464,20 @@ void addTableNotes(Notes &notes, const Table &table)
 
 ReadLandmarks readCsv(std::string_view text)
 {
-    const Table table = tableOf(text);
-    const Header &header = table.header;
+    Table table(text);
+    const Header &header = table.header();
     ReadLandmarks read;
     Notes notes;
     addTableNotes(notes, table);
     std::map<std::pair<std::string, std::uint32_t>, std::size_t> places;    ///< by specimen and placing
     std::map<std::pair<std::size_t, std::string>, std::size_t> curvePlaces; ///< by specimen and name
     std::vector<CurveRows> curves;
-    std::size_t rowNames = 0, apostrophes = 0;
-    for (TableRows rows(table); rows.next();) {
-        const CsvRow &row = rows.row();
-        apostrophes += rows.apostropheCount();
+    std::size_t rowNames = 0;
+    while (table.next()) {
+        const CsvRow &row = table.row();
         if (const std::size_t count = trimmedTexts(header, row); count > 0)
             notes.add(LandmarkNote::Kind::BlanksLeftOut, count);
-        const Cells cells(table, row);
+        const Cells cells(table);
         const std::uint32_t placing =
             cells[Placing].empty() ? 1 : countOf(cells[Placing], row.line, kColumnNames[Placing]);
         if (placing == 0 || placing > kMostPlacings)
@@ -500,11 +500,11 @@ ReadLandmarks readCsv(std::string_view text)
                                            kColumnNames[column], cells[column], *known)};
         }
         if (header.rowNames) { // row numbers have no meaning
-            const std::string &name = row.cells[*header.rowNames].text;
+            const std::string_view name = row.text(*header.rowNames);
             rowNames += name.find_first_not_of("0123456789") == name.npos ? 0u : 1u;
         }
         if (cells[CurveName].empty()) {
-            set.landmarks.push_back(landmarkOf(table, row, notes));
+            set.landmarks.push_back(landmarkOf(table, notes));
         } else {
             const auto [known, isNewCurve] =
                 curvePlaces.try_emplace({place->second, std::string(cells[CurveName])}, curves.size());
@@ -519,8 +519,8 @@ ReadLandmarks readCsv(std::string_view text)
                 notes.add(LandmarkNote::Kind::CurveCellsLeftOut);
         }
     }
-    if (apostrophes > 0 && !isOurs(header))
-        notes.add(LandmarkNote::Kind::ApostrophesLeftOut, apostrophes);
+    if (table.apostropheCount() > 0 && !isOurs(header))
+        notes.add(LandmarkNote::Kind::ApostrophesLeftOut, table.apostropheCount());
     if (rowNames > 0)
         notes.add(LandmarkNote::Kind::RowNamesLeftOut, rowNames);
     read.notes = notes.take();

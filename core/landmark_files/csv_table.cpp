@@ -19,41 +19,23 @@ namespace {
 
 constexpr std::array<Column, 10> kNumberColumns{X, Y, Z, U, V, W, Dx, Dy, Dz, EdgeShare};
 
-[[noreturn]] void fail(const base::CsvError &error)
-{
-    throw Failure{error.line, error.text};
-}
-
 /// Removes apostrophes that keep spreadsheets from taking texts for formulas.
 /// @return number of apostrophes removed
 std::size_t takeApostrophesOff(CsvRow &row)
 {
     std::size_t count = 0;
     for (base::CsvCell &cell : row.cells) {
-        if (!base::isQuotedFormula(cell.text))
-            continue;
-        cell.text.erase(0, 1);
-        ++count;
+        const bool isQuoted = base::isQuotedFormula(cell.text);
+        cell.text.remove_prefix(isQuoted ? 1 : 0);
+        count += isQuoted ? 1 : 0;
     }
     return count;
-}
-
-std::string nameOfCell(const base::CsvCell &cell)
-{
-    return lowerCase(trimmed(cell.text));
-}
-
-std::size_t placeOf(const CsvRow &row, std::string_view name)
-{
-    const auto found =
-        std::find_if(row.cells.begin(), row.cells.end(), [&](const auto &cell) { return nameOfCell(cell) == name; });
-    return found == row.cells.end() ? Header::npos : static_cast<std::size_t>(found - row.cells.begin());
 }
 
 bool hasAll(const CsvRow &row, const std::array<const char *, 3> &names)
 {
     return std::all_of(names.begin(), names.end(),
-                       [&](const char *name) { return placeOf(row, name) != Header::npos; });
+                       [&](const char *name) { return row.column(name) < row.cells.size(); });
 }
 
 constexpr std::array kPlain{"x", "y", "z"}, kLps{"l", "p", "s"}, kRas{"r", "a", "s"};
@@ -67,42 +49,41 @@ bool isHeader(const CsvRow &row)
 void takeSlicerColumns(Header &header, const CsvRow &row)
 {
     header.axes = hasAll(row, kLps) ? Axes::Lps : Axes::Ras;
-    const std::array<const char *, 3> &axes = header.axes == Axes::Lps ? kLps : kRas;
-    for (std::size_t i = 0; i < axes.size(); ++i)
-        header.places[X + i] = placeOf(row, axes[i]);
+    for (std::size_t i = 0; i < kLps.size(); ++i)
+        header.places[X + i] = row.column((header.axes == Axes::Lps ? kLps : kRas)[i]);
     for (const auto &[column, name] :
          {std::pair(Name, "label"), std::pair(Note, "description"), std::pair(Defined, "defined"),
           std::pair(Visible, "visible"), std::pair(Selected, "selected"), std::pair(Locked, "locked")}) {
         if (!header.has(column))
-            header.places[column] = placeOf(row, name);
+            header.places[column] = row.column(name);
     }
 }
 
 Header headerOf(const CsvRow &row)
 {
     Header header;
-    header.places.fill(Header::npos);
-    std::copy(kColumnNames.begin(), kColumnNames.end(), header.titles.begin());
     header.count = row.cells.size();
+    header.places.fill(header.count);
+    std::copy(kColumnNames.begin(), kColumnNames.end(), header.titles.begin());
     std::set<std::string> names;
-    for (std::size_t i = 0; i < row.cells.size(); ++i) {
-        const std::string name = nameOfCell(row.cells[i]);
-        const auto known = std::find(kColumnNames.begin(), kColumnNames.end(), name);
-        if (!name.empty() && !names.insert(known != kColumnNames.end() ? name : row.cells[i].text).second)
-            throw Failure{row.line, tr("the column \"%1\" is there twice; rename one of them", row.cells[i].text)};
-        if (known != kColumnNames.end())
-            header.places[static_cast<std::size_t>(known - kColumnNames.begin())] = i;
+    for (std::size_t i = 0; i < header.count; ++i) {
+        const std::string text(row.cells[i].text);
+        const std::size_t known = columnOf(text);
+        if (!trimmed(text).empty() && !names.insert(known < kWrittenCount ? kColumnNames[known] : text).second)
+            throw Failure{row.line, tr("the column \"%1\" is there twice; rename one of them", text)};
+        if (known < kWrittenCount)
+            header.places[known] = i;
     }
     if (!hasAll(row, kPlain) && (hasAll(row, kLps) || hasAll(row, kRas)))
         takeSlicerColumns(header, row);
     // A column of that name without the other curve columns belongs to another program.
     if (!header.has(CurvePoints) && !header.has(CurveWay) && !header.has(CurveCount))
-        header.places[CurveName] = Header::npos;
+        header.places[CurveName] = header.count;
     for (const char *name : {"label", "landmark", "point", "marker"}) { // synonyms of "name"
         if (!header.has(Name))
-            header.places[Name] = placeOf(row, name);
+            header.places[Name] = row.column(name);
     }
-    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+    for (std::size_t i = 0; i < header.count; ++i) {
         const auto known = std::find(header.places.begin(), header.places.end(), i);
         if (known == header.places.end())
             header.others.emplace_back(i, row.cells[i].text);
@@ -115,9 +96,9 @@ Header headerOf(const CsvRow &row)
 /// Removes the slashes of CloudCompare's first line "//X Y Z".
 void takeSlashesOff(CsvRow &row)
 {
-    std::string &cell = row.cells.front().text;
+    std::string_view &cell = row.cells.front().text;
     if (cell.starts_with("//"))
-        cell.erase(0, std::min(cell.find_first_not_of(" \t", 2), cell.size()));
+        cell.remove_prefix(std::min(cell.find_first_not_of(" \t", 2), cell.size()));
 }
 
 bool isNumber(std::string_view cell, const base::DecimalMark &mark)
@@ -154,7 +135,7 @@ std::optional<Header> guessedHeader(std::string_view text, char separator)
         if (row.cells.size() != count || count < 3 || count > 4)
             return std::nullopt;
         for (std::size_t i = count - 3; i < count; ++i) {
-            const std::string &cell = row.cells[i].text;
+            const std::string_view cell = row.cells[i].text;
             if (!isNumber(cell, mark))
                 return std::nullopt;
             allWhole = allWhole && isWholeNumber(cell.substr(cell.starts_with('-') ? 1 : 0));
@@ -169,8 +150,8 @@ std::optional<Header> guessedHeader(std::string_view text, char separator)
     if (count == 0 || (count == 4 && !hasNames && (!firstsWhole || (allWhole && (!firstsCount || rows < 2)))))
         return std::nullopt;
     Header header;
-    header.places.fill(Header::npos);
     header.count = count;
+    header.places.fill(count);
     header.isGuessed = true;
     if (count == 4)
         header.places[Name] = 0;
@@ -181,158 +162,137 @@ std::optional<Header> guessedHeader(std::string_view text, char separator)
     return header;
 }
 
-/// Finds the separator and the columns.
-void readHeader(Table &table, std::optional<char> separator)
+} // namespace
+
+std::size_t columnOf(std::string_view name)
 {
-    std::optional<CsvRow> first;
+    const auto is = [name = lowerCase(trimmed(name))](const char *known) { return lowerCase(known) == name; };
+    return static_cast<std::size_t>(std::find_if(kColumnNames.begin(), kColumnNames.end(), is) - kColumnNames.begin());
+}
+
+void Table::readHeader(std::optional<char> separator)
+{
+    const std::string candidates =
+        separator ? std::string(1, *separator) : std::string(base::kCsvSeparators.begin(), base::kCsvSeparators.end());
+    std::optional<std::string_view> first;
     std::optional<base::CsvError> error; ///< with another separator the quotes may be valid
-    for (const char candidate : base::kCsvSeparators) {
-        CsvReader reader(table.text, candidate);
-        if (separator.value_or(candidate) != candidate)
-            continue;
-        if (!reader.next()) {
-            error = error ? error : reader.error();
+    for (const char candidate : candidates) {
+        m_reader = CsvReader(m_text, candidate);
+        if (!m_reader.next()) {
+            error = error ? error : m_reader.error();
             continue;
         }
         if (!first)
-            first = reader.row();
-        takeSlashesOff(reader.row());
-        if (isHeader(reader.row())) {
-            static_cast<void>(takeApostrophesOff(reader.row()));
-            table.separator = candidate;
-            table.header = headerOf(reader.row());
+            first = m_reader.row().source;
+        takeSlashesOff(m_reader.row());
+        if (isHeader(m_reader.row())) {
+            static_cast<void>(takeApostrophesOff(m_reader.row()));
+            m_separator = candidate;
+            m_header = headerOf(m_reader.row());
             return;
         }
     }
-    if (!first && error)
-        fail(*error);
-    if (!first)
+    if (!first && !error)
         throw Failure{1, tr("the file is empty; the first line names the columns, name,x,y,z at least")};
-    for (const char candidate : base::kCsvSeparators) {
-        if (separator.value_or(candidate) != candidate)
-            continue;
-        if (std::optional<Header> guessed = guessedHeader(table.text, candidate)) {
-            table.separator = candidate;
-            table.header = std::move(*guessed);
+    for (std::size_t i = 0; first && i < candidates.size(); ++i) {
+        if (std::optional<Header> guessed = guessedHeader(m_text, candidates[i])) {
+            m_separator = candidates[i];
+            m_header = std::move(*guessed);
             return;
         }
     }
-    table.separator = separator.value_or(base::csvSeparatorOf(first->source));
     if (error)
-        fail(*error);
-    CsvReader reader(table.text, table.separator);
-    static_cast<void>(reader.next());
+        throw Failure{error->line, error->text};
+    m_reader = CsvReader(m_text, separator.value_or(base::csvSeparatorOf(*first)));
+    static_cast<void>(m_reader.next());
     for (const char *name : kPlain) {
-        if (placeOf(reader.row(), name) == Header::npos)
-            throw Failure{first->line,
+        if (m_reader.row().column(name) == m_reader.row().cells.size())
+            throw Failure{m_reader.row().line,
                           tr("there is no column %1; the first line names the columns, name,x,y,z at least", name)};
     }
 }
 
-/// Adds an unnamed column before all others.
-void shift(Header &header)
+/// Moves before the first row.
+void Table::rewind()
 {
-    for (std::size_t &index : header.places)
-        index += index == Header::npos ? 0 : 1;
-    for (auto &[place, name] : header.others)
-        ++place;
-    header.others.emplace(header.others.begin(), 0, std::string());
-    ++header.count;
-}
-
-/// Properties of all rows of a table.
-struct Survey {
-    std::size_t rows = 0, filledRows = 0; ///< filledRows: up to the last row that is no padding
-    bool isEachOneLonger = true, areFirstsWhole = true;
-};
-
-Survey surveyOf(Table &table)
-{
-    Survey survey;
-    Header &header = table.header;
-    CsvReader reader(table.text, table.separator);
-    if (!header.isGuessed)
-        static_cast<void>(reader.next());
-    while (reader.next()) {
-        CsvRow &row = reader.row();
-        ++survey.rows;
-        row.trimPadding(header.count);
-        if (row.isPadding())
-            continue;
-        survey.filledRows = survey.rows;
-        survey.isEachOneLonger = survey.isEachOneLonger && row.cells.size() == header.count + 1;
-        survey.areFirstsWhole = survey.areFirstsWhole && isWholeNumber(row.cells.front().text);
-    }
-    if (reader.error())
-        fail(*reader.error());
-    return survey;
-}
-
-/// Examines the numbers, now that every column is known.
-void seeNumbers(Table &table)
-{
-    table.mark = base::DecimalMark(table.separator);
-    for (TableRows rows(table); rows.next();) {
-        for (const Column column : kNumberColumns) {
-            if (table.header.has(column))
-                table.mark.see(rows.row().cells[table.header.places[column]].text);
-        }
-    }
-}
-
-} // namespace
-
-Table tableOf(std::string_view text)
-{
-    Table table;
-    const std::optional<char> separator = base::takeSeparatorLine(text);
-    table.text = text;
-    readHeader(table, separator);
-    const Survey survey = surveyOf(table);
-    table.rowCount = survey.filledRows;
-    table.paddingCount = survey.rows - survey.filledRows;
-    Header &header = table.header;
-    // A surplus comma in a table with commas, as in "Smith, John", would shift the names.
-    const bool mayShift = table.separator == '\t' || table.separator == ' ';
-    if (mayShift && survey.filledRows > 0 && survey.isEachOneLonger && !header.isGuessed)
-        shift(header);
-    if (!header.others.empty() && header.others.front() == std::pair(std::size_t{0}, std::string())) {
-        header.others.erase(header.others.begin());
-        // Row numbers in a table of several specimens are not names, because each specimen's begin
-        // with another number.
-        if (!header.has(Name) && !(header.has(Specimen) && survey.areFirstsWhole))
-            header.places[Name] = 0;
-        else
-            header.rowNames = 0;
-    }
-    seeNumbers(table);
-    return table;
-}
-
-TableRows::TableRows(const Table &table) : m_table(table), m_reader(table.text, table.separator)
-{
-    if (!table.header.isGuessed)
+    m_reader = CsvReader(m_text, m_separator);
+    m_read = m_apostrophes = 0;
+    if (!m_header.isGuessed)
         static_cast<void>(m_reader.next());
 }
 
-bool TableRows::next()
+/// Finds the last row that is no padding, and an unnamed first column.
+void Table::survey()
 {
-    if (m_read == m_table.rowCount || !m_reader.next())
+    bool isEachOneLonger = true, areFirstsWhole = true;
+    std::size_t count = 0;
+    for (rewind(); m_reader.next();) {
+        CsvRow &row = m_reader.row();
+        ++count;
+        row.trimPadding(m_header.count);
+        if (row.isPadding())
+            continue;
+        m_rowCount = count;
+        isEachOneLonger = isEachOneLonger && row.cells.size() == m_header.count + 1;
+        areFirstsWhole = areFirstsWhole && isWholeNumber(row.text(0));
+    }
+    if (m_reader.error())
+        throw Failure{m_reader.error()->line, m_reader.error()->text};
+    m_paddingCount = count - m_rowCount;
+    // A surplus comma in a table with commas, as in "Smith, John", would shift the names.
+    const bool mayShift = m_separator == '\t' || m_separator == ' ';
+    if (mayShift && m_rowCount > 0 && isEachOneLonger && !m_header.isGuessed) {
+        for (std::size_t &index : m_header.places)
+            ++index;
+        for (auto &[place, name] : m_header.others)
+            ++place;
+        m_header.others.emplace(m_header.others.begin(), 0, std::string());
+        ++m_header.count;
+    }
+    if (!m_header.others.empty() && m_header.others.front() == std::pair(std::size_t{0}, std::string())) {
+        m_header.others.erase(m_header.others.begin());
+        // Row numbers in a table of several specimens are not names, because each specimen's begin
+        // with another number.
+        if (!m_header.has(Name) && !(m_header.has(Specimen) && areFirstsWhole))
+            m_header.places[Name] = 0;
+        else
+            m_header.rowNames = 0;
+    }
+}
+
+Table::Table(std::string_view text)
+{
+    const std::optional<char> separator = base::takeSeparatorLine(text);
+    m_text = text;
+    readHeader(separator);
+    survey();
+    m_mark = base::DecimalMark(m_separator);
+    for (rewind(); next();) {
+        for (const Column column : kNumberColumns) {
+            if (m_header.has(column))
+                m_mark.see(row().text(m_header.places[column]));
+        }
+    }
+    rewind();
+}
+
+bool Table::next()
+{
+    if (m_read == m_rowCount || !m_reader.next())
         return false;
     ++m_read;
     CsvRow &row = m_reader.row();
-    const std::size_t count = m_table.header.count;
-    row.trimPadding(count);
-    m_apostrophes = takeApostrophesOff(row);
-    if (row.cells.size() > count)
+    row.trimPadding(m_header.count);
+    m_apostrophes += takeApostrophesOff(row);
+    const std::size_t cells = row.cells.size();
+    if (cells != m_header.count)
         throw Failure{row.line,
-                      tr("this row has %1 cells, and the first line names %2 columns; put a cell that has the "
-                         "separator in it in quotes",
-                         row.cells.size(), count)};
-    if (row.cells.size() < count)
-        throw Failure{row.line, tr("this row has fewer cells (%1) than the first line names columns (%2); leave cells "
-                                   "without a value empty",
-                                   row.cells.size(), count)};
+                      tr(cells > m_header.count
+                             ? "this row has %1 cells, and the first line names %2 columns; put a cell that has the "
+                               "separator in it in quotes"
+                             : "this row has fewer cells (%1) than the first line names columns (%2); leave cells "
+                               "without a value empty",
+                         cells, m_header.count)};
     return true;
 }
 

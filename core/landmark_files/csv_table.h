@@ -16,7 +16,7 @@ namespace unprojector::landmark_files::csv {
 
 /// The columns that a table's first line names, and properties of all its rows.
 struct Header {
-    std::array<std::size_t, kColumnCount> places;            ///< index of each column; npos: it is missing
+    std::array<std::size_t, kColumnCount> places;            ///< index of each column; `count` or more: it is missing
     std::array<std::string, kColumnCount> titles;            ///< the table's own names for them
     std::vector<std::pair<std::size_t, std::string>> others; ///< columns of other programs
     std::optional<std::size_t> rowNames; ///< index of an unnamed first column with R's row names, which are dropped
@@ -24,37 +24,37 @@ struct Header {
     landmarks::Axes axes = landmarks::Axes::Lps;
     bool isGuessed = false; ///< the header is missing; the columns are name, x, y, z or x, y, z
 
-    static constexpr std::size_t npos = std::size_t(-1);
-    bool has(Column column) const { return places[column] != npos; }
+    bool has(Column column) const { return places[column] < count; }
 };
 
-struct Table {
-    std::string_view text;
-    char separator = ',';
-    Header header;
-    std::size_t rowCount = 0; ///< without the header, and without padding after the last row
-    std::size_t paddingCount = 0;
-    base::DecimalMark mark{','};
-};
-
-/// Finds a table's separator, header, row count and decimal mark. Throws Failure.
-Table tableOf(std::string_view text);
-
-/// The rows of a table after its header, each with as many cells as the header.
-class TableRows {
+/// A table: its rows after the header, each with as many cells as the header.
+class Table {
 public:
-    explicit TableRows(const Table &table);
+    /// Finds the separator, the header, the last row and the decimal mark. Throws Failure.
+    explicit Table(std::string_view text);
+
     /// Moves to the next row.
     /// @return false after the last row. Throws Failure.
     bool next();
     const base::CsvRow &row() const { return m_reader.row(); }
-    /// The number of the row's cells in which an apostrophe before a formula was removed.
+    const Header &header() const { return m_header; }
+    const base::DecimalMark &mark() const { return m_mark; }
+    /// The number of rows of padding after the last row.
+    std::size_t paddingCount() const { return m_paddingCount; }
+    /// The number of cells so far in which an apostrophe before a formula was removed.
     std::size_t apostropheCount() const { return m_apostrophes; }
 
 private:
-    const Table &m_table;
-    base::CsvReader m_reader;
-    std::size_t m_read = 0, m_apostrophes = 0;
+    void readHeader(std::optional<char> separator);
+    void survey();
+    void rewind();
+
+    std::string_view m_text;
+    char m_separator = ',';
+    Header m_header;
+    base::CsvReader m_reader{std::string_view()};
+    std::size_t m_rowCount = 0, m_paddingCount = 0, m_read = 0, m_apostrophes = 0;
+    base::DecimalMark m_mark{','};
 };
 
 } // namespace unprojector::landmark_files::csv

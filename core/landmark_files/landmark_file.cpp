@@ -112,7 +112,7 @@ Result<ReadLandmarks, LandmarkFileError> parseLandmarks(std::string_view text, F
         }
         return LandmarkFileError{LandmarkFileError::Code::UnknownFormat, name, 0, {}};
     } catch (const Failure &failure) {
-        return LandmarkFileError{failure.code, name, failure.line, failure.text};
+        return failure.in(name);
     }
 }
 
@@ -187,7 +187,7 @@ Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const Landma
         checkSize(text.size());
         return WrittenLandmarks{std::move(text), notes.take()};
     } catch (const Failure &failure) {
-        return LandmarkFileError{failure.code, {}, failure.line, failure.text};
+        return failure.in({});
     }
 }
 

@@ -55,10 +55,7 @@ bool isResultTable(const std::filesystem::path &file)
     base::CsvReader reader(line, base::csvSeparatorOf(line));
     if (!reader.next())
         return false;
-    const auto cell = [&reader](std::size_t i) {
-        const auto &cells = reader.row().cells;
-        return i < cells.size() ? lowerCase(cells[i].text) : std::string();
-    };
+    const auto cell = [&reader](std::size_t i) { return lowerCase(reader.row().text(i)); };
     const std::size_t first = cell(1) == "placing" ? 2 : 1;
     return (cell(0) == "specimen" && cell(2) == "placings" && cell(7) == "farthest")
            || (cell(0) == "landmark" && cell(2) == "placings" && cell(4) == "icc1")

@@ -41,21 +41,6 @@ bool Lines::nextFilled()
     return false;
 }
 
-std::string_view trimmed(std::string_view text)
-{
-    const std::size_t first = text.find_first_not_of(" \t\r\n\v\f");
-    return first == text.npos ? std::string_view()
-                              : text.substr(first, text.find_last_not_of(" \t\r\n\v\f") - first + 1);
-}
-
-std::string lowerCase(std::string_view text)
-{
-    std::string lower(text);
-    for (char &c : lower)
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return lower;
-}
-
 std::vector<std::string_view> wordsOf(std::string_view line)
 {
     std::vector<std::string_view> words;
@@ -344,40 +329,10 @@ std::string PlainNames::of(const std::string &name, const std::string &instead)
     return plain;
 }
 
-void appendValue(std::string &text, const std::optional<double> &value)
-{
-    text += ',';
-    if (value)
-        base::appendNumber(text, *value);
-    else
-        text += "NA";
-}
-
 bool isMissingWord(std::string_view word)
 {
     constexpr std::array<std::string_view, 6> kWords{"na", "nan", "n/a", "#n/a", "null", "none"};
     return std::find(kWords.begin(), kWords.end(), lowerCase(word)) != kWords.end();
-}
-
-void appendCell(std::string &text, std::string_view cell)
-{
-    const bool isPlain = cell.find_first_of(",\"\r\n") == cell.npos && trimmed(cell).size() == cell.size()
-                         && cell != "NA" && cell != "#N/A";
-    if (isPlain) {
-        text += cell;
-        return;
-    }
-    text += '"';
-    for (const char c : cell)
-        text.append(c == '"' ? 2 : 1, c);
-    text += '"';
-}
-
-void appendCell(std::string &text, const std::string &cell, base::CellTexts texts)
-{
-    const bool isQuoted =
-        base::isQuotedFormula(cell) || (texts == base::CellTexts::SpreadsheetSafe && base::isFormula(cell));
-    appendCell(text, isQuoted ? '\'' + cell : cell);
 }
 
 void checkUnits(std::span<const LandmarkSet> sets, std::span<const std::string> names, Notes &notes)

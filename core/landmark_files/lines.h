@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/csv.h"
+#include "core/base/text_scanner.h"
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmarks/distinct_names.h"
 #include "core/landmarks/landmark.h"
@@ -24,6 +25,8 @@ struct Failure {
     std::size_t line; ///< counted from 1; 0: no line
     std::string text; ///< the error and its remedy
     LandmarkFileError::Code code = LandmarkFileError::Code::Malformed;
+
+    LandmarkFileError in(const std::string &file) const { return {code, file, line, text}; }
 };
 
 /// The lines of a text, ended by LF, CRLF or CR.
@@ -45,8 +48,8 @@ private:
     std::size_t m_number = 0;
 };
 
-std::string_view trimmed(std::string_view text);
-std::string lowerCase(std::string_view text);
+using base::lowerCase;
+using base::trimmed;
 /// The words of a line.
 std::vector<std::string_view> wordsOf(std::string_view line);
 
@@ -123,14 +126,6 @@ private:
 
 /// True if a word means "no number": NA, NaN, N/A, #N/A, null or none, in any case.
 bool isMissingWord(std::string_view word);
-/// Appends a comma and a number with the fewest digits that read back to it; NA for none.
-void appendValue(std::string &text, const std::optional<double> &value);
-
-/// Appends a cell, in quotes where it needs them: without quotes NA means missing.
-void appendCell(std::string &text, std::string_view cell);
-/// Appends a cell of this program's table. Its reader removes an apostrophe before a formula, so an
-/// apostrophe of the name itself is doubled.
-void appendCell(std::string &text, const std::string &cell, base::CellTexts texts);
 
 /// Reads a file, at most a byte more than kMostLandmarkBytes and a block.
 /// @return NotFound, IsDirectory, NotReadable

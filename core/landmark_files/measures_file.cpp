@@ -27,21 +27,16 @@ std::string kindWords()
     return words;
 }
 
-std::string cellOf(const CsvRow &row, std::size_t index)
-{
-    return index < row.cells.size() ? row.cells[index].text : std::string();
-}
-
 /// The measure of a row. Throws Failure.
 KeptMeasure measureOf(CsvRow &row)
 {
     while (!row.cells.empty() && row.cells.back().text.empty()) // padding of a spreadsheet
         row.cells.pop_back();
     KeptMeasure measure;
-    measure.name = cellOf(row, 0);
+    measure.name = row.text(0);
     if (measure.name.empty())
         throw Failure{row.line, tr("the measure has no name; write one into the first cell")};
-    const std::string kind = lowerCase(cellOf(row, 1));
+    const std::string kind = lowerCase(row.text(1));
     const auto known = std::find(kMeasureKinds.begin(), kMeasureKinds.end(), kind);
     if (known == kMeasureKinds.end())
         throw Failure{row.line, tr("\"%1\" is no kind of measure; write one of %2", kind, kindWords())};
@@ -50,7 +45,7 @@ KeptMeasure measureOf(CsvRow &row)
         if (row.cells[i].text.empty())
             throw Failure{row.line,
                           tr("there is an empty cell between the landmarks of \"%1\"; remove it", measure.name)};
-        measure.landmarks.push_back(row.cells[i].text);
+        measure.landmarks.emplace_back(row.cells[i].text);
     }
     const MeasureSize size = sizeOf(measure.kind);
     const std::size_t count = measure.landmarks.size();
@@ -81,8 +76,8 @@ Result<std::vector<KeptMeasure>, LandmarkFileError> parseMeasures(std::string_vi
         const std::optional<char> separator = base::takeSeparatorLine(text);
         const std::string_view first = text.substr(0, text.find_first_of("\r\n"));
         base::CsvReader reader(text, separator.value_or(base::csvSeparatorOf(first)));
-        const bool hasHeader = reader.next() && lowerCase(cellOf(reader.row(), 0)) == "name"
-                               && lowerCase(cellOf(reader.row(), 1)) == "kind";
+        const bool hasHeader =
+            reader.next() && lowerCase(reader.row().text(0)) == "name" && lowerCase(reader.row().text(1)) == "kind";
         if (!hasHeader && !reader.error())
             throw Failure{1, tr("this is no list of measures; its first line is name,kind,landmarks")};
         std::vector<KeptMeasure> measures;
@@ -99,7 +94,7 @@ Result<std::vector<KeptMeasure>, LandmarkFileError> parseMeasures(std::string_vi
             throw Failure{reader.error()->line, reader.error()->text};
         return measures;
     } catch (const Failure &failure) {
-        return LandmarkFileError{failure.code, name, failure.line, failure.text};
+        return failure.in(name);
     }
 }
 
@@ -116,14 +111,12 @@ Result<std::vector<KeptMeasure>, LandmarkFileError> readMeasures(const std::file
 std::string measuresText(std::span<const KeptMeasure> measures)
 {
     std::string text = "name,kind,landmarks\n";
+    base::RowWriter row(text);
     for (const KeptMeasure &measure : measures) {
-        appendCell(text, measure.name);
-        text += ',' + std::string(kMeasureKinds[static_cast<std::size_t>(measure.kind)]);
-        for (const std::string &landmark : measure.landmarks) {
-            text += ',';
-            appendCell(text, landmark);
-        }
-        text += '\n';
+        row.text(measure.name);
+        row.plain(kMeasureKinds[static_cast<std::size_t>(measure.kind)]);
+        std::for_each(measure.landmarks.begin(), measure.landmarks.end(), [&row](const auto &name) { row.text(name); });
+        row.endRow();
     }
     return text;
 }

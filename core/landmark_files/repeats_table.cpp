@@ -1,12 +1,10 @@
 #include "core/landmark_files/repeats_table.h"
 
-#include "core/base/number_text.h"
 #include "core/base/translation.h"
 #include "core/landmark_files/lines.h"
 #include "core/landmarks/distinct_names.h"
 #include "core/landmarks/repeats.h"
 
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -24,27 +22,23 @@ geometry::Result<WrittenLandmarks, LandmarkFileError> repeatsTable(std::span<con
             addNameNotes(notes, landmarks::distinctNames(specimen.placings), specimen.placings, specimen.files);
         }
     } catch (const Failure &failure) {
-        return LandmarkFileError{failure.code, {}, failure.line, failure.text};
+        return failure.in({});
     }
     std::string text = "specimen,name,placings,x,y,z,error,farthest\n";
+    base::RowWriter row(text, texts);
     for (const RepeatedSpecimen &specimen : specimens) {
         for (const RepeatedLandmark &repeated : landmarks::repeatsOf(specimen.placings)) {
-            appendCell(text, specimen.name, texts);
-            text += ',';
-            appendCell(text, repeated.name, texts);
-            text += ',' + std::to_string(repeated.count);
-            for (int axis = 0; axis < 3; ++axis) {
-                text += ',';
-                if (repeated.mean)
-                    base::appendNumber(text, (*repeated.mean)[axis]);
-            }
-            text += ',';
-            if (repeated.error)
-                base::appendNumber(text, *repeated.error);
-            text += ',';
-            if (repeated.mean && std::isfinite(repeated.farthest))
-                base::appendNumber(text, repeated.farthest);
-            text += '\n';
+            row.text(specimen.name);
+            row.text(repeated.name);
+            row.plain(std::to_string(repeated.count));
+            for (int axis = 0; axis < 3; ++axis)
+                row.numberOr("", repeated.mean ? std::optional((*repeated.mean)[axis]) : std::nullopt);
+            row.numberOr("", repeated.error);
+            if (repeated.mean)
+                row.numberOrNothing(repeated.farthest);
+            else
+                row.nothing();
+            row.endRow();
         }
     }
     return WrittenLandmarks{std::move(text), notes.take()};
@@ -86,24 +80,25 @@ geometry::Result<WrittenLandmarks, LandmarkFileError> errorsTable(std::span<cons
     try {
         checkUnits(all.placings, all.files, notes);
     } catch (const Failure &failure) {
-        return LandmarkFileError{failure.code, {}, failure.line, failure.text};
+        return failure.in({});
     }
     const landmarks::MeasurementError found = measurementErrorOf(specimens);
     std::string text = "landmark,specimens,placings,error,icc1,icc2";
     for (const int placing : found.placings)
         text += ",error_" + std::to_string(placing) + ",bias_" + std::to_string(placing);
     text += '\n';
-    const auto append = [&](const std::string &name, const landmarks::LandmarkError &error) {
-        appendCell(text, name, texts);
-        text += ',' + std::to_string(error.specimens) + ',' + std::to_string(error.placings);
-        appendValue(text, error.error);
-        appendValue(text, error.icc1);
-        appendValue(text, error.icc2);
+    base::RowWriter row(text, texts);
+    const auto append = [&row](const std::string &name, const landmarks::LandmarkError &error) {
+        row.text(name);
+        row.plain(std::to_string(error.specimens));
+        row.plain(std::to_string(error.placings));
+        for (const std::optional<double> &value : {error.error, error.icc1, error.icc2})
+            row.numberOr("NA", value);
         for (const landmarks::PlacingError &placing : error.byPlacing) {
-            appendValue(text, placing.error);
-            appendValue(text, placing.bias);
+            row.numberOr("NA", placing.error);
+            row.numberOr("NA", placing.bias);
         }
-        text += '\n';
+        row.endRow();
     };
     for (const landmarks::LandmarkError &error : found.landmarks)
         append(error.name, error);

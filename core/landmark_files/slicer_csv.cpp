@@ -112,7 +112,7 @@ std::optional<WorldPoint> positionOf(const base::CsvRow &row, std::size_t first,
 /// A text written by R: empty for NA.
 std::string textOf(const CsvCell &cell)
 {
-    return !cell.isQuoted && cell.text == "NA" ? std::string() : cell.text;
+    return std::string(!cell.isQuoted && cell.text == "NA" ? std::string_view() : cell.text);
 }
 
 /// Parses label,x,y,z,sel,vis: 3D Slicer 3, always in RAS.
@@ -136,7 +136,7 @@ Landmark landmarkOf(base::CsvRow &row, Axes axes, std::size_t number, const base
     landmark.name = cells[Label].text;
     landmark.note = textOf(cells[Description]);
     const std::optional<WorldPoint> position = positionOf(row, X, axes, mark);
-    const std::string &status = cells[Status].text;
+    const std::string_view status = cells[Status].text;
     const bool isDefined = status.empty() || status == kDefined || isMissingWord(status);
     if (isDefined)
         landmark.world = position;
@@ -147,7 +147,7 @@ Landmark landmarkOf(base::CsvRow &row, Axes axes, std::size_t number, const base
     if (status == kMissing)
         landmark.absence = Absence::Missing;
     landmark.isHidden = !flagOf(cells[Visible], true, row.line, "vis");
-    if (const std::string &id = cells[Id].text; !id.empty() && id != std::to_string(number))
+    if (const std::string id(cells[Id].text); !id.empty() && id != std::to_string(number))
         landmark.extra.edit()["id"] = id;
     bool isTurned = false;
     std::array<std::string, kOrientation.size()> orientation;
@@ -325,6 +325,7 @@ std::string slicerCsvText(const LandmarkSet &set, Notes &notes)
     PlainNames names("#", false, notes); // readers count the lines that contain '#'
     Notes unused;
     PlainNames plain("#", false, unused);
+    base::RowWriter row(text);
     for (std::size_t i = 0; i < set.landmarks.size(); ++i) {
         const Landmark &landmark = set.landmarks[i];
         const auto extra = [&](const char *key, const std::string &usual) {
@@ -334,25 +335,24 @@ std::string slicerCsvText(const LandmarkSet &set, Notes &notes)
                 return std::string(value.get<bool>() ? "1" : "0");
             return plain.of(value.is_string() ? value.get<std::string>() : base::compactJson(value));
         };
-        appendCell(text, extra("id", std::to_string(i)));
-        appendNumbers(text, landmark.world ? turned(*landmark.world, set.axes).coordinates() : glm::dvec3(0.0), ',');
-        for (std::size_t k = 0; k < kOrientation.size(); ++k) {
-            text += ',';
-            appendCell(text, extra(kOrientation[k], kUsualOrientation[k]));
-        }
-        text += landmark.isHidden ? ",0," : ",1,";
-        text += extra("selected", "1") + ',' + extra("locked", "0") + ',';
-        appendCell(text, names.of(landmark.name));
-        text += ',';
-        appendCell(text, plain.of(landmark.note));
+        const glm::dvec3 place = landmark.world ? turned(*landmark.world, set.axes).coordinates() : glm::dvec3(0.0);
+        row.text(extra("id", std::to_string(i)));
+        for (int axis = 0; axis < 3; ++axis)
+            row.number(place[axis]);
+        for (std::size_t k = 0; k < kOrientation.size(); ++k)
+            row.text(extra(kOrientation[k], kUsualOrientation[k]));
+        row.plain(landmark.isHidden ? "0" : "1");
+        row.plain(extra("selected", "1"));
+        row.plain(extra("locked", "0"));
+        row.text(names.of(landmark.name));
+        row.text(plain.of(landmark.note));
         if (plain.of(landmark.note) != landmark.note)
             notes.add(LandmarkNote::Kind::NoteChanged, 1, landmark.name);
-        text += ',';
-        appendCell(text, extra("associatedNodeID", ""));
+        row.text(extra("associatedNodeID", ""));
         // All rows have these fields: R takes a longer row among shorter ones for two.
-        text += ',';
-        text += landmark.isPlaced() ? kDefined : landmark.isMissing() ? kMissing : kUndefined;
-        text += ',' + extra("autoCreated", "0") + '\n';
+        row.plain(landmark.isPlaced() ? kDefined : landmark.isMissing() ? kMissing : kUndefined);
+        row.plain(extra("autoCreated", "0"));
+        row.endRow();
         if (!landmark.isPlaced())
             notes.add(LandmarkNote::Kind::MissingAtOrigin);
         if (!landmark.isPlaced() && landmark.absence == Absence::Skipped)

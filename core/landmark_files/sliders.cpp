@@ -96,7 +96,7 @@ Result<Sliders, LandmarkFileError> slidersOf(std::span<const LandmarkSet> sets, 
                           + std::to_string(neighbours.second) + '\n';
         return table;
     } catch (const Failure &failure) {
-        return LandmarkFileError{failure.code, {}, failure.line, failure.text};
+        return failure.in({});
     }
 }
 

@@ -111,8 +111,6 @@ void checkUnitsOf(std::span<const LandmarkSet> sets, Notes &notes)
 void checkColumns(const LandmarkSet &first, TableForm form, const ProtocolColumns &protocol)
 {
     std::set<std::string> taken{"specimen", "placing", kNoteColumn};
-    if (form == TableForm::Long)
-        taken.insert(csv::kColumnNames.begin(), csv::kColumnNames.end());
     for (const Landmark &landmark : first.landmarks) {
         for (const char *axis : {"_x", "_y", "_z"}) {
             if (form == TableForm::Wide)
@@ -121,7 +119,8 @@ void checkColumns(const LandmarkSet &first, TableForm form, const ProtocolColumn
     }
     for (const KeptMeasure &measure : protocol.measures) {
         for (const char *part : {"", "_error"}) {
-            if (!taken.insert(measure.name + part).second)
+            if (!taken.insert(measure.name + part).second
+                || (form == TableForm::Long && csv::columnOf(measure.name + part) < csv::kWrittenCount))
                 throw Failure{0,
                               tr("the measure \"%1\" needs a column \"%2\", and there is another one of that name; "
                                  "rename the measure",
@@ -225,42 +224,36 @@ std::string wideText(std::span<const LandmarkSet> sets, const ProtocolColumns &p
     held.names = held.specimenName = held.placings = true;
     addLosses(notes, sets, held);
     const bool hasPlacings = hasSeveralPlacings(sets);
-    std::string text = hasPlacings ? "specimen,placing" : "specimen";
+    std::string text;
+    base::RowWriter row(text, texts);
+    row.plain(hasPlacings ? "specimen,placing" : "specimen");
     for (const Landmark &landmark : sets.front().landmarks) {
-        for (const char *axis : {"_x", "_y", "_z"}) {
-            text += ',';
-            appendCell(text, landmark.name + axis, texts);
-        }
+        for (const char *axis : {"_x", "_y", "_z"})
+            row.text(landmark.name + axis);
     }
     for (const KeptMeasure &measure : protocol.measures) {
-        for (const char *part : {"", "_error"}) {
-            text += ',';
-            appendCell(text, measure.name + part, texts);
-        }
+        for (const char *part : {"", "_error"})
+            row.text(measure.name + part);
     }
     if (!protocol.measures.empty())
-        text += std::string(",") + kNoteColumn;
-    text += '\n';
+        row.plain(kNoteColumn);
+    row.endRow();
     for (std::size_t i = 0; i < sets.size(); ++i) {
-        appendCell(text, sets[i].name, texts);
+        row.text(sets[i].name);
         if (hasPlacings)
-            text += ',' + std::to_string(sets[i].placing);
+            row.plain(std::to_string(sets[i].placing));
         for (const Landmark &landmark : sets[i].landmarks) {
-            if (landmark.world)
-                appendNumbers(text, landmark.world->coordinates(), ',');
-            else
-                text += ",NA,NA,NA";
+            for (int axis = 0; axis < 3; ++axis)
+                row.numberOr("NA", landmark.world ? std::optional((*landmark.world)[axis]) : std::nullopt);
         }
         for (std::size_t m = 0; m < protocol.measures.size(); ++m) {
             const std::optional<Measure> &measure = protocol.values[i][m].measure;
-            appendValue(text, measure ? std::optional(measure->value) : std::nullopt);
-            appendValue(text, measure ? measure->error : std::nullopt);
+            row.numberOr("NA", measure ? std::optional(measure->value) : std::nullopt);
+            row.numberOr("NA", measure ? measure->error : std::nullopt);
         }
-        if (!protocol.measures.empty()) {
-            text += ',';
-            appendCell(text, reasonsOf(protocol, i), texts);
-        }
-        text += '\n';
+        if (!protocol.measures.empty())
+            row.text(reasonsOf(protocol, i));
+        row.endRow();
     }
     return text;
 }
@@ -367,7 +360,7 @@ geometry::Result<WrittenTable, LandmarkFileError> specimenTable(std::span<const 
         sortNotes(taken, form);
         return WrittenTable{std::move(text), std::move(taken), absent, std::move(sliders)};
     } catch (const Failure &failure) {
-        return LandmarkFileError{failure.code, {}, failure.line, failure.text};
+        return failure.in({});
     }
 }
 

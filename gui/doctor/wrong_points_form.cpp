@@ -306,7 +306,7 @@ bool WrongPointsForm::takeTable(Row &row, const QString &text)
     // A single point belongs into the field.
     if (writtenNumbers(text.toStdString(), 3) || !text.contains(u','))
         return false;
-    const Result<std::vector<PointRow>, PointTableError> rows = pointRows(text.toStdString());
+    const Result<std::vector<PointRow>, base::CsvError> rows = pointRows(text.toStdString());
     if (!rows || rows->empty())
         return false;
     for (const PointRow &each : *rows) {

@@ -1,13 +1,15 @@
 // `unproject points` next to reading and writing the same numbers without computing, one thread
 // each.
 
-#include "core/cli/rows/number_table.h"
-#include "core/cli/rows/row_writer.h"
+#include "core/cli/rows/row_table.h"
 #include "core/unproject/batch/click_batch.h"
 
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <memory>
 #include <random>
 
 using namespace unprojector;
@@ -49,8 +51,11 @@ LineBlock block()
 void rows(benchmark::State &state, bool isComputing)
 {
     const LineBlock text = block();
-    const NumberReader reader("rows", NumberColumns{{"px", "py", "depth"}, {0, 1, 2}});
-    const std::vector<std::string> names(10, "name");
+    const std::string header = (std::filesystem::temp_directory_path() / "bench_rows.csv").string();
+    std::ofstream(header) << "px,py,depth\n";
+    const std::unique_ptr<RowStream> stream =
+        openRows({.input = header}, {{"px", "py", "depth"}}, std::vector<std::string>(7, "name"));
+    const RowTable &table = *stream->table;
     const ClickBatch formula = *ClickBatch::of(Method::Formula, setup(), {});
     const ClickBatch matrix = *ClickBatch::of(Method::Matrix, setup(), {});
     NumberRows numbers;
@@ -58,7 +63,7 @@ void rows(benchmark::State &state, bool isComputing)
     std::array<std::vector<double>, 7> results;
     for (auto &column : results)
         column.resize(kRows);
-    std::string output;
+    BlockResult output;
     const auto compute = [&] {
         const BatchInput<double> input{numbers.values[0].data(), numbers.values[1].data(), numbers.values[2].data()};
         formula(input, BatchOutput<double>{results[0].data(), results[1].data(), results[2].data()}, kRows);
@@ -70,22 +75,19 @@ void rows(benchmark::State &state, bool isComputing)
             results[6][i] = std::sqrt(squares);
         }
     };
-    reader.read(text, numbers, messages);
+    table.read(text, numbers, messages);
     compute();
     for (auto _ : state) {
-        output.clear();
-        reader.read(text, numbers, messages);
+        output.output.clear();
+        table.read(text, numbers, messages);
         if (isComputing)
             compute();
-        RowWriter writer(RowFormat::Csv, names, output);
-        for (std::size_t i = 0; i < kRows; ++i) {
-            for (const auto &column : numbers.values)
-                writer.number(column[i]);
+        table.write(text, numbers, output, [&results](std::size_t row, RowWriter &writer) {
             for (const auto &column : results)
-                writer.numberOrNothing(column[i]);
-            writer.endRow();
-        }
-        benchmark::DoNotOptimize(output.data());
+                writer.numberOrNothing(column[row]);
+            return std::string();
+        });
+        benchmark::DoNotOptimize(output.output.data());
     }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kRows));
 }

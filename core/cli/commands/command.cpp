@@ -108,13 +108,10 @@ CLI::Option *Command::conventions(std::optional<geometry::Api> &target) const
     return choice("--conventions", target, choices);
 }
 
-std::vector<CLI::Option *> Command::table(RowFormat &format, bool &isHeaderless) const
+std::vector<CLI::Option *> Command::table(RowOptions &options) const
 {
-    // Options take effect in the order of their declaration.
-    return {choice("--format", format, {{"csv", RowFormat::Csv}, {"jsonl", RowFormat::Jsonl}}),
-            flag("--no-header", isHeaderless), described(m_app->add_flag_callback("--spreadsheet-safe", [&format] {
-                format = format == RowFormat::Csv ? RowFormat::SafeCsv : format;
-            }))};
+    return {choice("--format", options.isJson, {{"csv", false}, {"jsonl", true}}),
+            flag("--no-header", options.isHeaderless), flag("--spreadsheet-safe", options.isSpreadsheetSafe)};
 }
 
 void Command::rows(RowOptions &options) const
@@ -122,7 +119,7 @@ void Command::rows(RowOptions &options) const
     file("SCENE", options.scene)->required();
     file("POINTS", options.input);
     add("--space", options.space)->default_str("world");
-    table(options.format, options.isHeaderless);
+    table(options);
     count("--threads", options.threads, 64);
 }
 

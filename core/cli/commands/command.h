@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/cli/rows/row_stream.h"
+#include "core/cli/rows/row_table.h"
 #include "core/geometry/api_conventions.h"
 
 #include <CLI/CLI.hpp>
@@ -75,7 +75,7 @@ public:
 
     /// The options of tables of rows: --format, --no-header and --spreadsheet-safe.
     /// @return all of them
-    std::vector<CLI::Option *> table(RowFormat &format, bool &isHeaderless) const;
+    std::vector<CLI::Option *> table(RowOptions &options) const;
     /// The options of commands that take rows of numbers.
     void rows(RowOptions &options) const;
 

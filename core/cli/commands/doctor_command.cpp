@@ -59,19 +59,6 @@ struct WrongPoints {
     bool isComplete = true;
 };
 
-std::string tableErrorText(const PointTableError &error)
-{
-    const std::string column(error.column);
-    switch (error.kind) {
-    case PointTableError::Kind::NoColumn:
-        return tr("there is no column \"%1\"; give px,py,depth,x,y,z, where depth may be left out", column);
-    case PointTableError::Kind::DoubledColumn:
-        return tr("the column \"%1\" is there twice; leave one of them out", column);
-    case PointTableError::Kind::OpenQuote: return tr("a quote is opened here and not closed at the end of its cell");
-    }
-    return {};
-}
-
 std::string rowErrorText(const PointRow &row, std::size_t index)
 {
     if (index >= kPointColumns.size())
@@ -87,16 +74,16 @@ constexpr std::size_t kMostPointBytes = std::size_t{1} << 24;
 WrongPoints wrongPoints(const std::string &file)
 {
     Input source(file);
-    const std::string text = wholeText(source, kMostPointBytes);
+    const std::string text = source.readAll(kMostPointBytes);
     if (source.hasFailed())
         refuse(tr("%1: cannot be read", source.name()));
     if (text.size() > kMostPointBytes)
         refuse(tr("%1: larger than %2 MB; give only the points to check, of which the first %3 are used", source.name(),
                   kMostPointBytes >> 20, kMostWrongPoints));
     const auto where = [&](std::size_t line) { return source.name() + ':' + std::to_string(line) + ": "; };
-    const Result<std::vector<PointRow>, PointTableError> rows = pointRows(text);
+    const Result<std::vector<PointRow>, CsvError> rows = pointRows(text);
     if (!rows)
-        refuse(where(rows.error().line) + tableErrorText(rows.error()));
+        refuse(where(rows.error().line) + rows.error().text);
     WrongPoints result;
     std::size_t surplus = 0;
     for (const PointRow &row : *rows) {

@@ -1,10 +1,10 @@
+#include "core/base/csv.h"
 #include "core/base/number_text.h"
 #include "core/base/translation.h"
 #include "core/cli/commands/command.h"
 #include "core/cli/commands/inputs.h"
 #include "core/cli/commands/refusal.h"
 #include "core/cli/rows/byte_stream.h"
-#include "core/cli/rows/csv_line.h"
 #include "core/report/report.h"
 #include "core/scene/measures.h"
 
@@ -118,7 +118,7 @@ ExitCode runInfo(const InfoOptions &options)
             openOnes.push_back((opened.objects.size() > 1 ? object.name + ": " : std::string())
                                + tr("the surface is open, so the volume is undefined: it depends on the origin"));
         objects += objects.empty() ? "" : ", ";
-        objects += "{\"name\": " + jsonOfText(object.name) + ", " + json(measures) + '}';
+        objects += "{\"name\": " + jsonText(object.name) + ", " + json(measures) + '}';
         report.push_back(section(object.isHidden ? tr("%1 (hidden)", object.name) : object.name, measures));
     }
     std::vector<std::string> notes = notesOf(opened.objects);
@@ -129,7 +129,7 @@ ExitCode runInfo(const InfoOptions &options)
     if (options.isJson) {
         std::string text = '{' + json(all) + ", \"objects\": [" + objects + "], \"notes\": [";
         for (const std::string &note : notes)
-            text += (&note == notes.data() ? "" : ", ") + jsonOfText(note);
+            text += (&note == notes.data() ? "" : ", ") + jsonText(note);
         sink.write(text + "]}\n");
     } else {
         if (opened.objects.size() != 1)

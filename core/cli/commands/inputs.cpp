@@ -37,17 +37,6 @@ SizeGiven sizeGiven(const std::string &option, const std::string &text)
     return {*width, *height};
 }
 
-std::string wholeText(ByteSource &source, std::size_t most)
-{
-    std::string text;
-    std::array<char, 65536> block;
-    for (std::size_t size = 1; size > 0 && text.size() <= most;) {
-        size = source.read(block.data(), block.size());
-        text.append(block.data(), size);
-    }
-    return text;
-}
-
 bool isMeantAsScene(const std::string &file)
 {
     return file == "-" || opening::isMeantAsScene(pathFromUtf8(file));
@@ -121,7 +110,7 @@ GivenTexts givenTexts(const std::vector<std::string> &words, const std::string &
         if (!isFile(word))
             refuse(word + ": " + tr("there is no such file"));
         Input source(word);
-        std::string text = wholeText(source, kMostCameraBytes);
+        std::string text = source.readAll(kMostCameraBytes);
         if (source.hasFailed())
             refuse(tr("%1: cannot be read", source.name()));
         if (text.size() > kMostCameraBytes)

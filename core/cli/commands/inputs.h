@@ -44,9 +44,6 @@ struct SizeGiven {
 /// Parses an option such as 800x600, without checking whether a view can have that size.
 SizeGiven sizeGiven(const std::string &option, const std::string &text);
 
-/// All bytes up to the end; of a source that is longer than `most`, more than `most`.
-std::string wholeText(ByteSource &source, std::size_t most);
-
 /// True if a file is meant as a scene, see opening::isMeantAsScene.
 /// @param file  UTF-8; "-" is a scene
 bool isMeantAsScene(const std::string &file);

@@ -33,7 +33,7 @@ void tell(const std::string &name, const std::vector<LandmarkNote> &notes)
 ReadLandmarks readFile(const std::string &file, Format format)
 {
     Input source(file);
-    const std::string text = wholeText(source, kMostLandmarkBytes);
+    const std::string text = source.readAll(kMostLandmarkBytes);
     if (source.hasFailed())
         refuse(tr("%1: the file cannot be read to its end", source.name()));
     Result<ReadLandmarks, LandmarkFileError> read = parseLandmarks(text, format, source.name());

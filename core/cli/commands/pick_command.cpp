@@ -1,14 +1,10 @@
 #include "core/base/json.h"
 #include "core/base/number_text.h"
-#include "core/base/parallel.h"
 #include "core/base/translation.h"
 #include "core/cli/commands/command.h"
 #include "core/cli/commands/inputs.h"
 #include "core/cli/commands/refusal.h"
-#include "core/cli/rows/block_pipeline.h"
-#include "core/cli/rows/number_table.h"
-#include "core/cli/rows/row_layout.h"
-#include "core/cli/rows/row_writer.h"
+#include "core/cli/rows/row_table.h"
 #include "core/cli/terminal/exit_code.h"
 #include "core/ray/scene_rays.h"
 #include "core/ray/snap.h"
@@ -38,16 +34,12 @@ using scene_file::RayOnMesh;
 namespace {
 
 struct PickOptions {
-    std::string scene;                  ///< a model, a scene or clicks; "-" is a scene from stdin
-    std::string input = "-";            ///< CSV of positions, read if `positions` is empty
+    RowOptions rows; ///< scene: a model, a scene or clicks; input: positions, read if `positions` is empty
     std::vector<std::string> positions; ///< "X,Y", device pixels
     std::string size;                   ///< size of the view, "WxH"; empty: its own
     Snap snap = Snap::Surface;
-    bool hasEdges = false;             ///< adds columns with the edge inside each pixel, for rows
-    bool isJson = false;               ///< for `positions`
-    RowFormat format = RowFormat::Csv; ///< for rows
-    bool isHeaderless = false;
-    unsigned threads = 0; ///< 0: one per core
+    bool hasEdges = false; ///< adds columns with the edge inside each pixel, for rows
+    bool isJson = false;   ///< for `positions`
 };
 
 std::string spaced(const glm::dvec3 &v, const glm::dvec3 &off = glm::dvec3(0.0))
@@ -241,16 +233,6 @@ RayOnMesh withEdge(const SceneRays &rays, const DevicePoint &position, const std
     return ray;
 }
 
-/// The data shared by all rows.
-struct Task {
-    const PickOptions &options;
-    const OpenedScene &opened;
-    const SceneRays &rays;
-    NumberReader reader;
-    RowLayout layout;
-    std::atomic<std::size_t> &outside; ///< number of rows whose pixels have no ray
-};
-
 /// The viewport, for the message about a position outside it.
 std::string viewportText(const Setup &setup)
 {
@@ -258,72 +240,26 @@ std::string viewportText(const Setup &setup)
               shortestText(setup.surface.heightPixels));
 }
 
-/// The scratch memory of a thread.
-class Worker {
-public:
-    explicit Worker(const Task &task) : m_task(task) {}
-
-    void operator()(const LineBlock &block, BlockResult &result)
-    {
-        m_task.reader.read(block, m_rows, result.messages);
-        RowWriter writer(m_task.options.format, m_task.layout.names(), result.output);
-        result.badRows = m_rows.bad.size();
-        auto bad = m_rows.bad.begin();
-        for (std::size_t i = 0; i < m_rows.count(); ++i) {
-            if (bad != m_rows.bad.end() && *bad == i) {
-                m_task.layout.writeBad(writer, block, m_rows, *bad++);
-                writePick(writer, {}, m_task.options.hasEdges);
-            } else {
-                m_task.layout.writeInput(writer, block, m_rows, i);
-                pick(i, block, writer, result);
-            }
-            writer.endRow();
-        }
-    }
-
-private:
-    void pick(std::size_t row, const LineBlock &block, RowWriter &writer, BlockResult &result)
-    {
-        const DevicePoint position(m_rows.values[0][row], m_rows.values[1][row]);
-        if (!m_task.rays.rays().isInPicture(position))
-            ++m_task.outside;
-        const Result<std::optional<SceneHit>> hit = m_task.rays.at(position, m_task.options.snap);
-        if (!hit) {
-            ++result.badRows;
-            m_task.reader.complainOf(block, m_rows.places[row], NumberReader::kNoColumn, errorText(hit.error()),
-                                     result.messages);
-        }
-        const bool hasEdges = m_task.options.hasEdges;
-        writePick(writer, hit ? withEdge(m_task.rays, position, *hit, hasEdges, m_task.opened) : RayOnMesh{}, hasEdges);
-    }
-
-    const Task &m_task;
-    NumberRows m_rows;
-};
-
 ExitCode pickRows(const PickOptions &options, const OpenedScene &opened, const SceneRays &rays, ByteSink &sink)
 {
-    Input source(options.input);
-    LineBlocks blocks(source);
-    const NumberColumns columns = needed(readHeader(blocks, source, {kPositionColumns}));
-    std::atomic<std::size_t> outside = 0;
-    const Task task{options,
-                    opened,
-                    rays,
-                    NumberReader(source.name(), columns),
-                    RowLayout(columns, pickColumns(options.hasEdges), options.format),
-                    outside};
-    if (!options.isHeaderless) {
-        std::string header;
-        RowWriter(options.format, task.layout.names(), header).header();
-        sink.write(header);
-    }
-    const unsigned threads = options.threads > 0 ? options.threads : base::coreCount();
-    ExitCode code = runBlocks(blocks, source, sink, threads, [&] { return BlockWorker(Worker(task)); });
+    const auto rows = openRows(options.rows, {kPositionColumns}, pickColumns(options.hasEdges));
+    if (!rows)
+        throw Refused();
+    std::atomic<std::size_t> outside = 0; // rows whose pixels have no ray
+    const auto write = [&](const glm::dvec3 &row, RowWriter &writer) {
+        const DevicePoint position(row.x, row.y);
+        if (!rays.rays().isInPicture(position))
+            ++outside;
+        const Result<std::optional<SceneHit>> hit = rays.at(position, options.snap);
+        writePick(writer, hit ? withEdge(rays, position, *hit, options.hasEdges, opened) : RayOnMesh{},
+                  options.hasEdges);
+        return hit ? std::string() : errorText(hit.error());
+    };
+    ExitCode code = runRows(*rows, sink, options.rows, [&] { return rows->table->worker(write); });
     if (outside > 0) { // empty cells alone would look like background
         code = std::max(code, ExitCode::SomeRowsBad);
         complain(
-            source.name() + ": "
+            rows->source.name() + ": "
             + tr(outside == 1 ? "%1 pixel lies outside %2 and has no hit" : "%1 pixels lie outside %2 and have no hit",
                  outside.load(), viewportText(rays.rays().setup())));
     }
@@ -364,13 +300,13 @@ ExitCode runPick(const PickOptions &options)
     std::vector<DevicePoint> positions;
     for (const std::string &text : options.positions)
         positions.push_back(positionGiven(text));
-    if (positions.empty() && options.scene == "-" && options.input == "-")
+    if (positions.empty() && options.rows.scene == "-" && options.rows.input == "-")
         refuse(tr("the scene and the pixels cannot both come from standard input; give a file for one of them"));
-    const OpenedScene opened = openScene(options.scene);
+    const OpenedScene opened = openScene(options.rows.scene);
     checkReach(opened);
     InputFiles inputs = opened.files;
     if (positions.empty())
-        inputs.push_back(options.input);
+        inputs.push_back(options.rows.input);
     // Output appended to the input would be read as input, endlessly.
     Output sink("-", inputs);
     const Unprojector unprojector = needed(Unprojector::of(setupOf(opened, options.size)), opened.name);
@@ -386,17 +322,18 @@ ExitCode runPick(const PickOptions &options)
 void addPick(const Command &command)
 {
     const auto options = std::make_shared<PickOptions>();
-    command.modelOrScene(options->scene);
-    CLI::Option *input = command.file("PIXELS", options->input);
+    options->rows.threads = 0;
+    command.modelOrScene(options->rows.scene);
+    CLI::Option *input = command.file("PIXELS", options->rows.input);
     CLI::Option *at = command.add("--at", options->positions)->allow_extra_args(false)->excludes(input);
     command.add("--size", options->size);
     command.choice("--snap", options->snap,
                    {{"surface", Snap::Surface}, {"vertex", Snap::Vertex}, {"edge", Snap::Edge}, {"face", Snap::Face}});
     command.flag("--edges", options->hasEdges)->excludes(at);
     command.flag("--json", options->isJson)->needs(at);
-    for (CLI::Option *option : command.table(options->format, options->isHeaderless))
+    for (CLI::Option *option : command.table(options->rows))
         option->excludes(at);
-    command.count("--threads", options->threads, 64);
+    command.count("--threads", options->rows.threads, 64);
     command.runs(options, runPick);
 }
 

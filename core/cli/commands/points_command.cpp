@@ -1,10 +1,11 @@
+#include "core/base/number_text.h"
 #include "core/base/translation.h"
 #include "core/cameras/lens.h"
 #include "core/cli/commands/command.h"
 #include "core/cli/commands/inputs.h"
 #include "core/cli/commands/refusal.h"
-#include "core/cli/rows/row_layout.h"
-#include "core/cli/rows/row_stream.h"
+#include "core/cli/rows/row_table.h"
+#include "core/cli/rows/scene_input.h"
 #include "core/cli/terminal/exit_code.h"
 #include "core/unproject/answers.h"
 #include "core/unproject/batch/click_batch.h"
@@ -107,12 +108,10 @@ bool writePoints(RowWriter &writer, const std::vector<Method> &methods,
 /// The data shared by all rows.
 struct Task {
     PointsOptions options;
-    NumberReader reader;
+    const RowTable &table;
     DepthRange depthRange;
     std::vector<std::optional<ClickBatch>>
         batches; ///< in the order of options.methods; empty where one does not apply to the scene
-    RowLayout layout;
-    std::size_t results; ///< number of result columns
     std::optional<SceneLens> lens;
 };
 
@@ -123,11 +122,12 @@ public:
 
     void operator()(const LineBlock &block, BlockResult &result)
     {
-        m_task.reader.read(block, m_rows, result.messages);
+        m_task.table.read(block, m_rows, result.messages);
         movePixels();
         refuseUnusable(block, result.messages);
         compute();
-        write(block, result);
+        m_task.table.write(block, m_rows, result,
+                           [this](std::size_t row, RowWriter &writer) { return writeResults(row, writer); });
     }
 
 private:
@@ -181,19 +181,13 @@ private:
 
     void refuseUnusable(const LineBlock &block, std::vector<LineMessage> &messages)
     {
-        m_bad.clear();
-        auto known = m_rows.bad.begin();
         for (std::size_t i = 0; i < m_rows.count(); ++i) {
-            if (known != m_rows.bad.end() && *known == i) {
-                m_bad.push_back(*known++);
-                continue;
-            }
             std::size_t column = 0;
-            const std::string what = fault(i, column);
+            const std::string what = m_rows.isBad[i] ? std::string() : fault(i, column);
             if (what.empty())
                 continue;
-            m_task.reader.complainOf(block, m_rows.places[i], column, what, messages);
-            m_bad.push_back(i);
+            m_task.table.complainOf(block, m_rows.places[i], column, what, messages);
+            m_rows.isBad[i] = true;
         }
     }
 
@@ -213,27 +207,7 @@ private:
         }
     }
 
-    void write(const LineBlock &block, BlockResult &result)
-    {
-        RowWriter writer(m_task.options.rows.format, m_task.layout.names(), result.output);
-        result.badRows = m_bad.size();
-        auto bad = m_bad.begin();
-        for (std::size_t i = 0; i < m_rows.count(); ++i) {
-            if (bad != m_bad.end() && *bad == i) {
-                writeBad(block, *bad++, writer);
-                continue;
-            }
-            m_task.layout.writeInput(writer, block, m_rows, i);
-            if (!writeResults(i, writer)) {
-                ++result.badRows;
-                m_task.reader.complainOf(block, m_rows.places[i], NumberReader::kNoColumn,
-                                         errorText(geometry::Error{ErrorCode::PointAtInfinity}), result.messages);
-            }
-            writer.endRow();
-        }
-    }
-
-    bool writeResults(std::size_t row, RowWriter &writer)
+    std::string writeResults(std::size_t row, RowWriter &writer)
     {
         m_points.clear();
         for (std::size_t method = 0; method < m_results.size(); ++method) {
@@ -243,20 +217,13 @@ private:
             else
                 m_points.emplace_back();
         }
-        return writePoints(writer, m_task.options.methods, m_points);
-    }
-
-    void writeBad(const LineBlock &block, std::size_t row, RowWriter &writer) const
-    {
-        m_task.layout.writeBad(writer, block, m_rows, row);
-        for (std::size_t k = 0; k < m_task.results; ++k)
-            writer.nothing();
-        writer.endRow();
+        return writePoints(writer, m_task.options.methods, m_points)
+                   ? std::string()
+                   : errorText(geometry::Error{ErrorCode::PointAtInfinity});
     }
 
     const Task &m_task;
     NumberRows m_rows;
-    std::vector<std::size_t> m_bad;                  ///< row indices
     std::array<std::vector<double>, 2> m_pixels;     ///< positions in the pinhole's image
     std::vector<Columns> m_results;                  ///< one per method
     std::vector<std::optional<glm::dvec3>> m_points; ///< of one row
@@ -278,85 +245,6 @@ Result<glm::dvec3> pointOf(const Unprojector &unprojector, const WindowPoint &cl
     return object ? coordinates(unprojector.objectAt(method, click, *object)) : Result<glm::dvec3>(object.error());
 }
 
-/// The input and result columns of a click.
-std::vector<std::string> clickColumns(const PointsOptions &options)
-{
-    std::vector<std::string> names(kClickColumns.begin(), kClickColumns.end());
-    for (std::string &name : pointColumns(options.methods))
-        names.push_back(std::move(name));
-    return names;
-}
-
-class ClickRows {
-public:
-    ClickRows(const PointsOptions &options, std::size_t count)
-        : m_options(options), m_isOnly(count == 1), m_names(clickColumns(options)),
-          m_writer(options.rows.format, m_names, m_text)
-    {
-        if (!options.rows.isHeaderless)
-            m_writer.header();
-    }
-
-    /// Writes the row of a click. Prints errors on stderr.
-    void add(std::size_t index, const Click &click)
-    {
-        const BatchSpace space = needed(batchSpace(m_options.rows.space, click.scene));
-        const Setup setup = setupOf(click.scene);
-        const Unprojector unprojector = needed(Unprojector::of(setup), nameOf(index));
-        const DevicePoint device = deviceFromWindow(setup.surface, click.window);
-        for (const double number : {device.x, device.y, click.window.z})
-            m_writer.number(number);
-        if (click.hit)
-            write(index, unprojector, click.window, space);
-        else
-            writeBackground(index);
-        m_writer.endRow();
-    }
-
-    ExitCode finish(ByteSink &sink) const
-    {
-        sink.write(m_text);
-        return std::max(sink.finish(), m_code);
-    }
-
-private:
-    std::string nameOf(std::size_t index) const
-    {
-        const std::string file = m_options.rows.scene == "-" ? "stdin" : m_options.rows.scene;
-        return file + (m_isOnly ? "" : ": [" + std::to_string(index) + ']');
-    }
-
-    void writeBackground(std::size_t index)
-    {
-        m_code = ExitCode::SomeRowsBad;
-        complain(nameOf(index) + ": "
-                 + tr("background: nothing was drawn there, so the click has no point, only a ray"));
-        for (std::size_t k = kClickColumns.size(); k < m_names.size(); ++k)
-            m_writer.nothing();
-    }
-
-    void write(std::size_t index, const Unprojector &unprojector, const WindowPoint &click, const BatchSpace &space)
-    {
-        std::vector<std::optional<glm::dvec3>> points;
-        for (const Method method : m_options.methods) {
-            const Result<glm::dvec3> point = pointOf(unprojector, click, method, space);
-            points.push_back(point ? std::optional(*point) : std::nullopt);
-            if (!point) {
-                m_code = ExitCode::SomeRowsBad;
-                complain(nameOf(index) + ": " + std::string(keyOf(method)) + ": " + errorText(point.error()));
-            }
-        }
-        writePoints(m_writer, m_options.methods, points);
-    }
-
-    const PointsOptions &m_options;
-    bool m_isOnly;
-    std::vector<std::string> m_names;
-    std::string m_text;
-    RowWriter m_writer;
-    ExitCode m_code = ExitCode::Done;
-};
-
 /// Computes each click again with its own scene, one row per click. A click on the background has no
 /// point and counts as a bad row.
 ExitCode runClicks(const PointsOptions &options, const std::vector<Click> &clicks)
@@ -366,10 +254,41 @@ ExitCode runClicks(const PointsOptions &options, const std::vector<Click> &click
     if (options.isPixel)
         refuse(tr("--pixel is for tables of pixels; clicks already have the centres of their pixels"));
     Output sink("-", filesOf(clicks, options.rows.scene));
-    ClickRows rows(options, clicks.size());
-    for (std::size_t i = 0; i < clicks.size(); ++i)
-        rows.add(i, clicks[i]);
-    return rows.finish(sink);
+    std::vector<std::string> names(kClickColumns.begin(), kClickColumns.end());
+    const std::vector<std::string> results = pointColumns(options.methods);
+    names.insert(names.end(), results.begin(), results.end());
+    std::string text = options.rows.header(names);
+    RowWriter writer = options.rows.writer(text, names);
+    ExitCode code = ExitCode::Done;
+    for (std::size_t i = 0; i < clicks.size(); ++i) {
+        const Click &click = clicks[i];
+        const std::string name = (options.rows.scene == "-" ? "stdin" : options.rows.scene)
+                                 + (clicks.size() == 1 ? "" : ": [" + std::to_string(i) + ']');
+        const auto complainOfClick = [&](const std::string &what) {
+            code = ExitCode::SomeRowsBad;
+            complain(name + ": " + what);
+        };
+        const BatchSpace space = needed(batchSpace(options.rows.space, click.scene));
+        const Setup setup = setupOf(click.scene);
+        const Unprojector unprojector = needed(Unprojector::of(setup), name);
+        const DevicePoint device = deviceFromWindow(setup.surface, click.window);
+        for (const double number : {device.x, device.y, click.window.z})
+            writer.number(number);
+        if (!click.hit)
+            complainOfClick(tr("background: nothing was drawn there, so the click has no point, only a ray"));
+        std::vector<std::optional<glm::dvec3>> points(options.methods.size());
+        for (std::size_t k = 0; k < points.size() && click.hit; ++k) {
+            const Result<glm::dvec3> point = pointOf(unprojector, click.window, options.methods[k], space);
+            if (point)
+                points[k] = *point;
+            else
+                complainOfClick(std::string(keyOf(options.methods[k])) + ": " + errorText(point.error()));
+        }
+        writePoints(writer, options.methods, points);
+        writer.endRow();
+    }
+    sink.write(text);
+    return std::max(sink.finish(), code);
 }
 
 ExitCode runPoints(const PointsOptions &options)
@@ -377,19 +296,17 @@ ExitCode runPoints(const PointsOptions &options)
     const SceneOrClicks given = needed(sceneOrClicks(options.rows.scene));
     if (const auto *clicks = std::get_if<std::vector<Click>>(&given); clicks && !options.rows.isInputGiven)
         return runClicks(options, *clicks);
-    const std::unique_ptr<RowStream> rows = openRows(options.rows, given, {kClickColumns});
+    const RowScene scene = needed(rowScene(given, options.rows));
+    const auto rows = openRows(options.rows, {kClickColumns}, pointColumns(options.methods));
     if (!rows)
         throw Refused();
-    const Setup &setup = rows->setup;
-    const std::vector<std::string> results = pointColumns(options.methods);
-    Task task{options, NumberReader(rows->source.name(), rows->columns),       setup.depthRange,
-              {},      RowLayout(rows->columns, results, options.rows.format), results.size(),
-              {}};
+    const Setup &setup = scene.setup;
+    Task task{options, *rows->table, setup.depthRange, {}, {}};
     if (!options.distortion.empty())
         task.lens = sceneLens(options.distortion, setup, options.rows.scene);
     bool isUsable = false;
     for (const Method method : options.methods) {
-        const Result<ClickBatch> batch = ClickBatch::of(method, setup, rows->space);
+        const Result<ClickBatch> batch = ClickBatch::of(method, setup, scene.space);
         isUsable = isUsable || batch;
         // The cells of a method that does not apply to the scene stay empty.
         task.batches.push_back(batch ? std::optional(*batch) : std::nullopt);
@@ -398,7 +315,8 @@ ExitCode runPoints(const PointsOptions &options)
     }
     if (!isUsable)
         throw Refused();
-    return runRows(*rows, options.rows, task.layout.names(), [&] { return BlockWorker(Worker(task)); });
+    ByteSink sink("-", scene.inputs); // appended to the input, it would be read as input, endlessly
+    return runRows(*rows, sink, options.rows, [&] { return BlockWorker(Worker(task)); });
 }
 
 } // namespace

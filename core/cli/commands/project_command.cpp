@@ -3,7 +3,8 @@
 #include "core/cli/commands/command.h"
 #include "core/cli/commands/inputs.h"
 #include "core/cli/commands/refusal.h"
-#include "core/cli/rows/row_layout.h"
+#include "core/cli/rows/row_table.h"
+#include "core/cli/rows/scene_input.h"
 #include "core/unproject/pixel_projection.h"
 
 #include <glm/geometric.hpp>
@@ -24,16 +25,6 @@ const std::vector<std::string> kResults{"eye_x",    "eye_y",    "eye_z",    "cli
                                         "window_z", "widget_x", "widget_y", "px",     "py",       "depth"};
 
 constexpr std::size_t kPinholeCount = 15; // the columns before px, py and depth
-
-/// The data shared by all rows.
-struct Task {
-    RowFormat format;
-    NumberReader reader;
-    RowLayout layout;
-    Setup setup;
-    PixelProjection projection;
-    std::optional<SceneLens> lens;
-};
 
 /// The cells of a point. After a stage without an answer the rest is empty.
 struct Stages {
@@ -65,58 +56,17 @@ bool distort(const SceneLens &lens, DoubleDouble &x, DoubleDouble &y)
 }
 
 /// @return whether every stage has an answer
-bool project(const Task &task, const glm::dvec3 &point, Stages &stages)
+bool project(const PixelProjection &projection, const std::optional<SceneLens> &lens, double pixelRatio,
+             const glm::dvec3 &point, Stages &stages)
 {
-    const auto &[way, px, py, depth] = task.projection.at(point);
+    const auto &[way, px, py, depth] = projection.at(point);
     if (!stages.add(way.eye) || !stages.add(way.clip) || way.clip[3].value == 0.0)
         return false;
-    const DoubleDouble ratio = task.setup.surface.devicePixelRatio;
+    const DoubleDouble ratio = pixelRatio;
     DoubleDouble pixelX = px, pixelY = py;
     return stages.add(way.ndc) && stages.add(way.window) && stages.add(std::array{px / ratio, py / ratio})
-           && (!task.lens || distort(*task.lens, pixelX, pixelY))
-           && stages.add(std::array{pixelX, pixelY, DoubleDouble(depth)});
+           && (!lens || distort(*lens, pixelX, pixelY)) && stages.add(std::array{pixelX, pixelY, DoubleDouble(depth)});
 }
-
-class Worker {
-public:
-    explicit Worker(const Task &task) : m_task(task) {}
-
-    void operator()(const LineBlock &block, BlockResult &result)
-    {
-        m_task.reader.read(block, m_rows, result.messages);
-        RowWriter writer(m_task.format, m_task.layout.names(), result.output);
-        result.badRows = m_rows.bad.size();
-        auto bad = m_rows.bad.begin();
-        for (std::size_t i = 0; i < m_rows.count(); ++i) {
-            Stages stages;
-            if (bad != m_rows.bad.end() && *bad == i) {
-                m_task.layout.writeBad(writer, block, m_rows, *bad++);
-            } else {
-                m_task.layout.writeInput(writer, block, m_rows, i);
-                if (!project(m_task, {m_rows.values[0][i], m_rows.values[1][i], m_rows.values[2][i]}, stages)) {
-                    ++result.badRows;
-                    m_task.reader.complainOf(
-                        block, m_rows.places[i], NumberReader::kNoColumn,
-                        m_task.lens && stages.count == kPinholeCount
-                            ? tr("the point lies outside the lens's view: there the distortion folds the image over")
-                            : tr("the point has no window position: it lies in the plane of the eye, or too far away"),
-                        result.messages);
-                }
-            }
-            for (std::size_t k = 0; k < stages.numbers.size(); ++k) {
-                if (k < stages.count)
-                    writer.number(stages.numbers[k]);
-                else
-                    writer.nothing();
-            }
-            writer.endRow();
-        }
-    }
-
-private:
-    const Task &m_task;
-    NumberRows m_rows;
-};
 
 struct ProjectOptions {
     RowOptions rows;        ///< space: world or object:NAME
@@ -129,20 +79,33 @@ struct ProjectOptions {
 ExitCode runProject(const ProjectOptions &options)
 {
     const std::string &scene = options.rows.scene;
-    const SceneOrClicks given = needed(sceneOrClicks(scene));
+    const RowScene rowsScene = needed(rowScene(needed(sceneOrClicks(scene)), options.rows));
     // The preferred names first: users write x, y, z; `unproject points` writes the others.
-    const std::unique_ptr<RowStream> rows = openRows(options.rows, given, {{"x", "y", "z"}, pointColumnsOf("formula")});
+    const auto rows = openRows(options.rows, {{"x", "y", "z"}, pointColumnsOf("formula")}, kResults);
     if (!rows)
         throw Refused();
-    Task task{options.rows.format,
-              NumberReader(rows->source.name(), rows->columns),
-              RowLayout(rows->columns, kResults, options.rows.format),
-              rows->setup,
-              needed(PixelProjection::of(rows->setup, rows->space), scene),
-              {}};
+    const Setup &setup = rowsScene.setup;
+    const PixelProjection projection = needed(PixelProjection::of(setup, rowsScene.space), scene);
+    std::optional<SceneLens> lens;
     if (!options.distortion.empty())
-        task.lens = sceneLens(options.distortion, rows->setup, scene);
-    return runRows(*rows, options.rows, task.layout.names(), [&] { return BlockWorker(Worker(task)); });
+        lens = sceneLens(options.distortion, setup, scene);
+    const auto write = [&](const glm::dvec3 &point, RowWriter &writer) -> std::string {
+        Stages stages;
+        const bool isComplete = project(projection, lens, setup.surface.devicePixelRatio, point, stages);
+        for (std::size_t k = 0; k < stages.numbers.size(); ++k) {
+            if (k < stages.count)
+                writer.number(stages.numbers[k]);
+            else
+                writer.nothing();
+        }
+        if (isComplete)
+            return {};
+        return lens && stages.count == kPinholeCount
+                   ? tr("the point lies outside the lens's view: there the distortion folds the image over")
+                   : tr("the point has no window position: it lies in the plane of the eye, or too far away");
+    };
+    ByteSink sink("-", rowsScene.inputs); // appended to the input, it would be read as input, endlessly
+    return runRows(*rows, sink, options.rows, [&] { return rows->table->worker(write); });
 }
 
 } // namespace

@@ -13,7 +13,7 @@ namespace unprojector::cli {
 struct BlockResult {
     std::string output;                ///< for stdout
     std::vector<LineMessage> messages; ///< for stderr, in any order
-    std::size_t badRows = 0;
+    bool hasBadRows = false;
 };
 
 /// Processes one block. Only one thread calls it, so it may keep scratch memory.

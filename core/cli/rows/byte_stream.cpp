@@ -75,6 +75,19 @@ std::size_t ByteSource::read(char *buffer, std::size_t size)
     return count;
 }
 
+std::string ByteSource::readAll(std::size_t most)
+{
+    constexpr std::size_t kPiece = std::size_t{1} << 16;
+    std::string text;
+    for (std::size_t got = 1; got > 0 && text.size() <= most;) {
+        const std::size_t before = text.size();
+        text.resize(before + kPiece);
+        got = read(text.data() + before, kPiece);
+        text.resize(before + got);
+    }
+    return text;
+}
+
 std::size_t ByteSource::readSome(char *buffer, std::size_t size)
 {
     const std::optional<std::size_t> count = readAvailable(m_file.get(), buffer, size);

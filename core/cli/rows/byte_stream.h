@@ -35,6 +35,8 @@ public:
     std::optional<std::uint64_t> size() const;
     /// Fills the buffer; returns fewer bytes than asked for only at the end.
     std::size_t read(char *buffer, std::size_t size);
+    /// Reads to the end, or until it has more than `most` bytes.
+    std::string readAll(std::size_t most);
     /// Returns the available bytes and waits only while there are none, so that results follow
     /// their input at once. Returns 0 only at the end. A source is read either with this function
     /// or with `read`, not with both.

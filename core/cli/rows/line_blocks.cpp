@@ -1,6 +1,6 @@
 #include "core/cli/rows/line_blocks.h"
 
-#include "core/cli/rows/csv_line.h"
+#include "core/base/csv.h"
 
 #include <algorithm>
 
@@ -22,17 +22,14 @@ std::size_t LineBlocks::wholeRows() const
     if (m_pending.find('"') == std::string::npos)
         return m_pending.rfind('\n') + 1; // 0 where there is none
     std::size_t whole = 0;
-    for (;;) {
-        const RowEnd row = rowEnd(m_pending, whole);
-        if (!row.isKnown || row.end == m_pending.size())
-            return whole;
-        whole = row.end + 1;
-    }
+    for (base::CsvReader rows(m_pending, ',', '\n'); rows.nextSource() && rows.isWhole();)
+        whole = rows.offset();
+    return whole;
 }
 
 /// Reads until there is a whole row.
-/// @return number of bytes in whole rows: at the end, all bytes; 0 where a line is too long or
-///         nothing is left
+/// @return number of bytes in whole rows: at the end, those of the next row; 0 where a line is too long
+///         or nothing is left
 std::size_t LineBlocks::rowsEnd()
 {
     std::size_t end = wholeRows();
@@ -47,55 +44,32 @@ std::size_t LineBlocks::rowsEnd()
     m_hasStarted = true;
     if (end > 0)
         return end;
-    if (const RowEnd row = rowEnd(m_pending, 0); m_isAtEnd && row.isClosed)
-        return std::min(row.end + 1, m_pending.size());
     // An unclosed quote spoils its own line only.
-    const std::size_t lineEnd = m_pending.find('\n');
-    if (lineEnd != std::string::npos)
-        return lineEnd + 1;
-    return m_isAtEnd ? m_pending.size() : 0;
+    base::CsvReader row(m_pending, ',', '\n');
+    const bool isLine = row.nextSource() && (m_isAtEnd || m_pending[row.offset() - 1] == '\n');
+    return isLine ? row.offset() : 0;
 }
 
-void LineBlocks::take(LineBlock &block, std::size_t size)
+bool LineBlocks::next(LineBlock &block, bool isOne)
 {
-    block.text.assign(m_pending, 0, size);
+    std::size_t size = rowsEnd();
+    if (m_pending.empty())
+        return false;
     block.firstLine = m_line;
-    block.isOverlong = false;
-    m_pending.erase(0, size);
+    block.isOverlong = size == 0;
+    if (isOne && size > 0)
+        size = std::min(m_pending.find('\n'), m_pending.size() - 1) + 1;
+    block.text.assign(m_pending, 0, size);
     m_line += static_cast<std::size_t>(std::count(block.text.begin(), block.text.end(), '\n'));
-}
-
-void LineBlocks::skipLine(LineBlock &block)
-{
-    block = {{}, m_line++, true};
-    std::size_t end = std::string::npos;
-    while (end == std::string::npos && !m_isAtEnd) {
-        m_pending.clear();
-        read();
-        end = m_pending.find('\n');
+    if (block.isOverlong) {
+        ++m_line;
+        for (size = 0; size == 0 && !m_isAtEnd; size = m_pending.find('\n') + 1) {
+            m_pending.clear();
+            read();
+        }
+        size = size == 0 ? m_pending.size() : size;
     }
-    m_pending.erase(0, end == std::string::npos ? end : end + 1);
-}
-
-bool LineBlocks::firstLine(LineBlock &line)
-{
-    if (rowsEnd() > 0)
-        take(line, std::min(m_pending.find('\n'), m_pending.size() - 1) + 1);
-    else if (!m_pending.empty())
-        skipLine(line);
-    else
-        return false;
-    return true;
-}
-
-bool LineBlocks::next(LineBlock &block)
-{
-    if (const std::size_t size = rowsEnd(); size > 0)
-        take(block, size);
-    else if (!m_pending.empty())
-        skipLine(block);
-    else
-        return false;
+    m_pending.erase(0, size);
     return true;
 }
 

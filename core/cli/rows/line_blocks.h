@@ -33,10 +33,9 @@ public:
 
     explicit LineBlocks(ByteSource &source) : m_source(source) {}
 
-    /// Reads the first line alone; returns false if the stream is empty.
-    bool firstLine(LineBlock &line);
     /// Reads the next lines; returns false at the end.
-    bool next(LineBlock &block);
+    /// @param isOne  reads one line alone
+    bool next(LineBlock &block, bool isOne = false);
     /// The number of bytes read from the stream.
     std::uint64_t bytesRead() const { return m_bytesRead; }
 
@@ -44,8 +43,6 @@ private:
     void read();
     std::size_t wholeRows() const;
     std::size_t rowsEnd();
-    void take(LineBlock &block, std::size_t size);
-    void skipLine(LineBlock &block);
 
     ByteSource &m_source;
     std::string m_pending; ///< read, not yet returned

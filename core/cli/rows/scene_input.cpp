@@ -7,7 +7,6 @@
 #include "core/scene_file/scene_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <unordered_set>
 #include <utility>
@@ -26,13 +25,8 @@ namespace {
 base::Expected<std::string, base::Error> standardInput(const std::string &name)
 {
     ByteSource source("-");
-    std::string text;
-    std::array<char, 65536> block;
-    for (std::size_t got = 1; source.isOpen() && got > 0 && text.size() <= kMostSceneBytes;) {
-        got = source.read(block.data(), block.size());
-        text.append(block.data(), got);
-    }
-    if (source.isOpen() && !source.hasFailed())
+    std::string text = source.readAll(kMostSceneBytes);
+    if (!source.hasFailed())
         return text;
     return notReadable(name);
 }
@@ -134,6 +128,21 @@ const SceneFileObject *objectNamed(const SceneFile &scene, const std::string &na
 }
 
 } // namespace
+
+std::optional<RowScene> rowScene(const SceneOrClicks &given, const RowOptions &options)
+{
+    if (options.scene == "-" && options.input == "-") {
+        complain(tr("the scene and the points cannot both come from standard input; give a file for one of them"));
+        return std::nullopt;
+    }
+    const std::optional<SceneFile> scene = sceneOf(given, options.scene);
+    const std::optional<BatchSpace> space = scene ? batchSpace(options.space, *scene) : std::nullopt;
+    if (!space)
+        return std::nullopt;
+    RowScene found{setupOf(*scene), *space, filesOf(*scene, options.scene)};
+    found.inputs.push_back(options.input);
+    return found;
+}
 
 std::optional<BatchSpace> batchSpace(const std::string &space, const SceneFile &scene)
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/cli/rows/byte_stream.h"
+#include "core/cli/rows/row_table.h"
 #include "core/scene_file/clicks.h"
 #include "core/unproject/batch/batch_unproject.h"
 #include "core/unproject/unprojector.h"
@@ -25,6 +25,16 @@ InputFiles filesOf(const scene_file::SceneOrClicks &given, const std::string &fi
 /// are not loaded, see openScene.
 std::optional<scene_file::SceneFile> sceneOf(const scene_file::SceneOrClicks &given, const std::string &file);
 std::optional<scene_file::SceneFile> readScene(const std::string &file);
+
+/// The setup of the rows' scene, and the space in it.
+struct RowScene {
+    geometry::Setup setup;
+    unproject::BatchSpace space;
+    InputFiles inputs; ///< the scene's files and the rows' file
+};
+/// Prints errors on stderr.
+/// @param given  the content of options.scene
+std::optional<RowScene> rowScene(const scene_file::SceneOrClicks &given, const RowOptions &options);
 
 /// Parses --space: eye, world or object:NAME. Errors are printed on stderr.
 std::optional<unproject::BatchSpace> batchSpace(const std::string &space, const scene_file::SceneFile &scene);
