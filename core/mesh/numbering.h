@@ -7,7 +7,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -32,10 +31,11 @@ std::uint64_t hashOf(const std::array<std::uint32_t, n> &words, std::uint64_t ha
 template <class Number>
 std::uint64_t hashOf(const glm::vec<3, Number> &v, std::uint64_t hash = kHashStart)
 {
-    // Adding 0 turns -0 into 0: equal numbers must hash alike.
-    for (int axis = 0; axis < 3; ++axis)
-        hash = hashOf(std::bit_cast<std::array<std::uint32_t, sizeof(Number) / 4>>(v[axis] + Number(0)), hash);
-    return hash;
+    const auto words = [](Number number) {
+        // Adding 0 turns -0 into 0: equal numbers must hash alike.
+        return std::bit_cast<std::array<std::uint32_t, sizeof(Number) / 4>>(number + Number(0));
+    };
+    return hashOf(words(v.z), hashOf(words(v.y), hashOf(words(v.x), hash)));
 }
 
 struct HashOf {
@@ -47,15 +47,15 @@ struct HashOf {
 };
 
 /// Numbers keys in the order of first use; equal ones share a number.
-template <class Key, class Hash = HashOf, class Equal = std::equal_to<Key>>
+template <class Key, class Hash = HashOf>
 class Numbering {
 public:
     static constexpr std::uint32_t kNone = 0xffffffffu;
 
     /// @param expected  number of different keys
     /// @param fixed  keys that have the first numbers, and that add() does not find
-    explicit Numbering(std::size_t expected = 0, std::vector<Key> fixed = {}, Hash hash = {}, Equal equal = {})
-        : m_keys(std::move(fixed)), m_fixed(m_keys.size()), m_hash(hash), m_equal(equal),
+    explicit Numbering(std::size_t expected = 0, std::vector<Key> fixed = {})
+        : m_keys(std::move(fixed)), m_fixed(m_keys.size()),
           m_slots(std::bit_ceil(std::max<std::size_t>(16, expected + expected / 2)), kNone)
     {
     }
@@ -65,12 +65,16 @@ public:
         const std::size_t count = m_keys.size() - m_fixed;
         if (count + count / 2 > m_slots.size())
             grow();
-        std::uint32_t &slot = slotOf(key);
-        if (slot == kNone) {
-            slot = static_cast<std::uint32_t>(m_keys.size());
-            m_keys.push_back(key);
+        const std::size_t mask = m_slots.size() - 1;
+        std::size_t slot = static_cast<std::size_t>(Hash()(key)) & mask;
+        for (; m_slots[slot] != kNone; slot = (slot + 1) & mask) {
+            if (m_keys[m_slots[slot]] == key)
+                return m_slots[slot];
         }
-        return slot;
+        const auto number = static_cast<std::uint32_t>(m_keys.size());
+        m_slots[slot] = number;
+        m_keys.push_back(key);
+        return number;
     }
     std::size_t size() const { return m_keys.size(); }
     /// By their numbers.
@@ -78,25 +82,20 @@ public:
     const std::vector<Key> &keys() const { return m_keys; }
 
 private:
-    std::uint32_t &slotOf(const Key &key)
-    {
-        const std::size_t mask = m_slots.size() - 1;
-        std::size_t slot = static_cast<std::size_t>(m_hash(key)) & mask;
-        while (m_slots[slot] != kNone && !m_equal(m_keys[m_slots[slot]], key))
-            slot = (slot + 1) & mask;
-        return m_slots[slot];
-    }
     void grow()
     {
         m_slots.assign(2 * m_slots.size(), kNone);
-        for (std::size_t number = m_fixed; number < m_keys.size(); ++number)
-            slotOf(m_keys[number]) = static_cast<std::uint32_t>(number);
+        const std::size_t mask = m_slots.size() - 1;
+        for (std::size_t number = m_fixed; number < m_keys.size(); ++number) {
+            std::size_t slot = static_cast<std::size_t>(Hash()(m_keys[number])) & mask;
+            while (m_slots[slot] != kNone)
+                slot = (slot + 1) & mask;
+            m_slots[slot] = static_cast<std::uint32_t>(number);
+        }
     }
 
     std::vector<Key> m_keys;
     std::size_t m_fixed;
-    Hash m_hash;
-    Equal m_equal;
     std::vector<std::uint32_t> m_slots;
 };
 

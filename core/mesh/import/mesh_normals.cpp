@@ -224,13 +224,23 @@ void mergeEqualVertices(Mesh &mesh)
         return hash;
     };
     std::vector<std::uint32_t> mergedFromOld(mesh.positions.size(), kEmpty);
-    Numbering<std::uint32_t, decltype(hashAt), decltype(areEqual)> merged(mesh.positions.size(), {}, hashAt, areEqual);
+    // Not by a Numbering, which takes longer here.
+    std::vector<std::uint32_t> slots(std::bit_ceil(16 + mesh.positions.size() + mesh.positions.size() / 2), kEmpty);
+    std::vector<std::uint32_t> oldFromMerged;
+    const std::size_t mask = slots.size() - 1;
     for (std::uint32_t &index : mesh.indices) {
-        if (mergedFromOld[index] == kEmpty)
-            mergedFromOld[index] = merged.add(index);
+        if (mergedFromOld[index] == kEmpty) {
+            std::size_t slot = hashAt(index) & mask;
+            while (slots[slot] != kEmpty && !areEqual(oldFromMerged[slots[slot]], index))
+                slot = (slot + 1) & mask;
+            if (slots[slot] == kEmpty) {
+                slots[slot] = static_cast<std::uint32_t>(oldFromMerged.size());
+                oldFromMerged.push_back(index);
+            }
+            mergedFromOld[index] = slots[slot];
+        }
         index = mergedFromOld[index];
     }
-    const std::vector<std::uint32_t> &oldFromMerged = merged.keys();
 
     const auto gather = [&](auto &values) {
         if (values.empty())
