@@ -6,6 +6,8 @@
 
 #include <QByteArray>
 
+#include <utility>
+
 /// Scene files there and back, for tests.
 namespace scene_texts {
 
@@ -16,6 +18,14 @@ inline unprojector::scene_file::SceneFile parsed(const QByteArray &text)
     if (!scene)
         qFatal("%s", scene.error().message().c_str());
     return *scene;
+}
+
+/// The message of an error of a value, without the line and the column, which it must have.
+inline QByteArray messageWithoutPlace(unprojector::base::Error error)
+{
+    if (std::exchange(error.line, 0) == 0 || std::exchange(error.column, 0) == 0)
+        return "no place: " + QByteArray::fromStdString(error.message());
+    return QByteArray::fromStdString(error.message());
 }
 
 inline QByteArray written(const unprojector::scene_file::SceneFile &scene)

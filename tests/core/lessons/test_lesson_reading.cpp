@@ -11,6 +11,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <QRegularExpression>
+
 #include <cmath>
 
 using namespace unprojector;
@@ -255,7 +257,7 @@ private slots:
         const auto row = [](const char *name, const std::string &json, const char *error) {
             newRow(name) << QByteArray::fromStdString(json) << QByteArray(error);
         };
-        row("no JSON", "{", "t.json:1:2: ");
+        row("no JSON", "{", "t.json: the file ends too early");
         row("no steps", R"({"title": "T"})", "t.json: steps: is missing");
         row("a wrong key", oneStep(R"(, "scene": "zhangci-2d", "tex": 1)"),
             "t.json: steps[0]: there is no key \"tex\"");
@@ -303,8 +305,10 @@ private slots:
         QFETCH(QByteArray, error);
         const auto lesson = parseLesson("t", json.toStdString());
         QVERIFY(!lesson);
-        const QByteArray text = QByteArray::fromStdString(lesson.error().text);
-        QVERIFY2(text.startsWith(error), text.constData());
+        QString text = QString::fromStdString(lesson.error().text);
+        static const QRegularExpression place(QStringLiteral("^t\\.json:\\d+:\\d+: "));
+        QVERIFY2(text.contains(place), qPrintable(text));
+        QVERIFY2(text.replace(place, QStringLiteral("t.json: ")).startsWith(error), qPrintable(text));
     }
 
     void translationsMayBeIncomplete()
@@ -318,7 +322,7 @@ private slots:
                  (std::vector<std::string>{"title", "a.text", "a.source"}));
         const auto other = parseLesson("t", lesson, R"({"steps": [{"id": "b"}]})");
         QVERIFY(!other);
-        QCOMPARE(other.error().text, std::string("t, translated: steps[0]: the lesson has no step \"b\""));
+        QCOMPARE(other.error().text, std::string("t, translated:1:12: steps[0]: the lesson has no step \"b\""));
     }
 
     /// More digits than a double holds are kept as they are written.

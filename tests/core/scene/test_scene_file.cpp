@@ -358,7 +358,7 @@ private slots:
         const auto edited = read(R"("fovy": 45, "fovyRadians": 1)");
         QVERIFY(!edited);
         QCOMPARE(
-            QByteArray::fromStdString(edited.error().message()),
+            messageWithoutPlace(edited.error()),
             QByteArray("scene.json: projection.fovyRadians: 1 radians differ from fovy, which is 45 degrees; remove "
                        "the wrong key"));
     }
