@@ -197,7 +197,7 @@ private slots:
         row("pixels", {"points", "--pixel", "-"}, click,
             "--pixel is for tables of pixels; clicks already have the centres of their pixels");
         row("a broken scene", {"points", "-"}, QByteArray(click).replace("\"unprojector\": 1", "\"unprojector\": 2"),
-            "stdin: [0].scene.unprojector: version 2 cannot be read, only version 1");
+            "stdin:29:22: [0].scene.unprojector: version 2 cannot be read, only version 1");
         row("both from standard input", {"project", "-"}, kFrustumScene,
             "the scene and the points cannot both come from standard input; give a file for one of them");
     }

@@ -131,8 +131,7 @@ private slots:
                     if (valueAt(root, steps).type() == value.type())
                         continue;
                     addRow("%s: %s", path.constData(), name)
-                        << QJsonDocument(replaced(root, steps, value).toObject()).toJson()
-                        << ": " + path + ": expected ";
+                        << QJsonDocument(replaced(root, steps, value).toObject()).toJson() << path + ": expected ";
                 }
             }
         }
@@ -142,7 +141,9 @@ private slots:
     {
         QFETCH(QByteArray, scene);
         QFETCH(QByteArray, message);
-        verifyRefused(scene, message);
+        const QByteArray place = placeIn(with(scene).errors);
+        QVERIFY(!place.isEmpty());
+        verifyRefused(scene, ':' + place + ": " + message);
     }
 
     void noKeyStandsTwice_data()
@@ -258,6 +259,14 @@ private:
     Run with(const QByteArray &scene) const
     {
         return runCommand({"points", m_folder.write("scene.json", scene)}, "px,py,depth\n4,3,0.5\n");
+    }
+    /// The line and the column in a message about the scene.
+    QByteArray placeIn(const QByteArray &message) const
+    {
+        static const QRegularExpression place("^:(\\d+:\\d+): ");
+        return place.match(QString::fromUtf8(message.mid(m_folder.path("scene.json").toUtf8().size())))
+            .captured(1)
+            .toUtf8();
     }
     /// @param message  the text after the file's name
     void verifyRefused(const QByteArray &scene, const QByteArray &message) const
