@@ -218,7 +218,7 @@ def test_wrong_files_and_arguments_are_named(folder, unproject_command):
     with pytest.raises(ValueError, match="triangle.obj.*3"):
         up.Scene.load(folder / "scene.json")
     (folder / "scene.json").write_text('{"unprojector": 1, "window": 3}')
-    with pytest.raises(ValueError, match="scene.json: window"):
+    with pytest.raises(ValueError, match="scene.json:1:30: window"):
         up.Scene.load(folder / "scene.json")
     setup = up.Setup.perspective(fovy=45, near=1, far=9, eye=(0, 0, 5), center=(0, 0, 0), size=(80, 60))
     good = np.eye(3), [[0, 1, 2]]
