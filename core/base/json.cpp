@@ -115,9 +115,12 @@ private:
         if (m_at == m_text.size())
             fail(m_at, tr("the file ends too early; a bracket or a value is missing"));
         const std::string_view rest = m_text.substr(m_at);
+        const std::size_t quote = rest.find('"', 1);
         constexpr std::size_t kMost = 24;
-        fail(m_at, tr(english,
-                      printableBeginning(rest.front() == '"' ? rest.substr(0, rest.find('"', 1) + 1) : word(), kMost)));
+        fail(m_at, tr(english, printableBeginning(rest.front() != '"'  ? word()
+                                                  : quote == rest.npos ? rest
+                                                                       : rest.substr(0, quote + 1),
+                                                  kMost)));
     }
 
     /// The next character after blanks; 0 at the end.

@@ -103,6 +103,7 @@ private slots:
     {
         QCOMPARE(messageFor("[1,\n 1e400]"), "f:2:2: 1e400 is too large for a number");
         QCOMPARE(messageFor("[01]"), "f:1:2: 01 is not a number; write one such as 1, -0.5 or 2e3");
+        QCOMPARE(messageFor("1 \"x"), "f:1:3: \"x follows the end");
         QCOMPARE(messageFor("{\"a\": 1} x"), "f:1:10: x follows the end");
         QCOMPARE(messageFor("\xEF\xBB\xBF[x]"), "f:1:2: x found where a value is expected");
         QCOMPARE(messageFor(std::string(64, '[') + std::string(64, ']')), "it was read");
