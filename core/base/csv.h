@@ -147,7 +147,7 @@ public:
         std::array<char, 32> cell; // with its comma, for one call of append
         const auto end = std::to_chars(cell.data(), cell.data() + cell.size() - 1, value).ptr;
         *end = ',';
-        m_output.append(cell.data(), end + 1);
+        m_output.append(cell.data(), static_cast<std::size_t>(end - cell.data()) + 1);
     }
     /// Writes a number; an empty cell for NaN and infinity.
     void numberOrNothing(double value)
