@@ -45,26 +45,23 @@ bool isOurs(const Header &header)
     return true;
 }
 
-/// The cells of a row by column.
-class Cells {
+/// A table whose current row's cells are read by column.
+class Cells : public Table {
 public:
-    explicit Cells(const Table &table) : m_table(table), m_row(table.row()) {}
+    using Table::Table;
 
     /// The text of a cell. A name may be "NA", which is short for nasion.
     std::string_view operator[](Column column) const
     {
-        if (!m_table.header().has(column))
+        if (!header().has(column))
             return {};
-        const CsvCell &cell = m_row.cells[m_table.header().places[column]];
+        const CsvCell &cell = row().cells[header().places[column]];
         return column != Name && column != Specimen && isNothing(cell) ? std::string_view()
                                                                        : std::string_view(cell.text);
     }
-    std::size_t line() const { return m_row.line; }
+    std::size_t line() const { return row().line; }
 
-    double number(Column column) const
-    {
-        return numberOf(m_table.mark().withPoint((*this)[column]), line(), titleOf(column));
-    }
+    double number(Column column) const { return numberOf(mark().withPoint((*this)[column]), line(), titleOf(column)); }
 
     /// Three numbers; empty if all cells are empty or mean "missing".
     std::optional<glm::dvec3> numbers(Column first) const
@@ -97,7 +94,7 @@ public:
     {
         constexpr double kMissing = 9999.0;
         const std::optional<glm::dvec3> v = numbers(X);
-        if (!v || glm::abs(*v) != glm::dvec3(kMissing) || v->x != v->y || v->y != v->z || isOurs(m_table.header()))
+        if (!v || glm::abs(*v) != glm::dvec3(kMissing) || v->x != v->y || v->y != v->z || isOurs(header()))
             return v;
         notes.add(LandmarkNote::Kind::CodeIsMissing);
         return std::nullopt;
@@ -118,14 +115,10 @@ public:
 private:
     std::string_view rawText(Column column) const
     {
-        return m_table.header().has(column) ? std::string_view(m_row.cells[m_table.header().places[column]].text)
-                                            : std::string_view();
+        return header().has(column) ? row().text(header().places[column]) : std::string_view();
     }
     /// The table's own name of the column.
-    const std::string &titleOf(Column column) const { return m_table.header().titles[column]; }
-
-    const Table &m_table;
-    const CsvRow &m_row;
+    const std::string &titleOf(Column column) const { return header().titles[column]; }
 };
 
 /// The tolerance of the sum of barycentric coordinates, which must be 1: the error of single
@@ -193,16 +186,14 @@ Json jsonOf(const std::string &cell)
     return isJson ? *json : Json(cell);
 }
 
-Landmark landmarkOf(const Table &table, Notes &notes)
+Landmark landmarkOf(const Cells &cells, Notes &notes)
 {
-    const Cells cells(table);
-    const CsvRow &row = table.row();
     Landmark landmark;
     landmark.name = cells[Name];
     const std::optional<glm::dvec3> world = cells.position(notes);
     const bool isDefined = cells.flag(Defined, true);
     if (world && isDefined)
-        landmark.world = turned(WorldPoint(*world), table.header().axes);
+        landmark.world = turned(WorldPoint(*world), cells.header().axes);
     else if (world && *world != glm::dvec3(0.0))
         notes.add(LandmarkNote::Kind::MissingHadPosition);
     landmark.absence = absenceOf(cells, world.has_value());
@@ -211,19 +202,20 @@ Landmark landmarkOf(const Table &table, Notes &notes)
     landmark.note = cells[Note];
     if (const auto uncertainty = cells.numbers(Dx))
         landmark.uncertainty = WorldVector(*uncertainty);
-    landmark.color = colorOf(cells[Color], row.line);
+    landmark.color = colorOf(cells[Color], cells.line());
     landmark.isHidden = cells.flag(Hidden, !cells.flag(Visible, true));
     if (!cells.flag(Selected, true))
         landmark.extra.edit()["selected"] = false;
     if (cells.flag(Locked, false))
         landmark.extra.edit()["locked"] = true;
-    for (const auto &[place, name] : table.header().others) {
-        const CsvCell &cell = row.cells[place];
+    for (const auto &[place, name] : cells.header().others) {
+        const CsvCell &cell = cells.row().cells[place];
         if (isNothing(cell))
             continue;
         if (name.empty())
-            throw Failure{row.line, tr("the cell \"%1\" is in a column without a name; give it one in the first line",
-                                       cell.text)};
+            throw Failure{
+                cells.line(),
+                tr("the cell \"%1\" is in a column without a name; give it one in the first line", cell.text)};
         landmark.extra.edit()[name] = jsonOf(std::string(cell.text));
     }
     return landmark;
@@ -285,7 +277,7 @@ void checkSame(bool isSame, std::size_t line, const char *column, const std::str
 }
 
 /// Adds a row with the properties of a curve and the position of one of its semilandmarks.
-void addToCurve(CurveRows &known, const Cells &cells, Axes axes, Notes &notes)
+void addToCurve(CurveRows &known, const Cells &cells, Notes &notes)
 {
     Curve &curve = known.curve;
     if (std::vector<std::string> points = namesOf(cells[CurvePoints], cells.line()); !points.empty()) {
@@ -312,7 +304,7 @@ void addToCurve(CurveRows &known, const Cells &cells, Axes axes, Notes &notes)
     row.line = cells.line();
     row.number = semilandmarkNumber(cells[Name], curve.name, row.line);
     if (const auto place = cells.position(notes))
-        row.place = turned(WorldPoint(*place), axes);
+        row.place = turned(WorldPoint(*place), cells.header().axes);
 }
 
 /// Adds the rows of the ends that are landmarks, which a table does not repeat.
@@ -419,20 +411,22 @@ Curve curveOf(CurveRows known, const LandmarkSet &set)
 }
 
 /// True if a row of a curve has data that only landmarks keep.
-bool saysMore(const Cells &cells, const Header &header, const CsvRow &row)
+bool saysMore(const Cells &cells)
 {
-    const auto isOther = [&](const auto &other) { return !isNothing(row.cells[other.first]); };
+    const auto isOther = [&](const auto &other) { return !isNothing(cells.row().cells[other.first]); };
     for (std::size_t column = Object; column <= AbsenceWord; ++column) {
         if (!cells[Column(column)].empty())
             return true;
     }
-    return std::any_of(header.others.begin(), header.others.end(), isOther);
+    return std::any_of(cells.header().others.begin(), cells.header().others.end(), isOther);
 }
 
 /// The number of a row's texts with blanks around them. Numbers do not count, because they lose
 /// nothing.
-std::size_t trimmedTexts(const Header &header, const CsvRow &row)
+std::size_t trimmedTexts(const Cells &cells)
 {
+    const Header &header = cells.header();
+    const CsvRow &row = cells.row();
     constexpr std::array kTexts{Specimen, Name, Object, Note, Mesh, Unit, CurveName};
     std::size_t count = 0;
     for (std::size_t index = 0; index < row.cells.size(); ++index) {
@@ -464,20 +458,19 @@ void addTableNotes(Notes &notes, const Table &table)
 
 ReadLandmarks readCsv(std::string_view text)
 {
-    Table table(text);
-    const Header &header = table.header();
+    Cells cells(text);
+    const Header &header = cells.header();
     ReadLandmarks read;
     Notes notes;
-    addTableNotes(notes, table);
+    addTableNotes(notes, cells);
     std::map<std::pair<std::string, std::uint32_t>, std::size_t> places;    ///< by specimen and placing
     std::map<std::pair<std::size_t, std::string>, std::size_t> curvePlaces; ///< by specimen and name
     std::vector<CurveRows> curves;
     std::size_t rowNames = 0;
-    while (table.next()) {
-        const CsvRow &row = table.row();
-        if (const std::size_t count = trimmedTexts(header, row); count > 0)
+    while (cells.next()) {
+        const CsvRow &row = cells.row();
+        if (const std::size_t count = trimmedTexts(cells); count > 0)
             notes.add(LandmarkNote::Kind::BlanksLeftOut, count);
-        const Cells cells(table);
         const std::uint32_t placing =
             cells[Placing].empty() ? 1 : countOf(cells[Placing], row.line, kColumnNames[Placing]);
         if (placing == 0 || placing > kMostPlacings)
@@ -504,7 +497,7 @@ ReadLandmarks readCsv(std::string_view text)
             rowNames += name.find_first_not_of("0123456789") == name.npos ? 0u : 1u;
         }
         if (cells[CurveName].empty()) {
-            set.landmarks.push_back(landmarkOf(table, notes));
+            set.landmarks.push_back(landmarkOf(cells, notes));
         } else {
             const auto [known, isNewCurve] =
                 curvePlaces.try_emplace({place->second, std::string(cells[CurveName])}, curves.size());
@@ -514,13 +507,13 @@ ReadLandmarks readCsv(std::string_view text)
                 rowsOfCurve.curve.name = cells[CurveName];
                 rowsOfCurve.curve.count = 0;
             }
-            addToCurve(curves[known->second], cells, header.axes, notes);
-            if (saysMore(cells, header, row))
+            addToCurve(curves[known->second], cells, notes);
+            if (saysMore(cells))
                 notes.add(LandmarkNote::Kind::CurveCellsLeftOut);
         }
     }
-    if (table.apostropheCount() > 0 && !isOurs(header))
-        notes.add(LandmarkNote::Kind::ApostrophesLeftOut, table.apostropheCount());
+    if (cells.apostropheCount() > 0 && !isOurs(header))
+        notes.add(LandmarkNote::Kind::ApostrophesLeftOut, cells.apostropheCount());
     if (rowNames > 0)
         notes.add(LandmarkNote::Kind::RowNamesLeftOut, rowNames);
     read.notes = notes.take();

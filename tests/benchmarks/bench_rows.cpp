@@ -1,6 +1,7 @@
 // `unproject points` next to reading and writing the same numbers without computing, one thread
 // each.
 
+#include "core/base/number_text.h"
 #include "core/cli/rows/row_table.h"
 #include "core/unproject/batch/click_batch.h"
 
