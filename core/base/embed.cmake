@@ -31,7 +31,7 @@ std::string_view resource(std::string_view path)
         if (name == path)
             return bytes;
     }
-    assert(!\"core/CMakeLists.txt does not name this file\");
+    assert(false && \"core/CMakeLists.txt does not name this file\");
     return {};
 }
 

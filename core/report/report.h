@@ -15,7 +15,7 @@ struct Piece {
 
     std::string text; ///< UTF-8
     Look look = Look::Plain;
-    std::string target = {}; ///< the id that a link leads to, for whoever shows the report; empty: no link
+    std::string target = {}; ///< of a link: an id such as "help:picking", which the panel or the page resolves
 };
 
 /// A line of text. A string is one.

@@ -42,7 +42,7 @@ std::pair<std::string_view, std::string_view> Command::section(const std::string
             return {texts.substr(word, text - 2 - word), texts.substr(text, next - text)};
         }
     }
-    assert(!"each option has its text in resources/help/command");
+    assert(false && "each option has its text in resources/help/command");
     return {};
 }
 
