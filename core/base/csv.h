@@ -15,8 +15,8 @@ namespace unprojector::base {
 
 /// The protection of texts in a table's cells.
 enum class CellTexts {
-    Verbatim,
-    AsTheyAre,      ///< for this program's landmarks, whose reader removes an apostrophe before a formula
+    Verbatim, ///< as they are
+    ReadBack, ///< as this program's reader of landmarks, which removes an apostrophe before a formula, gets them back
     SpreadsheetSafe ///< after an apostrophe if a spreadsheet would take them for formulas
 };
 /// Returns whether a text is a formula after one or more apostrophes.
@@ -140,6 +140,7 @@ public:
     explicit RowWriter(std::string &output, CellTexts texts = CellTexts::Verbatim,
                        const std::vector<std::string> &keys = {});
 
+    bool isJson() const { return m_isJson; }
     /// Writes the fewest digits that read back to the number.
     void number(double value)
     {

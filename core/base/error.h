@@ -11,9 +11,9 @@ namespace unprojector::base {
 struct Error {
     /// What a caller may do about it.
     enum class Kind {
-        Value,       ///< change the value
+        Value,       ///< change the value, or what the file says
         NoFile,      ///< give another name: there is no such file or folder
-        File,        ///< look at the file: it cannot be read or written, or its content is wrong
+        File,        ///< look at the file: it cannot be read or written
         Changed,     ///< ask: another program has written the file meanwhile
         Stopped,     ///< nothing: the user wanted it
         OutOfMemory, ///< give something smaller

@@ -2,6 +2,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/printable.h"
+#include "core/base/text_scanner.h"
 #include "core/base/translation.h"
 #include "core/base/utf8.h"
 
@@ -15,6 +16,7 @@
 #include <optional>
 #include <unordered_set>
 #include <utility>
+#include <variant>
 
 namespace unprojector::base {
 namespace {
@@ -42,15 +44,6 @@ std::string_view keptDigits(const Json &json)
 {
     const Json::binary_t &bytes = json.get_binary();
     return {reinterpret_cast<const char *>(bytes.data()), bytes.size()};
-}
-
-/// The value of a text that is a number in the range of its type.
-template <class Number>
-std::optional<Number> numberIn(std::string_view digits)
-{
-    Number value{};
-    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    return read.ec == std::errc() && read.ptr == digits.data() + digits.size() ? std::optional(value) : std::nullopt;
 }
 
 /// Throws an Error at the first mistake.

@@ -3,7 +3,9 @@
 #include "core/base/system_error.h"
 #include "core/base/translation.h"
 
+#include <system_error>
 #include <utility>
+#include <variant>
 
 namespace unprojector::base {
 namespace {

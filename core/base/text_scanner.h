@@ -1,9 +1,11 @@
 #pragma once
 
+#include <charconv>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace unprojector::base {
 
@@ -54,5 +56,14 @@ std::optional<long long> integerFromWord(std::string_view word);
 /// A word for a message: quoted, cut at 40 characters, with unprintable characters escaped (see
 /// base::printableBeginning).
 std::string quoted(std::string_view word);
+
+/// The value of a text that is a number of its type in full, as std::from_chars reads it.
+template <class Number>
+std::optional<Number> numberIn(std::string_view text)
+{
+    Number number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc{} && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
+}
 
 } // namespace unprojector::base

@@ -180,7 +180,7 @@ geometry::Result<ReadLandmarks, LandmarkFileError> parseLandmarks(std::string_vi
 ///         kMostLandmarkBytes
 geometry::Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const landmarks::LandmarkSet> sets,
                                                                     Format format,
-                                                                    base::CellTexts texts = base::CellTexts::AsTheyAre);
+                                                                    base::CellTexts texts = base::CellTexts::ReadBack);
 
 /// Converts trailing points "NAME:01", "NAME:02" and so on without a gap to curves with
 /// semilandmarks only. Formats without curves name semilandmarks so. The first one may be

@@ -62,7 +62,7 @@ struct WrittenTable {
 geometry::Result<WrittenTable, LandmarkFileError> specimenTable(std::span<const landmarks::LandmarkSet> specimens,
                                                                 TableForm form, const ProtocolColumns &protocol = {},
                                                                 std::span<const landmarks::Landmark> names = {},
-                                                                base::CellTexts texts = base::CellTexts::AsTheyAre);
+                                                                base::CellTexts texts = base::CellTexts::ReadBack);
 
 /// A specimen with the landmarks of a list first, in its order, as in a table of specimens. Those
 /// that it lacks have no position.
@@ -76,6 +76,6 @@ landmarks::LandmarkSet inOrderOf(landmarks::LandmarkSet specimen, std::span<cons
 /// @return the errors of specimenTable and landmarksText
 geometry::Result<WrittenTable, LandmarkFileError> convertedText(std::vector<landmarks::LandmarkSet> sets, Format to,
                                                                 const std::string &source,
-                                                                base::CellTexts texts = base::CellTexts::AsTheyAre);
+                                                                base::CellTexts texts = base::CellTexts::ReadBack);
 
 } // namespace unprojector::landmark_files

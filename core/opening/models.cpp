@@ -1,6 +1,7 @@
 #include "core/opening/models.h"
 
 #include "core/base/path_text.h"
+#include "core/base/text_scanner.h"
 #include "core/base/translation.h"
 #include "core/examples/examples.h"
 
@@ -69,10 +70,7 @@ ReadModel ModelFiles::read(const std::filesystem::path &file, const base::Progre
 bool isMeantAsScene(const std::filesystem::path &file)
 {
     const std::string name = base::utf8FromPath(file.filename()); // also of ".json", which has no extension
-    constexpr std::string_view kJson = ".json";
-    const auto isSame = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
-    const std::string end = name.size() < kJson.size() ? std::string() : name.substr(name.size() - kJson.size());
-    return std::equal(end.begin(), end.end(), kJson.begin(), kJson.end(), isSame) || isSceneFile(file);
+    return base::lowerCase(name).ends_with(".json") || isSceneFile(file);
 }
 
 std::vector<std::filesystem::path> modelFiles(const SceneFile &scene, const std::filesystem::path &sceneFile)
@@ -102,7 +100,7 @@ objectsOf(const SceneFile &scene, const std::filesystem::path &sceneFile,
             const auto &bundled = examples::bundledModels();
             const auto found = bundled.find(object.bundled);
             if (found == bundled.end())
-                return base::Error{base::tr("there is no bundled model \"%1\"", object.bundled)};
+                return base::Error{base::tr("there is no bundled model \"%1\"", object.bundled), object.name};
             model = found->second;
         } else if (!model) {
             ReadModel of = read(file);

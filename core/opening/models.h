@@ -28,7 +28,7 @@ public:
     /// read; else imported.
     /// @param progress  may be empty
     /// @param prepare   called with an imported model; returning false cancels; may be empty
-    /// @return the errors of importModel; OutOfMemory too if `prepare` throws std::bad_alloc
+    /// @return the errors of importModel; Stopped; OutOfMemory too if `prepare` throws std::bad_alloc
     ReadModel read(const std::filesystem::path &file, const base::Progress &progress = {},
                    const std::function<bool(mesh::Model &)> &prepare = {});
 
@@ -64,7 +64,7 @@ std::vector<std::filesystem::path> modelFiles(const scene_file::SceneFile &scene
 /// Returns a scene's objects with their models: the bundled ones by name, the others from `read`,
 /// which is called once per file.
 /// @param sceneFile  as above
-/// @return the error of the first model that cannot be read; its subject is the object
+/// @return the error of the first model that cannot be read; its subject is the object's name
 base::Expected<std::vector<scene::SceneObject>, base::Error>
 objectsOf(const scene_file::SceneFile &scene, const std::filesystem::path &sceneFile,
           const std::function<ReadModel(const std::filesystem::path &file)> &read);

@@ -7,6 +7,7 @@
 #include "core/scene_file/scene_file.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>

@@ -5,6 +5,7 @@
 #include "core/base/translation.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace unprojector::report {
 using namespace base;

@@ -15,7 +15,7 @@ struct Piece {
 
     std::string text; ///< UTF-8
     Look look = Look::Plain;
-    std::string target = {}; ///< of a link: an id such as "help:picking", which the panel or the page resolves
+    std::string target = {}; ///< of a link: an id such as "help:picking", whose meaning the page knows
 };
 
 /// A line of text. A string is one.
@@ -73,10 +73,10 @@ struct Section {
     std::string id = {};  ///< the target of links to this section; may be empty
 };
 
-/// An answer in words and numbers: made once, for the command, the clipboard and a panel.
+/// An answer in words and numbers: made once, for a terminal and for a page.
 using Report = std::vector<Section>;
 
-/// The report for a terminal: titles at the margin, the rest indented by two. A text that holds a
+/// The report for a terminal: titles and notes at the margin, the rest indented by two. A text that holds a
 /// control character is made printable. Ends with a line end unless it is empty.
 std::string asText(const Report &report);
 

@@ -14,8 +14,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <span>
+#include <variant>
 
 namespace unprojector::scene_file {
 
@@ -31,10 +33,7 @@ constexpr int kSceneVersion = 1;
 constexpr Whole kAnyWhole{-std::numeric_limits<int>::max(), std::numeric_limits<int>::max()};
 constexpr Whole kElementNumber{0, std::numeric_limits<std::uint32_t>::max()};
 
-/// The error of a scene with more bytes than a limit.
-std::string tooLargeText(std::size_t mostBytes);
-
-/// parseJson, or that error.
+/// parseJson, or tooLargeText.
 base::Expected<base::Json, base::Error> parsedJson(std::string_view text, const std::string &name,
                                                    std::size_t mostBytes = kMostSceneBytes);
 
@@ -483,7 +482,8 @@ void describe(Fields &json, T &scene)
         else if (const double found = version.number(); found != kSceneVersion)
             version.fail(tr("version %1 cannot be read, only version %2", base::shortestText(found), kSceneVersion));
     });
-    json.written("generator", "Unprojector " UNPROJECTOR_VERSION); // who wrote it last: of no meaning to who reads it
+    json.written("generator",
+                 "Unprojector " UNPROJECTOR_VERSION); // the last program that wrote the file; readers ignore it
     std::array<const char *, geometry::kApis.size()> apis{};
     std::transform(geometry::kApis.begin(), geometry::kApis.end(), apis.begin(),
                    [](geometry::Api api) { return conventionsOf(api).key; });

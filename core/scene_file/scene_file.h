@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace unprojector::scene_file {
@@ -85,7 +86,7 @@ using SceneOrError = base::Expected<SceneFile, base::Error>;
 
 /// The maximum number of bytes of a scene file. This allows more than a
 /// million landmarks, and every file of landmarks that can be imported. A file or a pipe without end is
-/// refused. A scene takes up to some 40 times its text.
+/// refused. In memory, a scene takes up to 40 times the size of its text.
 constexpr std::size_t kMostSceneBytes = std::size_t{256} << 20;
 /// The maximum size of the window, in logical pixels and in device pixels.
 constexpr int kMostWindowPixels = 65536;
@@ -105,6 +106,8 @@ SceneOrError changed(const SceneFile &scene, const base::JsonValue &change, cons
 /// The error of a file that cannot be read.
 /// @param reason  the system's, as errno; 0: unknown
 base::Error notReadable(const std::string &name, int reason = 0);
+/// The error of a scene with more bytes than a limit.
+std::string tooLargeText(std::size_t mostBytes);
 
 /// The bytes of a scene file. Of a file that is too large, only enough to show that it is.
 /// @return an error of kind NoFile or File

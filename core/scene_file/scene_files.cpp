@@ -2,7 +2,7 @@
 #include "core/base/replace_file.h"
 #include "core/base/system_error.h"
 #include "core/base/translation.h"
-#include "core/scene_file/scene_fields.h"
+#include "core/scene_file/scene_file.h"
 
 #include <array>
 #include <cerrno>

@@ -1,7 +1,9 @@
 #include "core/base/number_text.h"
 #include "core/scene_file/scene_fields.h"
 
+#include <algorithm>
 #include <fstream>
+#include <system_error>
 
 namespace unprojector::scene_file {
 using namespace base;

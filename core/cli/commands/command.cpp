@@ -1,8 +1,8 @@
 #include "core/cli/commands/command.h"
 
 #include "core/base/resource.h"
+#include "core/base/text_scanner.h"
 #include "core/base/translation.h"
-#include "core/cli/commands/inputs.h"
 
 #include <algorithm>
 #include <cassert>

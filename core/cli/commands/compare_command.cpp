@@ -16,7 +16,10 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace unprojector::cli {
@@ -180,11 +183,7 @@ std::string table(const std::vector<Way> &ways, std::size_t points)
             text += ' ' + paddedLeft(*number, 10);
         text += '\n';
     };
-    const auto number = [](double value) {
-        std::array<char, 32> buffer;
-        std::snprintf(buffer.data(), buffer.size(), "%.3g", value);
-        return std::string(buffer.data());
-    };
+    const auto number = [](double value) { return significantText(value, 3); };
     line(tr("method|column"), tr("in|column"), "", tr("largest|column"), tr("mean|column"), "99.99 %");
     for (const Way &way : ways) {
         for (std::size_t k = 0; k < 4; ++k) {

@@ -9,6 +9,7 @@
 #include "core/scene/measures.h"
 
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <unordered_set>
 #include <vector>

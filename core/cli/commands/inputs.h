@@ -23,15 +23,6 @@ using opening::filesOf;
 using opening::OpenedScene;
 using opening::raysOf;
 
-/// A number in full.
-template <class Number>
-std::optional<Number> numberIn(std::string_view given)
-{
-    Number number{};
-    const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), number);
-    return error == std::errc{} && end == given.data() + given.size() ? std::optional(number) : std::nullopt;
-}
-
 /// A number in full that is finite.
 std::optional<double> finiteNumberIn(std::string_view given);
 

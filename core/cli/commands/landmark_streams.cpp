@@ -6,6 +6,7 @@
 #include "core/landmark_files/landmark_folder.h"
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 #include <utility>
 

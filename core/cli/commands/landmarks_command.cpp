@@ -1,4 +1,6 @@
 #include "core/cli/commands/landmarks_command.h"
+
+#include "core/base/number_text.h"
 #include "core/base/path_text.h"
 #include "core/base/replace_file.h"
 #include "core/base/system_file.h"
@@ -21,6 +23,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -31,15 +34,6 @@ using namespace landmark_files;
 using namespace base;
 using geometry::Result;
 namespace {
-
-/// "0.0123": three digits suffice for a distance.
-std::string shortText(double value)
-{
-    std::array<char, 32> digits;
-    const auto written =
-        std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 3);
-    return {digits.data(), written.ptr};
-}
 
 std::string nameOf(const Landmark &landmark, std::size_t index)
 {
@@ -82,7 +76,8 @@ public:
             if (share > ray::kFarFromMesh)
                 complain(tr("%1: %2 was %3 from the mesh, %4 % of its size; do the points belong to another mesh, or "
                             "use other axes?",
-                            m_mesh, nameOf(landmark, i), shortText(tied->distance), shortText(100.0 * share)));
+                            m_mesh, nameOf(landmark, i), significantText(tied->distance, 3),
+                            significantText(100.0 * share, 3)));
         }
     }
 
@@ -127,7 +122,7 @@ public:
             complain(m_mesh + ": "
                      + tr(m_count == 1 ? "%1 point moved onto the mesh, by at most %2 (%3)"
                                        : "%1 points moved onto the mesh, by at most %2 (%3)",
-                          m_count, shortText(m_farthest), m_farthestName));
+                          m_count, significantText(m_farthest, 3), m_farthestName));
     }
 
 private:

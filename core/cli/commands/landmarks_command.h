@@ -28,7 +28,7 @@ struct LandmarksOptions {
 
     base::CellTexts texts() const
     {
-        return isSpreadsheetSafe ? base::CellTexts::SpreadsheetSafe : base::CellTexts::AsTheyAre;
+        return isSpreadsheetSafe ? base::CellTexts::SpreadsheetSafe : base::CellTexts::ReadBack;
     }
 };
 

@@ -1,4 +1,5 @@
 #include "core/base/number_text.h"
+#include "core/base/text_scanner.h"
 #include "core/base/translation.h"
 #include "core/cli/commands/command.h"
 #include "core/cli/commands/inputs.h"
@@ -10,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -50,18 +52,10 @@ ray::Progress partOf(ProgressBar &bar, std::uint64_t amount)
     };
 }
 
-bool hasSuffix(std::string_view name, std::string_view suffix)
-{
-    const auto isSame = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
-    return name.size() >= suffix.size()
-           && std::equal(suffix.begin(), suffix.end(), name.end() - static_cast<std::ptrdiff_t>(suffix.size()),
-                         [&isSame](char wanted, char given) { return isSame(given, wanted); });
-}
-
 /// Checks that a map can be written to the output.
 void checkOutput(const MapOptions &options, const OpenedScene &opened)
 {
-    if (hasSuffix(options.output, ".png"))
+    if (lowerCase(options.output).ends_with(".png"))
         refuse(tr("%1: the command writes float maps only; give a name that ends in .pfm (the window exports PNG)",
                   options.output));
     if (options.isJson && options.output == "-")
@@ -114,14 +108,6 @@ private:
     std::optional<PixelRays> m_pixels;
 };
 
-/// Three digits, enough to read a scale.
-std::string threeDigits(double value)
-{
-    std::array<char, 32> digits;
-    std::snprintf(digits.data(), digits.size(), "%.3g", value);
-    return digits.data();
-}
-
 std::string statisticsText(const MapOptions &options, const MapStatistics &statistics, std::uint64_t pixels)
 {
     const std::string what = options.convention.empty() ? std::string(keyOf(options.quantity))
@@ -131,8 +117,9 @@ std::string statisticsText(const MapOptions &options, const MapStatistics &stati
     if (statistics.count == 0)
         return text;
     return text
-           + tr("; least %1, median %2, 99 % at most %3, greatest %4", threeDigits(statistics.least),
-                threeDigits(statistics.median), threeDigits(statistics.percentile99), threeDigits(statistics.greatest));
+           + tr("; least %1, median %2, 99 % at most %3, greatest %4", significantText(statistics.least, 3),
+                significantText(statistics.median, 3), significantText(statistics.percentile99, 3),
+                significantText(statistics.greatest, 3));
 }
 
 std::string statisticsJson(const MapOptions &options, const MapStatistics &statistics, const Surface &surface)

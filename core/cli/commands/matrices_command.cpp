@@ -7,6 +7,8 @@
 #include "core/matrices/matrix_format.h"
 
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace unprojector::cli {

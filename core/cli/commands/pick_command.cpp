@@ -16,8 +16,11 @@
 #include <glm/matrix.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -161,6 +164,12 @@ void writePick(RowWriter &writer, const RayOnMesh &ray, bool hasEdges)
         for (std::size_t k = 0; k < cells; ++k)
             writer.nothing();
     };
+    const auto name = [&writer](std::string object) {
+        if (!writer.isJson()) // a row is a line, which other programs count and cut
+            std::replace_if(
+                object.begin(), object.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+        writer.text(object);
+    };
     const auto writeEdge = [&] {
         if (!hasEdges)
             return;
@@ -169,7 +178,7 @@ void writePick(RowWriter &writer, const RayOnMesh &ray, bool hasEdges)
         writer.number(1);
         if (!ray.edge->object)
             return nothing(2);
-        writer.text(ray.edgeObject);
+        name(ray.edgeObject);
         if (hit)
             writer.numberOrNothing(ray.edge->behind);
         else
@@ -180,7 +189,7 @@ void writePick(RowWriter &writer, const RayOnMesh &ray, bool hasEdges)
         return writeEdge();
     }
     three(hit->world.coordinates());
-    writer.text(ray.object);
+    name(ray.object);
     if (hit->triangle) {
         writer.number(hit->triangle->triangle);
         three(hit->triangle->barycentric);

@@ -1,4 +1,5 @@
 #include "core/cli/commands/scene_command.h"
+
 #include "core/base/path_text.h"
 #include "core/base/translation.h"
 #include "core/cameras/lens.h"
@@ -15,10 +16,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace unprojector::cli {
@@ -334,7 +338,7 @@ std::string optionAboutMatrices(const SceneOptions &options)
     return options.conventions  ? "--conventions"
            : options.order      ? "--order"
            : options.depth      ? "--depth"
-           : options.isYDown    ? "--y-down"
+           : options.isYDown    ? "--y"
            : options.isReversed ? "--reversed"
                                 : "--orthonormal";
 }

@@ -2,6 +2,7 @@
 
 #include "core/base/translation.h"
 
+#include <cstdint>
 #include <utility>
 
 namespace unprojector::cli {

@@ -18,7 +18,7 @@ struct LineBlock {
 
 /// A message about a line.
 struct LineMessage {
-    std::size_t line = 0; ///< in its block, counted from 0
+    std::size_t line = 0; ///< in its block, counted from 1
     std::string text;
 };
 

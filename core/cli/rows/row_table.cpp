@@ -94,10 +94,13 @@ RowWriter RowOptions::writer(std::string &output, const std::vector<std::string>
 std::string RowOptions::header(const std::vector<std::string> &names) const
 {
     std::string text;
+    if (isJson || isHeaderless)
+        return text;
     RowWriter writer(text);
-    std::for_each(names.begin(), names.end(), [&writer](const std::string &name) { writer.plain(name); });
+    for (const std::string &name : names)
+        writer.plain(name);
     writer.endRow();
-    return isJson || isHeaderless ? std::string() : text;
+    return text;
 }
 
 std::optional<RowTable> RowTable::of(LineBlocks &blocks, const ByteSource &source,

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <unordered_set>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace unprojector::cli {

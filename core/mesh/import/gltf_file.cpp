@@ -98,8 +98,8 @@ Json parsed(std::string_view text)
     if (text.starts_with("\xef\xbb\xbf"))
         text.remove_prefix(3);
     if (const base::Done valid = base::checkJson(text, kDeepestJson, isUnread); !valid) {
-        const auto &[what, subject, file, line, column, kind] = valid.error();
-        failMalformed(line > 0 ? tr("line %1, column %2: %3", line, column, what) : what);
+        const base::Error &error = valid.error();
+        failMalformed(error.line > 0 ? tr("line %1, column %2: %3", error.line, error.column, error.text) : error.text);
     }
     return Json::parse(text);
 }

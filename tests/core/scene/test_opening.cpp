@@ -112,7 +112,8 @@ private slots:
         const auto errorOf = [&](const char *objects) {
             return objectsOf(sceneOf(objects), "scene.json", read).error().message();
         };
-        QCOMPARE(errorOf(R"({"name": "a", "bundled": "Nessie"})"), std::string("there is no bundled model \"Nessie\""));
+        QCOMPARE(errorOf(R"({"name": "a", "bundled": "Nessie"})"),
+                 std::string("a: there is no bundled model \"Nessie\""));
         const std::string missing = errorOf(R"({"name": "a", "file": "none.off"}, {"name": "b", "bundled": "Nessie"})");
         QVERIFY2(missing.starts_with("a: none.off: "), missing.c_str());
     }
