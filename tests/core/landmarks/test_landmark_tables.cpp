@@ -89,7 +89,7 @@ private slots:
         set.landmarks[0].name = set.landmarks[0].note = set.landmarks[0].object = name.toStdString();
         set.landmarks[0].world = WorldPoint(-1, 2, 3);
         set.landmarks[0].extra.edit()["=" + name.toStdString()] = "kept";
-        for (const auto &[texts, cell] : {std::pair(unprojector::base::CellTexts::AsTheyAre, plain),
+        for (const auto &[texts, cell] : {std::pair(unprojector::base::CellTexts::ReadBack, plain),
                                           std::pair(unprojector::base::CellTexts::SpreadsheetSafe, safe)}) {
             const auto csv = landmarksText({&set, 1}, Format::Csv, texts);
             QVERIFY(csv);
