@@ -1,5 +1,6 @@
 // OpenEXR, by its library.
 
+#include "core/base/text_scanner.h"
 #include "core/base/translation.h"
 #include "core/images/formats.h"
 
@@ -11,12 +12,12 @@
 #include <ImfMultiPartInputFile.h>
 #include <ImfPartType.h>
 
-#include <cctype>
 #include <exception>
 #include <limits>
 #include <stdexcept>
 
 namespace unprojector::images {
+using base::Error;
 using base::tr;
 namespace {
 
@@ -39,12 +40,6 @@ private:
     ImageBytes &m_bytes;
 };
 
-std::string inSmallLetters(std::string name)
-{
-    std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return name;
-}
-
 /// A channel of a file of one or more parts.
 struct Choice {
     int part = 0;
@@ -54,10 +49,10 @@ struct Choice {
     std::string layers() const
     {
         const std::size_t dot = channel.rfind('.');
-        return dot == channel.npos ? std::string() : inSmallLetters(channel.substr(0, dot));
+        return dot == channel.npos ? std::string() : base::lowerCase(channel.substr(0, dot));
     }
     /// The part of the name behind the layers, in small letters: "z".
-    std::string lastName() const { return inSmallLetters(channel.substr(channel.rfind('.') + 1)); }
+    std::string lastName() const { return base::lowerCase(channel.substr(channel.rfind('.') + 1)); }
 };
 
 /// The channels that are no deep data.
@@ -152,8 +147,8 @@ void readRows(Imf::InputPart &part, const std::string &channel, NumberImage &ima
 
 /// The numbers of a channel in its frame, which is the display window.
 /// @param notes  the image's first ones
-Numbers readChannel(Imf::MultiPartInputFile &file, const Choice &choice, const ImageRequest &request,
-                    std::vector<std::string> notes = {})
+NumberImage readChannel(Imf::MultiPartInputFile &file, const Choice &choice, const ImageRequest &request,
+                        std::vector<std::string> notes = {})
 {
     const Imf::Header &header = file.header(choice.part);
     const Imath::Box2i frame = header.displayWindow(), data = header.dataWindow();
@@ -161,11 +156,10 @@ Numbers readChannel(Imf::MultiPartInputFile &file, const Choice &choice, const I
     image.notes = std::move(notes);
     image.size = {static_cast<std::size_t>(frame.max.x - frame.min.x + 1),
                   static_cast<std::size_t>(frame.max.y - frame.min.y + 1)};
-    if (auto refused = sizeRefusal(image.size, request))
-        return *refused;
+    checkSize(image.size, request);
     const Imf::Channel &channel = header.channels()[choice.channel.c_str()];
     if (channel.xSampling != 1 || channel.ySampling != 1)
-        return ImageError{
+        throw Error{
             tr("the channel %1 of the OpenEXR image has fewer numbers than pixels; write one a pixel", choice.channel)};
     if (data.min.x > frame.min.x || data.min.y > frame.min.y || data.max.x < frame.max.x || data.max.y < frame.max.y)
         image.notes.push_back(tr("the OpenEXR image has pixels only in a part of its frame; the others are NaN"));
@@ -191,7 +185,7 @@ bool haveSameNumbers(const NumberImage &a, const NumberImage &b)
         a.numbers);
 }
 
-Numbers read(ImageBytes &bytes, const ImageRequest &request)
+NumberImage read(ImageBytes &bytes, const ImageRequest &request)
 {
     constexpr int kMost = static_cast<int>(kMostSide);
     Imf::Header::setMaxImageSize(kMost, kMost);
@@ -199,45 +193,47 @@ Numbers read(ImageBytes &bytes, const ImageRequest &request)
     Imf::MultiPartInputFile file(stream);
     const Channels channels(file);
     if (channels.all.empty())
-        return ImageError{tr("the OpenEXR image has only deep data, several depths a pixel; write one depth a pixel")};
+        throw Error{tr("the OpenEXR image has only deep data, several depths a pixel; write one depth a pixel")};
     if (!request.channel.empty()) {
         const auto asked = std::ranges::find(channels.all, request.channel, &Choice::channel);
         if (asked == channels.all.end())
-            return ImageError{tr("the OpenEXR image has the channels %1, not %2", channels.names, request.channel)};
+            throw Error{tr("the OpenEXR image has the channels %1, not %2", channels.names, request.channel)};
         return readChannel(file, *asked, request);
     }
-    const ImageError uncertain{
+    const Error uncertain{
         tr("the OpenEXR image has the channels %1; give the one of depth by %2", channels.names, request.channelName)};
     std::vector<Choice> choices = channels.ofDepth();
     if (choices.empty())
-        return uncertain;
+        throw uncertain;
     const Choice used = choices.back(); // R of B, G, R
     choices.pop_back();
     std::vector<std::string> notes;
     if (channels.all.size() > 1)
         notes.push_back(tr("of the channels %1, %2 is used", channels.names, used.channel));
-    Numbers image = readChannel(file, used, request, std::move(notes));
-    if (!image)
-        return image;
-    ImageRequest silent = request;
-    silent.onRead = [](std::size_t) {};
-    for (const Choice &other : choices) {
-        const Numbers same = readChannel(file, other, silent);
-        if (!same || !haveSameNumbers(*image, *same))
-            return uncertain;
-    }
+    NumberImage image = readChannel(file, used, request, std::move(notes));
+    ImageRequest silent;
+    silent.check = request.check;
+    const auto isSame = [&](const Choice &other) {
+        try {
+            return haveSameNumbers(image, readChannel(file, other, silent));
+        } catch (const Error &) {
+            return false;
+        }
+    };
+    if (!std::ranges::all_of(choices, isSame))
+        throw uncertain;
     return image;
 }
 
 } // namespace
 
-Numbers readExr(ImageBytes &bytes, const ImageRequest &request)
+NumberImage readExr(ImageBytes &bytes, const ImageRequest &request)
 {
     bytes.allowPositions();
     try {
         return read(bytes, request);
     } catch (const std::exception &error) {
-        return damaged(error.what());
+        throw damaged(error.what());
     }
 }
 

@@ -1,7 +1,6 @@
 // Colors from JPEG, by libjpeg.
 
 #include "core/base/translation.h"
-#include "core/images/exif_orientation.h"
 #include "core/images/formats.h"
 
 #include <csetjmp>
@@ -15,8 +14,33 @@ namespace unprojector::images {
 using base::tr;
 namespace {
 
-/// libjpeg's reader. Its errors jump (longjmp) to the latest setjmp: each function that calls
-/// libjpeg has one, and no object there needs a destructor.
+/// The orientation of an Exif segment: 1 is upright, 2 to 8 are turned or mirrored.
+/// @param segment  the content of a JPEG's APP1, beginning with "Exif"
+/// @return nothing for another segment, one without an orientation, or a damaged one
+std::optional<unsigned> exifOrientation(std::span<const std::uint8_t> segment)
+{
+    constexpr std::array<std::uint8_t, 6> kStart{'E', 'x', 'i', 'f', 0, 0};
+    if (segment.size() <= kStart.size() || !std::equal(kStart.begin(), kStart.end(), segment.begin()))
+        return std::nullopt;
+    // The numbers of a TIFF; 0 behind its end.
+    const std::span<const std::uint8_t> tiff = segment.subspan(kStart.size());
+    const std::endian order = !tiff.empty() && tiff[0] == 'M' ? std::endian::big : std::endian::little;
+    const auto numberAt = [&]<class Number>(std::size_t at, Number) -> std::size_t {
+        return at + sizeof(Number) <= tiff.size() ? base::numberAt<Number>(tiff.data() + at, order) : 0;
+    };
+    const auto of16 = [&](std::size_t at) { return numberAt(at, std::uint16_t{}); };
+    constexpr unsigned kOrientation = 0x0112, kShort = 3;
+    constexpr std::size_t kEntry = 12;
+    const std::size_t directory = numberAt(4, std::uint32_t{}), count = of16(directory);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t entry = directory + 2 + i * kEntry, value = of16(entry + 8);
+        if (of16(entry) == kOrientation && of16(entry + 2) == kShort && value >= 1 && value <= 8)
+            return value;
+    }
+    return std::nullopt;
+}
+
+/// libjpeg's reader.
 class JpegReader {
     static constexpr int kExifMarker = JPEG_APP0 + 1;
     static constexpr unsigned kLongestSegment = 0xffff;
@@ -39,40 +63,40 @@ public:
     JpegReader(const JpegReader &) = delete;
     JpegReader &operator=(const JpegReader &) = delete;
 
-    bool readHeader()
+    void readHeader()
     {
-        if (setjmp(m_jump) != 0)
-            return false;
-        jpeg_create_decompress(&m_decoder);
-        m_decoder.client_data = this;
-        m_decoder.src = &m_source;
-        jpeg_save_markers(&m_decoder, kExifMarker, kLongestSegment);
-        jpeg_read_header(&m_decoder, TRUE);
-        return true;
+        run([this] {
+            jpeg_create_decompress(&m_decoder);
+            m_decoder.client_data = this;
+            m_decoder.src = &m_source;
+            jpeg_save_markers(&m_decoder, kExifMarker, kLongestSegment);
+            jpeg_read_header(&m_decoder, TRUE);
+        });
     }
     PixelSize size() const { return {m_decoder.image_width, m_decoder.image_height}; }
     bool isOfInks() const { return m_decoder.num_components == 4; }
 
-    bool start()
+    void start()
     {
-        if (setjmp(m_jump) != 0)
-            return false;
-        m_decoder.out_color_space = JCS_RGB;
-        jpeg_start_decompress(&m_decoder);
-        return true;
+        run([this] {
+            m_decoder.out_color_space = JCS_RGB;
+            jpeg_start_decompress(&m_decoder);
+        });
     }
-    bool readRow(std::uint8_t *row)
+    /// Missing pixels are an error too, although libjpeg fills them with gray.
+    void readRow(std::uint8_t *row)
     {
-        if (setjmp(m_jump) != 0)
-            return false;
-        JSAMPROW rows = row;
-        jpeg_read_scanlines(&m_decoder, &rows, 1);
-        return !m_isEnded && !m_lacksData;
+        run([this, row] {
+            JSAMPROW rows = row;
+            jpeg_read_scanlines(&m_decoder, &rows, 1);
+        });
+        if (m_isEnded || m_lacksData)
+            fail();
     }
 
     /// The first warning; empty if there is none.
     const std::string &warning() const { return m_warning; }
-    std::optional<int> orientation() const
+    std::optional<unsigned> orientation() const
     {
         for (auto marker = m_decoder.marker_list; marker != nullptr; marker = marker->next) {
             if (const auto orientation = exifOrientation({marker->data, marker->data_length}))
@@ -81,19 +105,25 @@ public:
         return std::nullopt;
     }
 
-    /// The error; missing pixels are one too, although libjpeg fills them with gray.
-    ImageError error()
+private:
+    /// Calls libjpeg, whose errors jump (longjmp) back here: no object of a step needs a destructor.
+    template <class Step>
+    void run(const Step &step)
+    {
+        if (setjmp(m_jump) != 0)
+            fail();
+        step();
+    }
+    [[noreturn]] void fail()
     {
         if (m_isEnded)
-            return tooShort(size());
+            throw tooShort(size());
         if (m_lacksData)
-            return damaged(m_warning);
+            throw damaged(m_warning);
         char message[JMSG_LENGTH_MAX] = "libjpeg";
         m_errors.format_message(reinterpret_cast<j_common_ptr>(&m_decoder), message);
-        return damaged(message);
+        throw damaged(message);
     }
-
-private:
     [[noreturn]] static void onError(j_common_ptr decoder)
     {
         std::longjmp(static_cast<JpegReader *>(decoder->client_data)->m_jump, 1);
@@ -151,29 +181,25 @@ private:
 
 } // namespace
 
-Colors readJpegColors(ImageBytes &bytes, const ImageRequest &request)
+ColorImage readJpegColors(ImageBytes &bytes, const ImageRequest &request)
 {
     JpegReader reader(bytes);
-    if (!reader.readHeader())
-        return reader.error();
+    reader.readHeader();
     ColorImage image;
     image.size = reader.size();
     if (reader.isOfInks())
-        return ImageError{tr("the JPEG has the four inks of printing; convert it to red, green and blue")};
-    if (auto refused = sizeRefusal(image.size, request))
-        return *refused;
-    if (!reader.start())
-        return reader.error();
+        throw base::Error{tr("the JPEG has the four inks of printing; convert it to red, green and blue")};
+    checkSize(image.size, request);
+    reader.start();
     constexpr std::size_t kChannels = 3;
     image.colors = std::make_unique_for_overwrite<std::uint8_t[]>(kChannels * image.size.pixels());
     for (std::size_t j = 0; j < image.size.height; ++j) {
-        if (!reader.readRow(image.colors.get() + j * kChannels * image.size.width))
-            return reader.error();
+        reader.readRow(image.colors.get() + j * kChannels * image.size.width);
         request.onRead(image.size.width);
     }
     if (!reader.warning().empty())
         image.notes.push_back(tr("the JPEG has a fault (%1); some of its colors may be wrong", reader.warning()));
-    if (const std::optional<int> orientation = reader.orientation(); orientation && *orientation != 1)
+    if (const auto orientation = reader.orientation(); orientation && *orientation != 1)
         image.notes.push_back(tr("the JPEG is to be shown turned or mirrored (Exif orientation %1); its pixels are "
                                  "used as stored",
                                  *orientation));

@@ -1,102 +1,45 @@
 // PFM, PGM, COLMAP's maps and raw floats.
 
 #include "core/base/number_text.h"
+#include "core/base/text_scanner.h"
 #include "core/base/translation.h"
 #include "core/images/formats.h"
 
-#include <charconv>
 #include <cmath>
 
 namespace unprojector::images {
+using base::Error;
 using base::tr;
 using base::withSwappedBytes;
 namespace {
 
-bool isSpace(char c)
+/// The next word of a header; comments, from # to the line's end, are skipped.
+std::string_view nextWord(base::TextScanner &header)
 {
-    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
-}
-
-/// The words of a header; comments, from # to the line's end, are skipped.
-class Header {
-public:
-    explicit Header(std::string_view bytes) : m_bytes(bytes) {}
-
-    std::string_view word()
-    {
-        while (m_at < m_bytes.size() && (isSpace(m_bytes[m_at]) || m_bytes[m_at] == '#')) {
-            if (m_bytes[m_at] == '#')
-                m_at = std::min(m_bytes.find('\n', m_at), m_bytes.size());
-            else
-                ++m_at;
-        }
-        const std::size_t start = m_at;
-        while (m_at < m_bytes.size() && !isSpace(m_bytes[m_at]))
-            ++m_at;
-        return m_bytes.substr(start, m_at - start);
-    }
-    /// The start of the pixels: one blank after the last word.
-    std::size_t end() const { return std::min(m_at + 1, m_bytes.size()); }
-
-private:
-    std::string_view m_bytes;
-    std::size_t m_at = 0;
-};
-
-template <class Number>
-std::optional<Number> numberOf(std::string_view text)
-{
-    Number number{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc{} || end != text.data() + text.size())
-        return std::nullopt;
-    return number;
+    std::string_view word = header.nextWord();
+    for (; word.starts_with('#'); word = header.nextWord())
+        header.skipLine();
+    return word;
 }
 
 /// "640&480&1&": width, height and numbers a pixel of COLMAP's maps.
-class ColmapHeader {
-public:
-    explicit ColmapHeader(std::string_view bytes)
-    {
-        for (std::size_t &number : m_numbers) {
-            const std::size_t start = m_at;
-            m_at = std::min(bytes.find('&', start), bytes.size());
-            const auto found = numberOf<std::size_t>(bytes.substr(start, m_at - start));
-            m_isWhole = m_isWhole && found && m_at < bytes.size();
-            number = found.value_or(0);
-            m_at = std::min(m_at + 1, bytes.size());
-        }
-    }
-    bool isWhole() const { return m_isWhole; }
-    PixelSize size() const { return {m_numbers[0], m_numbers[1]}; }
-    std::size_t channels() const { return m_numbers[2]; }
-    std::size_t end() const { return m_at; }
-
-private:
-    std::array<std::size_t, 3> m_numbers{};
-    std::size_t m_at = 0;
-    bool m_isWhole = true;
+struct ColmapHeader {
+    std::array<std::size_t, 3> numbers{};
+    std::size_t end = 0; ///< where the pixels begin
 };
 
-/// Reads the values of all pixels as the file has them.
-/// @param isSwapped  the file's byte order is not this machine's
-template <class Number>
-std::optional<ImageError> readAll(ImageBytes &bytes, NumberImage &image, bool isSwapped, const ImageRequest &request)
+std::optional<ColmapHeader> colmapHeader(std::string_view bytes)
 {
-    auto numbers = std::make_unique_for_overwrite<Number[]>(image.size.pixels());
-    const std::span<Number> all(numbers.get(), image.size.pixels());
-    for (std::size_t start = 0; start < all.size(); start += kBlock) {
-        const std::span<Number> block = all.subspan(start, std::min(kBlock, all.size() - start));
-        if (!bytes.read(reinterpret_cast<char *>(block.data()), block.size_bytes()))
-            return tooShort(image.size);
-        if (isSwapped)
-            std::ranges::transform(block, block.begin(), withSwappedBytes<Number>);
-        request.onRead(block.size());
+    ColmapHeader header;
+    for (std::size_t &number : header.numbers) {
+        const std::size_t end = std::min(bytes.find('&', header.end), bytes.size());
+        const auto found = base::numberIn<std::size_t>(bytes.substr(header.end, end - header.end));
+        if (!found || end == bytes.size())
+            return std::nullopt;
+        number = *found;
+        header.end = end + 1;
     }
-    if (hasMore(bytes))
-        return tooLong(image.size);
-    image.numbers = std::move(numbers);
-    return std::nullopt;
+    return header;
 }
 
 template <class Number>
@@ -150,121 +93,104 @@ bool isSmootherSwapped(const NumberImage &image)
     return other.count >= kFew && 2 * other.count >= own.count && kFarSmoother * other.relative() < own.relative();
 }
 
-/// The first pixel above the greatest value that the header declares.
+/// Throws for a pixel above the greatest value that the header declares.
 template <class Number>
-std::optional<ImageError> excess(const NumberImage &image, const ImageRequest &request)
+void checkGreatest(const NumberImage &image, const ImageRequest &request)
 {
     const std::span<const Number> numbers = numbersOf<Number>(image);
     const auto isExcess = [&](Number n) { return n > image.greatest; };
     const auto found = std::ranges::find_if(numbers, isExcess);
     if (found == numbers.end())
-        return std::nullopt;
+        return;
     if (!request.byteOrder && std::ranges::none_of(numbers, isExcess, withSwappedBytes<Number>))
-        return ImageError{tr("numbers are above %1, the greatest one of the header, and none is in the other byte "
-                             "order; give little by %2",
-                             base::shortestText(image.greatest), request.byteOrderName)};
+        throw Error{tr("numbers are above %1, the greatest one of the header, and none is in the other byte "
+                       "order; give little by %2",
+                       base::shortestText(image.greatest), request.byteOrderName)};
     const auto pixel = static_cast<std::size_t>(found - numbers.begin());
-    return ImageError{tr("the pixel in column %1 and row %2 has the value %3, and the header says that %4 is the "
-                         "greatest (both counted from 0, from the upper left)",
-                         pixel % image.size.width, pixel / image.size.width, unsigned{*found},
-                         base::shortestText(image.greatest))};
+    throw Error{tr("the pixel in column %1 and row %2 has the value %3, and the header says that %4 is the "
+                   "greatest (both counted from 0, from the upper left)",
+                   pixel % image.size.width, pixel / image.size.width, unsigned{*found},
+                   base::shortestText(image.greatest))};
 }
-
-constexpr bool kIsLittle = std::endian::native == std::endian::little;
 
 /// Reads numbers whose byte order the file does not tell.
 /// @param usual  the format's byte order
 template <class Number>
-std::optional<ImageError> readInOrder(ImageBytes &bytes, NumberImage &image, std::endian usual,
-                                      const ImageRequest &request)
+void readInOrder(ImageBytes &bytes, NumberImage &image, std::endian usual, const ImageRequest &request)
 {
-    const std::endian order = request.byteOrder.value_or(usual);
-    if (auto error = readAll<Number>(bytes, image, order != std::endian::native, request))
-        return error;
+    readNumbers<Number>(bytes, image, request.byteOrder.value_or(usual), request);
     if (!request.byteOrder && isSmootherSwapped<Number>(image))
         image.notes.push_back(tr("in the other byte order the image is far smoother; if the depths are wrong, give "
                                  "%1 by %2",
                                  usual == std::endian::big ? "little" : "big", request.byteOrderName));
-    return std::nullopt;
 }
 
 } // namespace
 
 bool isNetpbm(std::string_view first)
 {
-    return first.size() > 2 && isSpace(first[2]) && (first.starts_with("Pf") || first.starts_with("P5"));
+    return (first.starts_with("Pf") || first.starts_with("P5")) && first.find_first_of(" \t\n\r") == 2;
 }
 
-Numbers readNetpbm(ImageBytes &bytes, const ImageRequest &request)
+NumberImage readNetpbm(ImageBytes &bytes, const ImageRequest &request)
 {
     const bool isPfm = bytes.first().starts_with("Pf");
-    Header header(bytes.first());
-    header.word();
-    const auto width = numberOf<std::size_t>(header.word()), height = numberOf<std::size_t>(header.word());
-    const auto last =
-        numberOf<double>(header.word()); // PGM: the greatest value; PFM: the scale, below 0: little-endian
-    if (!width || !height || !last)
-        return ImageError{tr("the header is damaged")};
+    base::TextScanner header(bytes.first(), 2);
+    const auto width = base::numberIn<std::size_t>(nextWord(header)),
+               height = base::numberIn<std::size_t>(nextWord(header));
+    // PGM: the greatest value; PFM: the scale, below 0: little-endian
+    const double last = base::numberIn<double>(nextWord(header)).value_or(0.0);
     const bool isMeant =
-        isPfm ? *last != 0.0 && std::isfinite(*last) : *last >= 1.0 && *last <= 65535.0 && *last == std::floor(*last);
-    if (!isMeant)
-        return ImageError{tr("the header is damaged")};
+        isPfm ? last != 0.0 && std::isfinite(last) : last >= 1.0 && last <= 65535.0 && last == std::floor(last);
+    if (!width || !height || !isMeant)
+        throw Error{tr("the header is damaged")};
     NumberImage image;
     image.size = {*width, *height};
-    image.greatest = isPfm ? 0.0 : *last;
-    if (auto refused = sizeRefusal(image.size, request))
-        return *refused;
+    image.greatest = isPfm ? 0.0 : last;
+    checkSize(image.size, request);
     if (request.byteOrder && image.greatest <= 255.0)
-        return byteOrderRefusal(request);
-    bytes.moveTo(header.end());
-    std::optional<ImageError> error;
+        throw byteOrderRefusal(request);
+    bytes.moveTo(std::min(header.offset() + 1, bytes.first().size())); // a blank is before the pixels
     if (isPfm) {
         image.isBottomFirst = true;
-        if (std::abs(*last) != 1.0)
+        if (std::abs(last) != 1.0)
             image.notes.push_back(tr("the header has the scale %1, which is not applied: the depths are used unchanged",
-                                     base::shortestText(std::abs(*last))));
-        error = readAll<float>(bytes, image, (*last < 0.0) != kIsLittle, request);
+                                     base::shortestText(std::abs(last))));
+        readNumbers<float>(bytes, image, last < 0.0 ? std::endian::little : std::endian::big, request);
     } else if (image.greatest > 255.0) {
-        error = readInOrder<std::uint16_t>(bytes, image, std::endian::big, request);
-        error = error ? error : excess<std::uint16_t>(image, request);
+        readInOrder<std::uint16_t>(bytes, image, std::endian::big, request);
+        checkGreatest<std::uint16_t>(image, request);
     } else {
-        error = readAll<std::uint8_t>(bytes, image, false, request);
-        error = error ? error : excess<std::uint8_t>(image, request);
+        readNumbers<std::uint8_t>(bytes, image, std::endian::native, request);
+        checkGreatest<std::uint8_t>(image, request);
     }
-    if (error)
-        return *error;
     return image;
 }
 
-Numbers readRaw(ImageBytes &bytes, const PixelSize &size, const ImageRequest &request)
+NumberImage readRaw(ImageBytes &bytes, const PixelSize &size, const ImageRequest &request)
 {
-    if (auto refused = sizeRefusal(size, request))
-        return *refused;
+    checkSize(size, request);
     NumberImage image;
     image.size = size;
-    if (auto error = readInOrder<float>(bytes, image, std::endian::little, request))
-        return *error;
+    readInOrder<float>(bytes, image, std::endian::little, request);
     return image;
 }
 
 bool isColmap(std::string_view first)
 {
-    return ColmapHeader(first).isWhole();
+    return colmapHeader(first).has_value();
 }
 
-Numbers readColmap(ImageBytes &bytes, const ImageRequest &request)
+NumberImage readColmap(ImageBytes &bytes, const ImageRequest &request)
 {
-    const ColmapHeader header(bytes.first());
-    if (header.channels() != 1)
-        return ImageError{
-            tr("the map of COLMAP has %1 numbers a pixel; give its map of depths, not of normals", header.channels())};
+    const auto [numbers, end] = *colmapHeader(bytes.first());
+    if (numbers[2] != 1)
+        throw Error{tr("the map of COLMAP has %1 numbers a pixel; give its map of depths, not of normals", numbers[2])};
     NumberImage image;
-    image.size = header.size();
-    if (auto refused = sizeRefusal(image.size, request))
-        return *refused;
-    bytes.moveTo(header.end());
-    if (auto error = readAll<float>(bytes, image, !kIsLittle, request))
-        return *error;
+    image.size = {numbers[0], numbers[1]};
+    checkSize(image.size, request);
+    bytes.moveTo(end);
+    readNumbers<float>(bytes, image, std::endian::little, request);
     return image;
 }
 

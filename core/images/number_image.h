@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/geometry/result.h"
+#include "core/base/error.h"
+#include "core/base/expected.h"
 #include "core/images/image_bytes.h"
 
 #include <bit>
@@ -27,11 +28,6 @@ std::string sizeText(const PixelSize &size);
 
 /// The longest side of an image that is read.
 constexpr std::size_t kMostSide = 65536;
-
-/// The fault of an image.
-struct ImageError {
-    std::string reason; ///< says what to do, in the language of base::tr()
-};
 
 /// One number a pixel, in the type of the file.
 struct NumberImage {
@@ -67,10 +63,10 @@ struct ImageRequest {
     std::optional<std::endian> byteOrder;
     /// The caller's names of these two, for errors and notes.
     const char *channelName = "--channel", *byteOrderName = "--byte-order";
-    /// The reason to refuse an image of a size, before memory is allocated for it.
-    std::function<std::optional<ImageError>(const PixelSize &)> refusal;
+    /// Called with the size of an image before memory is allocated for it. Throws base::Error to refuse it.
+    std::function<void(const PixelSize &)> check = [](const PixelSize &) {};
     /// Receives the number of pixels read since the last call.
-    std::function<void(std::size_t)> onRead;
+    std::function<void(std::size_t)> onRead = [](std::size_t) {};
 };
 
 /// Reads an image of numbers. Its content tells the format, not its name:
@@ -85,10 +81,10 @@ struct ImageRequest {
 ///   TIFF           one channel: whole numbers of 8, 16 or 32 bits, floats of 16, 32 or 64 bits
 ///   anything else  raw 32-bit floats, little-endian, rows from the top, of the given size
 ///
-geometry::Result<NumberImage, ImageError> readNumberImage(ImageBytes &bytes, const ImageRequest &request);
+base::Expected<NumberImage, base::Error> readNumberImage(ImageBytes &bytes, const ImageRequest &request);
 
 /// Reads colors: PNG of any kind, or JPEG. Pixels are in stored order; a note reports an Exif
 /// orientation that is not upright.
-geometry::Result<ColorImage, ImageError> readColorImage(ImageBytes &bytes, const ImageRequest &request);
+base::Expected<ColorImage, base::Error> readColorImage(ImageBytes &bytes, const ImageRequest &request);
 
 } // namespace unprojector::images

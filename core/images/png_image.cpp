@@ -6,14 +6,12 @@
 #include <png.h>
 
 #include <csetjmp>
-#include <limits>
 
 namespace unprojector::images {
 using base::tr;
 namespace {
 
-/// libpng's reader. Its errors jump (longjmp) to the latest setjmp: each function that calls libpng
-/// has one, and no object there needs a destructor.
+/// libpng's reader.
 class PngReader {
 public:
     explicit PngReader(ImageBytes &bytes) : m_bytes(bytes)
@@ -25,74 +23,61 @@ public:
     PngReader(const PngReader &) = delete;
     PngReader &operator=(const PngReader &) = delete;
 
-    /// Reads up to the pixels. @return false on an error
-    bool readHeader()
+    void readHeader()
     {
         if (m_info == nullptr)
-            return false;
-        if (setjmp(png_jmpbuf(m_png)) != 0)
-            return false;
-        png_set_read_fn(m_png, this, onRead);
-        png_set_user_limits(m_png, kMostSide, kMostSide);
-        png_read_info(m_png, m_info);
-        return true;
+            throw damaged(m_error);
+        run([this] {
+            png_set_read_fn(m_png, this, onRead);
+            png_set_user_limits(m_png, kMostSide, kMostSide);
+            png_read_info(m_png, m_info);
+        });
     }
-
     PixelSize size() const { return {png_get_image_width(m_png, m_info), png_get_image_height(m_png, m_info)}; }
     int bits() const { return png_get_bit_depth(m_png, m_info); }
     int colorType() const { return png_get_color_type(m_png, m_info); }
 
     /// Prepares for pixels of 8 or 16 bits in this machine's order, or for colors of 3 x 8 bits.
-    bool prepare(bool isForColors)
+    void prepare(bool isForColors)
     {
-        if (setjmp(png_jmpbuf(m_png)) != 0)
-            return false;
-        if (isForColors) {
-            png_set_expand(m_png);
-            png_set_scale_16(m_png);
-            png_set_gray_to_rgb(m_png);
-            png_set_strip_alpha(m_png);
-        } else if (std::endian::native == std::endian::little) {
-            png_set_swap(m_png);
-        }
-        m_passes = png_set_interlace_handling(m_png);
-        png_read_update_info(m_png, m_info);
-        return true;
+        run([this, isForColors] {
+            if (isForColors) {
+                png_set_expand(m_png);
+                png_set_scale_16(m_png);
+                png_set_gray_to_rgb(m_png);
+                png_set_strip_alpha(m_png);
+            } else if (std::endian::native == std::endian::little) {
+                png_set_swap(m_png);
+            }
+            m_passes = png_set_interlace_handling(m_png);
+            png_read_update_info(m_png, m_info);
+        });
     }
 
     std::size_t rowBytes() const { return png_get_rowbytes(m_png, m_info); }
 
     /// Reads all rows, and the end of the file.
-    bool readRows(std::uint8_t *pixels, const ImageRequest &request)
+    void readRows(std::uint8_t *pixels, const ImageRequest &request)
     {
         const PixelSize image = size();
         for (int pass = 0; pass < m_passes; ++pass) {
             for (std::size_t j = 0; j < image.height; ++j) {
-                if (!readRow(pixels + j * rowBytes()))
-                    return false;
+                run([this, row = pixels + j * rowBytes()] { png_read_row(m_png, row, nullptr); });
                 if (pass + 1 == m_passes)
                     request.onRead(image.width);
             }
         }
-        return readEnd();
+        run([this] { png_read_end(m_png, nullptr); });
     }
-
-    ImageError error() const { return m_isEnded ? tooShort(size()) : damaged(m_error); }
 
 private:
-    bool readRow(png_bytep row)
+    /// Calls libpng, whose errors jump (longjmp) back here: no object of a step needs a destructor.
+    template <class Step>
+    void run(const Step &step)
     {
         if (setjmp(png_jmpbuf(m_png)) != 0)
-            return false;
-        png_read_row(m_png, row, nullptr);
-        return true;
-    }
-    bool readEnd()
-    {
-        if (setjmp(png_jmpbuf(m_png)) != 0)
-            return false;
-        png_read_end(m_png, nullptr);
-        return true;
+            throw m_isEnded ? tooShort(size()) : damaged(m_error);
+        step();
     }
 
     static PngReader &self(png_structp png) { return *static_cast<PngReader *>(png_get_error_ptr(png)); }
@@ -130,52 +115,46 @@ std::string kindOf(const PngReader &reader)
 }
 
 template <class Number>
-Numbers readGray(PngReader &reader, NumberImage image, const ImageRequest &request)
+void readGray(PngReader &reader, NumberImage &image, const ImageRequest &request)
 {
     auto numbers = std::make_unique_for_overwrite<Number[]>(image.size.pixels());
-    if (!reader.readRows(reinterpret_cast<std::uint8_t *>(numbers.get()), request))
-        return reader.error();
-    image.greatest = std::numeric_limits<Number>::max();
+    reader.readRows(reinterpret_cast<std::uint8_t *>(numbers.get()), request);
+    image.greatest = kGreatest<Number>;
     image.numbers = std::move(numbers);
-    return image;
 }
 
 } // namespace
 
-Numbers readPng(ImageBytes &bytes, const ImageRequest &request)
+NumberImage readPng(ImageBytes &bytes, const ImageRequest &request)
 {
     PngReader reader(bytes);
-    if (!reader.readHeader())
-        return reader.error();
+    reader.readHeader();
     NumberImage image;
     image.size = reader.size();
     if (reader.colorType() != PNG_COLOR_TYPE_GRAY || reader.bits() < 8)
-        return ImageError{tr("the PNG has %1; a depth image has 8 or 16 bits of gray", kindOf(reader))};
-    if (auto refused = sizeRefusal(image.size, request))
-        return *refused;
-    if (!reader.prepare(false))
-        return reader.error();
-    return reader.bits() == 16 ? readGray<std::uint16_t>(reader, std::move(image), request)
-                               : readGray<std::uint8_t>(reader, std::move(image), request);
+        throw base::Error{tr("the PNG has %1; a depth image has 8 or 16 bits of gray", kindOf(reader))};
+    checkSize(image.size, request);
+    reader.prepare(false);
+    if (reader.bits() == 16)
+        readGray<std::uint16_t>(reader, image, request);
+    else
+        readGray<std::uint8_t>(reader, image, request);
+    return image;
 }
 
-Colors readPngColors(ImageBytes &bytes, const ImageRequest &request)
+ColorImage readPngColors(ImageBytes &bytes, const ImageRequest &request)
 {
     PngReader reader(bytes);
-    if (!reader.readHeader())
-        return reader.error();
+    reader.readHeader();
     ColorImage image;
     image.size = reader.size();
-    if (auto refused = sizeRefusal(image.size, request))
-        return *refused;
-    if (!reader.prepare(true))
-        return reader.error();
+    checkSize(image.size, request);
+    reader.prepare(true);
     constexpr std::size_t kChannels = 3;
     if (reader.rowBytes() != kChannels * image.size.width)
-        return damaged("libpng");
+        throw damaged("libpng");
     image.colors = std::make_unique_for_overwrite<std::uint8_t[]>(kChannels * image.size.pixels());
-    if (!reader.readRows(image.colors.get(), request))
-        return reader.error();
+    reader.readRows(image.colors.get(), request);
     return image;
 }
 

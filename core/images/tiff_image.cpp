@@ -7,10 +7,11 @@
 
 #include <cstdarg>
 #include <cstdio>
-#include <limits>
+#include <string>
 #include <utility>
 
 namespace unprojector::images {
+using base::Error;
 using base::tr;
 namespace {
 
@@ -74,7 +75,7 @@ public:
     TiffReader &operator=(const TiffReader &) = delete;
 
     TIFF *get() const { return m_tiff; }
-    ImageError error() const { return damaged(m_source.error); }
+    Error error() const { return damaged(m_source.error); }
 
     template <class Value>
     Value field(ttag_t tag) const
@@ -124,66 +125,44 @@ bool readPixels(const TiffReader &reader, const PixelSize &size, std::size_t pix
     return true;
 }
 
-/// @tparam File, Stored  as in the file, and in the image
-template <class File, class Stored>
-Numbers readAs(const TiffReader &reader, NumberImage image, const ImageRequest &request, Stored (*stored)(File))
+/// Reads the numbers of an image whose size is known.
+template <class File>
+void readNumbers(const TiffReader &reader, NumberImage &image, const ImageRequest &request)
 {
-    auto numbers = std::make_unique_for_overwrite<Stored[]>(image.size.pixels());
+    auto numbers = std::make_unique_for_overwrite<Stored<File>[]>(image.size.pixels());
     const bool isRead = readPixels(reader, image.size, sizeof(File),
                                    [&](std::size_t j, std::size_t left, std::size_t count, const char *bytes) {
                                        for (std::size_t i = 0; i < count; ++i) {
                                            File value;
                                            std::memcpy(&value, bytes + i * sizeof(File), sizeof(File));
-                                           numbers[j * image.size.width + left + i] = stored(value);
+                                           numbers[j * image.size.width + left + i] = static_cast<Stored<File>>(value);
                                        }
                                        request.onRead(count);
                                    });
     if (!isRead)
-        return reader.error();
-    if constexpr (std::is_integral_v<File>)
-        image.greatest = static_cast<double>(std::numeric_limits<File>::max());
+        throw reader.error();
+    image.greatest = kGreatest<File>;
     image.numbers = std::move(numbers);
-    return image;
 }
 
-template <class File, class Stored>
-Stored converted(File value)
+/// @return of no value; nothing where numbers of this kind are not read
+std::optional<FileNumber> numberOf(unsigned bits, unsigned format)
 {
-    return static_cast<Stored>(value);
-}
-
-/// @return nothing where numbers of this kind are not read
-std::optional<Numbers> readOf(const TiffReader &reader, unsigned bits, unsigned format, NumberImage &&image,
-                              const ImageRequest &request)
-{
-    const auto read = [&](auto stored) { return readAs(reader, std::move(image), request, stored); };
-    if (format == SAMPLEFORMAT_IEEEFP) {
-        switch (bits) {
-        case 16: return readAs<std::uint16_t, float>(reader, std::move(image), request, floatFromHalf);
-        case 32: return read(converted<float, float>);
-        case 64: return read(converted<double, double>);
-        default: return std::nullopt;
-        }
-    }
-    const bool isSigned = format == SAMPLEFORMAT_INT;
-    if (format != SAMPLEFORMAT_UINT && format != SAMPLEFORMAT_VOID && !isSigned)
+    const bool isFloat = format == SAMPLEFORMAT_IEEEFP, isSigned = format == SAMPLEFORMAT_INT;
+    const bool isWhole = format == SAMPLEFORMAT_UINT || format == SAMPLEFORMAT_VOID || isSigned;
+    if (bits % 8 != 0 || !(isFloat || (isWhole && bits <= 32)))
         return std::nullopt;
-    switch (bits) {
-    case 8: return isSigned ? read(converted<std::int8_t, float>) : read(converted<std::uint8_t, std::uint8_t>);
-    case 16: return isSigned ? read(converted<std::int16_t, float>) : read(converted<std::uint16_t, std::uint16_t>);
-    case 32: return isSigned ? read(converted<std::int32_t, double>) : read(converted<std::uint32_t, double>);
-    default: return std::nullopt;
-    }
+    return fileNumber((isFloat ? "f" : isSigned ? "i" : "u") + std::to_string(bits / 8));
 }
 
 } // namespace
 
-Numbers readTiff(ImageBytes &bytes, const ImageRequest &request)
+NumberImage readTiff(ImageBytes &bytes, const ImageRequest &request)
 {
     bytes.allowPositions();
     const TiffReader reader(bytes);
     if (reader.get() == nullptr)
-        return reader.error();
+        throw reader.error();
     const auto channels = reader.field<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL);
     const auto bits = reader.field<std::uint16_t>(TIFFTAG_BITSPERSAMPLE);
     const auto format = reader.field<std::uint16_t>(TIFFTAG_SAMPLEFORMAT);
@@ -191,30 +170,29 @@ Numbers readTiff(ImageBytes &bytes, const ImageRequest &request)
     const bool hasMeaning = TIFFGetField(reader.get(), TIFFTAG_PHOTOMETRIC, &meaning) == 1;
     const auto orientation = reader.field<std::uint16_t>(TIFFTAG_ORIENTATION);
     if (channels != 1)
-        return ImageError{tr("the TIFF has %1 channels; a depth image has one", channels)};
+        throw Error{tr("the TIFF has %1 channels; a depth image has one", channels)};
     if (meaning == PHOTOMETRIC_PALETTE || meaning == PHOTOMETRIC_MINISWHITE)
-        return ImageError{tr("the TIFF has a palette of colors, or 0 for white; a depth image has plain numbers")};
+        throw Error{tr("the TIFF has a palette of colors, or 0 for white; a depth image has plain numbers")};
     if (orientation != ORIENTATION_TOPLEFT && orientation != ORIENTATION_BOTLEFT)
-        return ImageError{tr("the TIFF is turned or mirrored (orientation %1); write it upright", orientation)};
+        throw Error{tr("the TIFF is turned or mirrored (orientation %1); write it upright", orientation)};
     NumberImage image;
     image.size = {reader.field<std::uint32_t>(TIFFTAG_IMAGEWIDTH), reader.field<std::uint32_t>(TIFFTAG_IMAGELENGTH)};
     image.isBottomFirst = orientation == ORIENTATION_BOTLEFT;
-    if (auto refused = sizeRefusal(image.size, request))
-        return *refused;
+    checkSize(image.size, request);
     if (!hasMeaning)
         image.notes.push_back(tr("the TIFF does not tell the meaning of 0 (no photometric interpretation); its numbers "
                                  "are used as they are"));
     if (TIFFLastDirectory(reader.get()) == 0)
         image.notes.push_back(tr("the TIFF has several pages; the first one is used"));
-    if (TIFFIsCODECConfigured(reader.field<std::uint16_t>(TIFFTAG_COMPRESSION)) == 0)
-        return ImageError{tr("the TIFF is compressed in a way (number %1) that this program's libtiff does not know; "
-                             "write it without compression",
-                             reader.field<std::uint16_t>(TIFFTAG_COMPRESSION))};
-    std::optional<Numbers> read = readOf(reader, bits, format, std::move(image), request);
-    if (!read)
-        return ImageError{
-            tr("the TIFF has numbers of %1 bits; give floats, or whole numbers of 8, 16 or 32 bits", bits)};
-    return std::move(*read);
+    if (const auto codec = reader.field<std::uint16_t>(TIFFTAG_COMPRESSION); TIFFIsCODECConfigured(codec) == 0)
+        throw Error{tr("the TIFF is compressed in a way (number %1) that this program's libtiff does not know; "
+                       "write it without compression",
+                       codec)};
+    const std::optional<FileNumber> number = numberOf(bits, format);
+    if (!number)
+        throw Error{tr("the TIFF has numbers of %1 bits; give floats, or whole numbers of 8, 16 or 32 bits", bits)};
+    std::visit([&]<class File>(File) { readNumbers<File>(reader, image, request); }, *number);
+    return image;
 }
 
 } // namespace unprojector::images

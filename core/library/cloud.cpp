@@ -142,11 +142,9 @@ Result<DepthImage> readDepth(const std::filesystem::path &file, const std::strin
     request.byteOrder = byteOrder;
     request.channelName = "channel";
     request.byteOrderName = "byte_order";
-    request.refusal = [](const images::PixelSize &) { return std::optional<images::ImageError>(); };
-    request.onRead = [](std::size_t) {};
     const auto image = images::readNumberImage(bytes, request);
     if (!image)
-        return valueError(name + ": " + image.error().reason);
+        return valueError(name + ": " + image.error().text);
     DepthImage result{image->size.width, image->size.height, {}, {}};
     for (const std::string &note : image->notes)
         result.notes.push_back(name + ": " + note);

@@ -8,23 +8,21 @@
 namespace unprojector::cli {
 using namespace images;
 using base::tr;
-using geometry::Result;
 namespace {
 
 /// Reads an image by one of the readers, and prints what it reports.
 template <class Image>
 std::optional<Image> readImage(const std::string &file, const ImageRequest &request,
-                               Result<Image, ImageError> (*reader)(ImageBytes &, const ImageRequest &))
+                               base::Expected<Image, base::Error> (*reader)(ImageBytes &, const ImageRequest &))
 {
     ByteSource source(file);
     if (!source.isOpen())
         return std::nullopt;
     ImageBytes bytes([&](char *target, std::size_t count) { return source.read(target, count); },
                      [&](std::uint64_t position) { return source.seek(position); }, source.size());
-    Result<Image, ImageError> image = reader(bytes, request);
+    base::Expected<Image, base::Error> image = reader(bytes, request);
     if (source.hasFailed() || !image) {
-        complain(source.name() + ": "
-                 + (source.hasFailed() ? tr("reading stopped at an error") : image.error().reason));
+        complain(source.name() + ": " + (source.hasFailed() ? tr("reading stopped at an error") : image.error().text));
         return std::nullopt;
     }
     for (const std::string &note : image->notes)
@@ -42,13 +40,12 @@ std::optional<NumberImage> readDepthImage(const std::string &file, const DepthIm
     request.channel = choices.channel;
     request.byteOrder = choices.byteOrder;
     request.onRead = onRead;
-    request.refusal = [&](const PixelSize &size) -> std::optional<ImageError> {
+    request.check = [&](const PixelSize &size) {
         if (request.rawSize && *request.rawSize != size)
-            return ImageError{tr("the image has %1 pixels, not %2", sizeText(size), sizeText(*request.rawSize))};
+            throw base::Error{tr("the image has %1 pixels, not %2", sizeText(size), sizeText(*request.rawSize))};
         if (size != window)
-            return ImageError{
+            throw base::Error{
                 tr("the image has %1 pixels, the scene's window %2 pixels", sizeText(size), sizeText(window))};
-        return std::nullopt;
     };
     return readImage(file, request, readNumberImage);
 }
@@ -56,12 +53,11 @@ std::optional<NumberImage> readDepthImage(const std::string &file, const DepthIm
 std::optional<ColorImage> readColors(const std::string &file, const PixelSize &window)
 {
     ImageRequest request;
-    request.onRead = [](std::size_t) {};
-    request.refusal = [&](const PixelSize &size) -> std::optional<ImageError> {
-        if (size == window)
-            return std::nullopt;
-        return ImageError{tr("the colors have %1 pixels, the depths %2 pixels; give colors of the same camera and size",
-                             sizeText(size), sizeText(window))};
+    request.check = [&](const PixelSize &size) {
+        if (size != window)
+            throw base::Error{
+                tr("the colors have %1 pixels, the depths %2 pixels; give colors of the same camera and size",
+                   sizeText(size), sizeText(window))};
     };
     return readImage(file, request, readColorImage);
 }
