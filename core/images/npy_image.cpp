@@ -93,8 +93,9 @@ NumberImage readNpy(ImageBytes &bytes, const ImageRequest &request)
     const std::endian byteOrder = name[0] == '>'   ? std::endian::big
                                   : name[0] == '<' ? std::endian::little
                                                    : std::endian::native;
-    const auto [width, height] = image.size;
-    const auto columnByColumn = [width, height](std::size_t index) { return index % height * width + index / height; };
+    const auto columnByColumn = [size = image.size](std::size_t index) {
+        return index % size.height * size.width + index / size.height;
+    };
     std::visit(
         [&]<class File>(File) {
             if (order == "True")
