@@ -13,16 +13,6 @@ using namespace landmarks;
 
 namespace {
 
-CurveError errorOf(PathError error, std::size_t point)
-{
-    switch (error) {
-    case PathError::NotConnected: return {CurveError::Code::NotConnected, point};
-    case PathError::NoSection: return {CurveError::Code::NoSection, point};
-    case PathError::Stopped: break;
-    }
-    return {CurveError::Code::Stopped, point};
-}
-
 /// The unit direction from one point to another; 0 if they coincide.
 glm::dvec3 wayFrom(const WorldPoint &a, const WorldPoint &b)
 {
@@ -34,7 +24,8 @@ glm::dvec3 wayFrom(const WorldPoint &a, const WorldPoint &b)
 } // namespace
 
 Result<CurveLine, CurveError> lineThrough(const SurfaceMesh &mesh, std::span<const Landmark *const> points,
-                                          CurveKind kind, const glm::dmat4 &worldFromObject, const Progress &goesOn)
+                                          CurveKind kind, const glm::dmat4 &worldFromObject,
+                                          const base::Progress &progress)
 {
     if (points.size() < 2)
         return CurveError{CurveError::Code::TooFew, 0};
@@ -50,14 +41,15 @@ Result<CurveLine, CurveError> lineThrough(const SurfaceMesh &mesh, std::span<con
     CurveLine line;
     std::vector<glm::dvec3> gradients(points.size(), glm::dvec3(0.0));
     for (std::size_t i = 1; i < points.size(); ++i) {
-        const Progress pieceGoesOn = [&](double share) {
-            return !goesOn || goesOn((double(i - 1) + share) / double(points.size() - 1));
+        const base::Progress ofPiece = [&](double share) {
+            return !progress || progress((double(i - 1) + share) / double(points.size() - 1));
         };
-        Result<SurfacePath, PathError> piece =
-            kind == CurveKind::Geodesic ? geodesic(mesh, places[i - 1], places[i], worldFromObject, pieceGoesOn)
-                                        : planeSection(mesh, places[i - 1], places[i], worldFromObject, pieceGoesOn);
+        const bool isGeodesic = kind == CurveKind::Geodesic;
+        const std::optional<SurfacePath> piece =
+            isGeodesic ? geodesic(mesh, places[i - 1], places[i], worldFromObject, ofPiece)
+                       : planeSection(mesh, places[i - 1], places[i], worldFromObject, ofPiece);
         if (!piece)
-            return errorOf(piece.error(), i);
+            return CurveError{isGeodesic ? CurveError::Code::NotConnected : CurveError::Code::NoSection, i};
         const std::vector<WorldPoint> &way = piece->places;
         line.length.value += piece->length;
         if (way.size() > 1) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/curves/surface_path.h"
+#include "core/geometry/result.h"
 #include "core/landmarks/measure.h"
 
 #include <cstddef>
@@ -26,18 +27,18 @@ struct CurveError {
         NotOnSurface, ///< point: has no anchor, or one that the surface lacks
         NotConnected, ///< point: the end of the piece for which the surface has no path
         NoSection,    ///< point: the end of the piece for which there is no plane section
-        Stopped,
     };
     Code code = Code::TooFew;
     std::size_t point = 0; ///< index among the given points
 };
 
 /// The line through landmarks on one object, in their order.
-/// @param goesOn  may be empty
+/// @param progress  may be empty
+/// Throws base::Stopped.
 geometry::Result<CurveLine, CurveError> lineThrough(const SurfaceMesh &mesh,
                                                     std::span<const landmarks::Landmark *const> points,
                                                     landmarks::CurveKind kind, const glm::dmat4 &worldFromObject,
-                                                    const Progress &goesOn);
+                                                    const base::Progress &progress);
 
 /// Points in equal steps along a path, including both its ends.
 /// @param count  at least 2

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace unprojector::curves {
@@ -50,16 +50,17 @@ void shorten(TriangleStrip &strip, const PathEnd &from, const PathEnd &to)
         if (to.isIn(kept.triangles[i]))
             end = i + 1;
     }
-    const auto way = [](std::size_t i) { return static_cast<std::ptrdiff_t>(i); };
-    strip.triangles.assign(kept.triangles.begin() + way(first), kept.triangles.begin() + way(end));
-    strip.edges.assign(kept.edges.begin() + way(first), kept.edges.begin() + way(end - 1));
+    const std::span triangles = std::span(kept.triangles).subspan(first, end - first);
+    strip.triangles.assign(triangles.begin(), triangles.end());
+    const std::span edges = std::span(kept.edges).subspan(first, end - 1 - first);
+    strip.edges.assign(edges.begin(), edges.end());
 }
 
 double angleAt(const PlacedMesh &mesh, std::uint32_t triangle, std::uint32_t corner)
 {
     std::array<glm::dvec3, 2> legs{};
     std::size_t count = 0;
-    for (const std::uint32_t other : mesh.mesh().corners(triangle)) {
+    for (const std::uint32_t other : mesh->corners(triangle)) {
         if (other != corner)
             legs[count++] = mesh[other] - mesh[corner];
     }
@@ -83,15 +84,11 @@ std::optional<OtherSide> otherSideOf(const StripPath::Bend &bend, const Triangle
     std::uint32_t triangle = strip.triangles[bend.first];
     const auto outerOf = [&](const Edge &edge) { return edge[0] == bend.corner ? edge[1] : edge[0]; };
     std::uint32_t entered = outerOf(strip.edges[bend.first]);
-    const auto [begin, end] = mesh.mesh().around(bend.corner);
-    for (std::ptrdiff_t steps = 0; steps <= end - begin; ++steps) {
-        const std::array<std::uint32_t, 3> &corners = mesh.mesh().corners(triangle);
-        const auto leaving = std::find_if(corners.begin(), corners.end(), [&](std::uint32_t corner) {
-            return corner != bend.corner && corner != entered;
-        });
-        side.edges.push_back({bend.corner, *leaving});
-        entered = *leaving;
-        triangle = mesh.mesh().onlyAcross(triangle, bend.corner, entered);
+    const std::size_t most = mesh->around(bend.corner).size();
+    for (std::size_t steps = 0; steps <= most; ++steps) {
+        entered = mesh->thirdCorner(triangle, bend.corner, entered);
+        side.edges.push_back({bend.corner, entered});
+        triangle = mesh->onlyAcross(triangle, bend.corner, entered);
         if (triangle == goal)
             return side;
         if (triangle == SurfaceMesh::kNone)
@@ -102,20 +99,17 @@ std::optional<OtherSide> otherSideOf(const StripPath::Bend &bend, const Triangle
     return std::nullopt;
 }
 
-/// Reroutes a strip around the other side of a corner.
-void leadAround(TriangleStrip &strip, const StripPath::Bend &bend, const OtherSide &side)
+template <class Item>
+void replace(std::vector<Item> &list, std::size_t first, std::size_t end, const std::vector<Item> &by)
 {
-    const auto way = [](std::size_t i) { return static_cast<std::ptrdiff_t>(i); };
-    const auto triangle = strip.triangles.erase(strip.triangles.begin() + way(bend.first + 1),
-                                                strip.triangles.begin() + way(bend.last + 1));
-    strip.triangles.insert(triangle, side.triangles.begin(), side.triangles.end());
-    const auto edge =
-        strip.edges.erase(strip.edges.begin() + way(bend.first), strip.edges.begin() + way(bend.last + 1));
-    strip.edges.insert(edge, side.edges.begin(), side.edges.end());
+    const auto at =
+        list.erase(list.begin() + static_cast<std::ptrdiff_t>(first), list.begin() + static_cast<std::ptrdiff_t>(end));
+    list.insert(at, by.begin(), by.end());
 }
 
+/// Reroutes a strip around the other sides of corners where that is shorter.
 /// @return whether anything was changed
-bool leadAroundBends(TriangleStrip &strip, const StripPath &path, const PlacedMesh &mesh)
+bool rerouteAroundBends(TriangleStrip &strip, const StripPath &path, const PlacedMesh &mesh)
 {
     constexpr double kStraight = 1e-9; // an angle that close to half a turn gains nothing in double precision
     bool isChanged = false;
@@ -127,7 +121,8 @@ bool leadAroundBends(TriangleStrip &strip, const StripPath &path, const PlacedMe
         const std::optional<OtherSide> side = otherSideOf(bend, strip, mesh);
         if (!side || !(side->angle - bend.angle < kPi - kStraight))
             continue;
-        leadAround(strip, bend, *side);
+        replace(strip.triangles, bend.first + 1, bend.last + 1, side->triangles);
+        replace(strip.edges, bend.first, bend.last + 1, side->edges);
         free = bend.first;
         isChanged = true;
     }
@@ -135,20 +130,19 @@ bool leadAroundBends(TriangleStrip &strip, const StripPath &path, const PlacedMe
 }
 
 /// The geodesic that a strip leads to.
-Result<StripPath, PathError> straightened(TriangleStrip strip, const PlacedMesh &mesh, const PathEnd &from,
-                                          const PathEnd &to, const Progress &goesOn)
+StripPath straightened(TriangleStrip strip, const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
+                       const Report &report)
 {
     std::optional<StripPath> best;
     for (;;) {
-        if (!goesOn(0.0))
-            return PathError::Stopped;
+        report(0.0);
         shorten(strip, from, to);
         StripPath path = shortestIn(strip, mesh, from, to);
         // Every pass shortens the path until rounding dominates.
         if (best && !(path.length < best->length))
             break;
         best = std::move(path);
-        if (!leadAroundBends(strip, *best, mesh))
+        if (!rerouteAroundBends(strip, *best, mesh))
             break;
     }
     return *std::move(best);
@@ -161,93 +155,68 @@ struct Straight {
 };
 
 /// The geodesic of the strip that A* finds in a corridor.
-Result<Straight, PathError> straightWithin(const Corridor &corridor, const PlacedMesh &mesh, const PathEnd &from,
-                                           const PathEnd &to, const Progress &goesOn)
+Straight straightWithin(const Corridor &corridor, const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
+                        const Report &report)
 {
-    const Result<TriangleStrip, PathError> strip = stripWithin(corridor, mesh, from, to, goesOn);
-    if (!strip)
-        return strip.error();
-    Result<StripPath, PathError> path = straightened(*strip, mesh, from, to, goesOn);
-    if (!path)
-        return path.error();
-    return Straight{std::move(path).value(), strip->triangles};
+    const TriangleStrip strip = *stripBetween(mesh, from, to, report, &corridor);
+    return {straightened(strip, mesh, from, to, report), strip.triangles};
 }
 
 /// The geodesic of a long way: of the one along the wave, of the one in the rings around the wave,
 /// and of those in the rings around the best one, the shortest.
-Result<StripPath, PathError> alongWave(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
-                                       const Progress &goesOn)
+StripPath alongWave(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to, const Report &report)
 {
     constexpr double kWave = 0.7; // share of the time
-    const Result<Corridor, PathError> wave =
-        corridorBetween(mesh, from, to, [&](double share) { return goesOn(kWave * share); });
-    if (!wave)
-        return wave.error();
+    Corridor middle = corridorBetween(mesh, from, to, [&](double share) { report(kWave * share); });
     double left = 1.0 - kWave;
-    const Progress within = [&](double share) { return goesOn(1.0 - left * (1.0 - share / 2.0)); };
-    Result<Straight, PathError> best = straightWithin(*wave, mesh, from, to, within);
-    if (!best && best.error() == PathError::NotConnected) {
+    const Report within = [&](double share) { report(1.0 - left * (1.0 - share / 2.0)); };
+    std::optional<Straight> best;
+    try {
+        best = straightWithin(middle, mesh, from, to, within);
+    } catch (const NotConnected &) {
         // The wave passed a corner at which sheets touch without a common edge.
-        const auto whole = stripBetween(mesh, from, to, within, std::numeric_limits<std::size_t>::max());
-        if (!whole)
-            return whole.error();
-        return straightened(**whole, mesh, from, to, within);
+        return straightened(*stripBetween(mesh, from, to, within, nullptr), mesh, from, to, within);
     }
-    Corridor middle = *wave;
-    for (bool isFirst = true; best; isFirst = false) {
+    for (bool isFirst = true;; isFirst = false) {
         left /= 2.0;
         constexpr double kShorter = 1e-9;
-        Result<Straight, PathError> next =
-            straightWithin(corridorAbout(mesh.mesh(), std::move(middle)), mesh, from, to, within);
-        if (!next)
-            return next.error();
-        const bool isShorter = next->path.length < (1.0 - kShorter) * best->path.length;
+        Straight next = straightWithin(corridorAbout(mesh, std::move(middle)), mesh, from, to, within);
+        const bool isShorter = next.path.length < (1.0 - kShorter) * best->path.length;
         if (!isShorter && !isFirst)
-            break;
+            return std::move(best)->path;
         if (isShorter)
             best = std::move(next);
         middle = best->triangles;
     }
-    if (!best)
-        return best.error();
-    return std::move(best).value().path;
 }
 
 } // namespace
 
-Result<SurfacePath, PathError> geodesic(const SurfaceMesh &mesh, const SurfacePlace &from, const SurfacePlace &to,
-                                        const glm::dmat4 &worldFromObject, const Progress &goesOn,
-                                        std::size_t mostEdges)
-{
+std::optional<SurfacePath> geodesic(const SurfaceMesh &mesh, const SurfacePlace &from, const SurfacePlace &to,
+                                    const glm::dmat4 &worldFromObject, const base::Progress &progress,
+                                    std::size_t mostEdges)
+try {
     const PlacedMesh placed(mesh, worldFromObject);
     const PathEnd start(placed, from), goal(placed, to);
     // The limit of edges is reached early on a long way.
     constexpr double kShort = 0.1;
-    double done = 0.0; // shares never decrease
-    const auto goes = [&](double first, double last) -> Progress {
-        return [&, first, last](double share) {
-            done = std::max(done, first + (last - first) * share);
-            return !goesOn || goesOn(done);
-        };
-    };
-    const Result<std::optional<TriangleStrip>, PathError> nearby =
-        stripBetween(placed, start, goal, goes(0.0, kShort), mostEdges);
-    if (!nearby)
-        return nearby.error();
-    const Result<StripPath, PathError> found = *nearby ? straightened(**nearby, placed, start, goal, goes(0.0, 1.0))
-                                                       : alongWave(placed, start, goal, goes(kShort, 1.0));
-    if (!found)
-        return found.error();
+    base::Reporter reporter(progress);
+    const std::optional<TriangleStrip> nearby =
+        stripBetween(placed, start, goal, reporter.part(0.0, kShort), nullptr, mostEdges);
+    const StripPath found = nearby ? straightened(*nearby, placed, start, goal, reporter.part())
+                                   : alongWave(placed, start, goal, reporter.part(kShort));
     SurfacePath path;
-    path.length = found->length;
-    const double least = 1e-12 * found->length;
-    for (const glm::dvec3 &place : found->places) {
+    path.length = found.length;
+    const double least = 1e-12 * found.length;
+    for (const glm::dvec3 &place : found.places) {
         if (path.places.empty() || glm::distance(path.places.back().coordinates(), place) > least)
             path.places.push_back(WorldPoint(place));
     }
     if (path.places.size() > 1)
         path.places.back() = WorldPoint(goal.place());
     return path;
+} catch (const NotConnected &) {
+    return std::nullopt;
 }
 
 } // namespace unprojector::curves

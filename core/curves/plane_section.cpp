@@ -16,7 +16,7 @@ glm::dvec3 normalAt(const PlacedMesh &mesh, const PathEnd &end)
 {
     glm::dvec3 sum(0.0);
     for (const std::uint32_t triangle : end.triangles()) {
-        const std::array<std::uint32_t, 3> &c = mesh.mesh().corners(triangle);
+        const std::array<std::uint32_t, 3> &c = mesh->corners(triangle);
         sum += glm::cross(mesh[c[1]] - mesh[c[0]], mesh[c[2]] - mesh[c[0]]);
     }
     const double length = glm::length(sum);
@@ -32,36 +32,32 @@ public:
     {
     }
 
-    Result<SurfacePath, PathError> shortest(const Progress &goesOn) const
+    std::optional<SurfacePath> shortest(base::Reporter &reporter) const
     {
         std::optional<SurfacePath> best;
         for (const std::uint32_t triangle : m_from.triangles()) {
-            const std::array<std::uint32_t, 3> &c = m_mesh.mesh().corners(triangle);
+            const std::array<std::uint32_t, 3> &c = m_mesh->corners(triangle);
             for (std::size_t side = 0; side < 3; ++side) {
                 const std::uint32_t a = c[side], b = c[(side + 1) % 3];
-                const std::uint32_t next = m_mesh.mesh().onlyAcross(triangle, a, b);
+                const std::uint32_t next = m_mesh->onlyAcross(triangle, a, b);
                 if (!isCut(a, b) || next == SurfaceMesh::kNone || m_from.isIn(next))
                     continue;
-                Result<SurfacePath, PathError> path = walked(next, a, b, goesOn);
-                if (!path && path.error() == PathError::Stopped)
-                    return path;
+                std::optional<SurfacePath> path = walked(next, a, b, reporter);
                 if (path && (!best || path->length < best->length))
-                    best = std::move(path).value();
+                    best = std::move(path);
             }
         }
-        if (!best)
-            return PathError::NoSection;
-        return *std::move(best);
+        return best;
     }
 
 private:
-    static constexpr std::uint32_t kAsking = 1 << 12; ///< steps between calls of goesOn
+    static constexpr std::uint32_t kAsking = 1 << 12; ///< steps between reports
 
     double above(std::uint32_t corner) const { return glm::dot(m_normal, m_mesh[corner] - m_from.place()); }
     bool isCut(std::uint32_t a, std::uint32_t b) const { return (above(a) >= 0.0) != (above(b) >= 0.0); }
 
-    Result<SurfacePath, PathError> walked(std::uint32_t triangle, std::uint32_t a, std::uint32_t b,
-                                          const Progress &goesOn) const
+    std::optional<SurfacePath> walked(std::uint32_t triangle, std::uint32_t a, std::uint32_t b,
+                                      base::Reporter &reporter) const
     {
         SurfacePath path;
         path.places.push_back(WorldPoint(m_from.place()));
@@ -71,9 +67,9 @@ private:
             if (step > 0.0)
                 path.places.push_back(WorldPoint(place));
         };
-        for (std::uint32_t steps = 0; steps < m_mesh.mesh().triangleCount(); ++steps) {
-            if (steps % kAsking == 0 && goesOn && !goesOn(0.0))
-                return PathError::Stopped;
+        for (std::uint32_t steps = 0; steps < m_mesh->triangleCount(); ++steps) {
+            if (steps % kAsking == 0)
+                reporter.report(0.0);
             const double aboveA = above(a), aboveB = above(b);
             const double share = aboveA / (aboveA - aboveB);
             goTo((1.0 - share) * m_mesh[a] + share * m_mesh[b]);
@@ -83,15 +79,13 @@ private:
             }
             if (m_from.isIn(triangle))
                 break; // back at the start
-            const std::array<std::uint32_t, 3> &corners = m_mesh.mesh().corners(triangle);
-            const std::uint32_t third = *std::find_if(corners.begin(), corners.end(),
-                                                      [&](std::uint32_t corner) { return corner != a && corner != b; });
+            const std::uint32_t third = m_mesh->thirdCorner(triangle, a, b);
             (isCut(a, third) ? b : a) = third;
-            triangle = m_mesh.mesh().onlyAcross(triangle, a, b);
+            triangle = m_mesh->onlyAcross(triangle, a, b);
             if (triangle == SurfaceMesh::kNone)
                 break; // at the boundary
         }
-        return PathError::NoSection;
+        return std::nullopt;
     }
 
     const PlacedMesh &m_mesh;
@@ -101,14 +95,12 @@ private:
 
 } // namespace
 
-Result<SurfacePath, PathError> planeSection(const SurfaceMesh &mesh, const SurfacePlace &from, const SurfacePlace &to,
-                                            const glm::dmat4 &worldFromObject, const Progress &goesOn)
+std::optional<SurfacePath> planeSection(const SurfaceMesh &mesh, const SurfacePlace &from, const SurfacePlace &to,
+                                        const glm::dmat4 &worldFromObject, const base::Progress &progress)
 {
     const PlacedMesh placed(mesh, worldFromObject);
     const PathEnd start(placed, from), goal(placed, to);
-    const bool areInOne = std::any_of(start.triangles().begin(), start.triangles().end(),
-                                      [&](std::uint32_t triangle) { return goal.isIn(triangle); });
-    if (areInOne)
+    if (std::ranges::any_of(start.triangles(), [&](std::uint32_t triangle) { return goal.isIn(triangle); }))
         return SurfacePath{{WorldPoint(start.place()), WorldPoint(goal.place())},
                            glm::distance(start.place(), goal.place())};
     const glm::dvec3 way = goal.place() - start.place(), up = normalAt(placed, start) + normalAt(placed, goal);
@@ -116,8 +108,9 @@ Result<SurfacePath, PathError> planeSection(const SurfaceMesh &mesh, const Surfa
     const double length = glm::length(normal);
     constexpr double kParallel = 1e-6; // the sine of an angle below which rounding determines the plane
     if (!(length > kParallel * glm::length(way)))
-        return PathError::NoSection;
-    return SectionWalk(placed, start, goal, normal / length).shortest(goesOn);
+        return std::nullopt;
+    base::Reporter reporter(progress);
+    return SectionWalk(placed, start, goal, normal / length).shortest(reporter);
 }
 
 } // namespace unprojector::curves

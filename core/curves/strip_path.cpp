@@ -28,15 +28,6 @@ struct Gate {
     glm::dvec2 atLeft{0.0}, atRight{0.0};
 };
 
-std::uint32_t thirdOf(const std::array<std::uint32_t, 3> &corners, std::uint32_t a, std::uint32_t b)
-{
-    for (const std::uint32_t corner : corners) {
-        if (corner != a && corner != b)
-            return corner;
-    }
-    return a;
-}
-
 /// The position of a corner in the plane, beside an edge.
 /// @param side  1: ahead in walking direction, -1: behind
 glm::dvec2 unfolded(const PlacedMesh &mesh, const Gate &gate, std::uint32_t corner, double side)
@@ -66,13 +57,13 @@ Unfolding unfolding(const TriangleStrip &strip, const PlacedMesh &mesh, const Pa
                 return gate.atLeft;
             return corner == gate.right
                        ? gate.atRight
-                       : unfolded(mesh, gate, thirdOf(mesh.mesh().corners(triangle), gate.left, gate.right), side);
+                       : unfolded(mesh, gate, mesh->thirdCorner(triangle, gate.left, gate.right), side);
         };
     };
     plane.from = from.mixed(placed(strip.triangles.front(), -1.0));
     plane.gates.push_back(gate);
     for (std::size_t i = 1; i < strip.edges.size(); ++i) {
-        const std::uint32_t third = thirdOf(mesh.mesh().corners(strip.triangles[i]), gate.left, gate.right);
+        const std::uint32_t third = mesh->thirdCorner(strip.triangles[i], gate.left, gate.right);
         const glm::dvec2 at = unfolded(mesh, gate, third, 1.0);
         const bool keepsLeft = strip.edges[i][0] == gate.left || strip.edges[i][1] == gate.left;
         (keepsLeft ? gate.right : gate.left) = third;

@@ -14,7 +14,6 @@
 #include <utility>
 
 namespace unprojector::curves {
-using namespace geometry;
 
 namespace {
 
@@ -22,33 +21,29 @@ constexpr std::uint32_t kNone = SurfaceMesh::kNone;
 
 class Search {
 public:
-    Search(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to, const Progress &goesOn)
-        : m_mesh(mesh), m_from(from), m_to(to), m_goesOn(goesOn)
+    Search(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to, const Report &report,
+           const Corridor *corridor)
+        : m_mesh(mesh), m_from(from), m_to(to), m_report(report), m_corridor(corridor)
     {
     }
 
-    /// Searches only in these triangles.
-    /// @param corridor  outlives this
-    void stayIn(const Corridor &corridor) { m_corridor = &corridor; }
-
-    /// @return nothing if it would visit more edges
-    Result<std::optional<TriangleStrip>, PathError> run(std::size_t mostEdges)
+    std::optional<TriangleStrip> run(std::size_t mostEdges)
     {
         for (const std::uint32_t triangle : m_from.triangles()) {
             if (m_to.isIn(triangle))
-                return std::optional(TriangleStrip{{triangle}, {}});
+                return TriangleStrip{{triangle}, {}};
         }
         for (const std::uint32_t triangle : m_from.triangles())
             enter(triangle, kNone, m_from.place(), 0.0);
         for (std::size_t steps = 0; !m_open.empty(); ++steps) {
-            if (steps % kAsking == 0 && m_goesOn && !m_goesOn(m_share))
-                return PathError::Stopped;
+            if (steps % kAsking == 0)
+                m_report(m_share);
             if (m_edges.size() > mostEdges)
-                return std::optional<TriangleStrip>();
+                return std::nullopt;
             const std::uint32_t number = m_open.top().second;
             m_open.pop();
             if (number == kNone)
-                return std::optional(traced());
+                return traced();
             Node &node = m_nodes[number];
             if (std::exchange(node.isDone, true))
                 continue;
@@ -56,15 +51,15 @@ public:
             const TriangleStrip::Edge edge = m_edges[number / kPlaces];
             const glm::dvec3 place = placeOf(number);
             m_share = std::max(m_share, from.cost / (from.cost + glm::distance(place, m_to.place())));
-            m_mesh.mesh().across(from.via, edge[0], edge[1],
-                                 [&](std::uint32_t triangle) { enter(triangle, number, place, from.cost); });
+            m_mesh->across(from.via, edge[0], edge[1],
+                           [&](std::uint32_t triangle) { enter(triangle, number, place, from.cost); });
         }
-        return PathError::NotConnected;
+        throw NotConnected{};
     }
 
 private:
     static constexpr std::uint32_t kPlaces = 3;     ///< per edge
-    static constexpr std::size_t kAsking = 1 << 10; ///< steps between calls of goesOn
+    static constexpr std::size_t kAsking = 1 << 10; ///< steps between reports
 
     struct Node {
         double cost = std::numeric_limits<double>::infinity();
@@ -108,7 +103,7 @@ private:
                 m_open.emplace(whole, kNone);
             }
         }
-        const std::array<std::uint32_t, 3> &corners = m_mesh.mesh().corners(triangle);
+        const std::array<std::uint32_t, 3> &corners = m_mesh->corners(triangle);
         const std::array places{m_mesh[corners[0]], m_mesh[corners[1]], m_mesh[corners[2]]};
         for (std::size_t side = 0; side < 3; ++side) {
             const std::size_t next = (side + 1) % 3;
@@ -144,10 +139,10 @@ private:
 
     const PlacedMesh &m_mesh;
     const PathEnd &m_from, &m_to;
-    const Progress &m_goesOn;
-    const Corridor *m_corridor = nullptr; ///< none: the whole surface
-    double m_share = 0.0;                 ///< done, if only the goal's distance in a straight line were left
-    std::vector<Node> m_nodes;            ///< kPlaces per edge
+    const Report &m_report;
+    const Corridor *m_corridor; ///< null: the whole surface
+    double m_share = 0.0;       ///< done, if only the goal's distance in a straight line were left
+    std::vector<Node> m_nodes;  ///< kPlaces per edge
     std::vector<TriangleStrip::Edge> m_edges;
     std::unordered_map<std::uint64_t, std::uint32_t> m_numbers; ///< edge indices
     Node m_end;
@@ -157,22 +152,10 @@ private:
 
 } // namespace
 
-Result<std::optional<TriangleStrip>, PathError> stripBetween(const PlacedMesh &mesh, const PathEnd &from,
-                                                             const PathEnd &to, const Progress &goesOn,
-                                                             std::size_t mostEdges)
+std::optional<TriangleStrip> stripBetween(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
+                                          const Report &report, const Corridor *corridor, std::size_t mostEdges)
 {
-    return Search(mesh, from, to, goesOn).run(mostEdges);
-}
-
-Result<TriangleStrip, PathError> stripWithin(const Corridor &corridor, const PlacedMesh &mesh, const PathEnd &from,
-                                             const PathEnd &to, const Progress &goesOn)
-{
-    Search search(mesh, from, to, goesOn);
-    search.stayIn(corridor);
-    Result<std::optional<TriangleStrip>, PathError> found = search.run(std::numeric_limits<std::size_t>::max());
-    if (!found)
-        return found.error();
-    return **std::move(found);
+    return Search(mesh, from, to, report, corridor).run(mostEdges);
 }
 
 } // namespace unprojector::curves

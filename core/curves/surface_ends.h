@@ -20,7 +20,7 @@ public:
           m_isPlain(worldFromObject == glm::dmat4(1.0))
     {
     }
-    const SurfaceMesh &mesh() const { return m_mesh; }
+    const SurfaceMesh *operator->() const { return &m_mesh; }
     glm::dvec3 operator[](std::uint32_t corner) const
     {
         const glm::dvec3 &place = m_mesh.place(corner);
@@ -53,30 +53,25 @@ public:
         const double sum = weights[0] + weights[1] + weights[2];
         for (int i = 0; i < 3; ++i) {
             if (weights[i] > 0.0) {
-                m_corners.push_back(mesh.mesh().corners(place.triangle)[static_cast<std::size_t>(i)]);
+                m_corners.push_back(mesh->corners(place.triangle)[static_cast<std::size_t>(i)]);
                 m_weights.push_back(weights[i] / sum);
             }
         }
         m_place = mixed([&](std::uint32_t corner) { return mesh[corner]; });
-        const auto [begin, end] = mesh.mesh().around(m_corners.front());
-        std::copy_if(begin, end, std::back_inserter(m_triangles),
-                     [&](std::uint32_t triangle) { return isIn(mesh.mesh().corners(triangle)); });
+        std::ranges::copy_if(mesh->around(m_corners.front()), std::back_inserter(m_triangles),
+                             [&](std::uint32_t triangle) { return isIn(mesh->corners(triangle)); });
     }
 
     const glm::dvec3 &place() const { return m_place; }
     /// The triangles that the end lies in or on.
     const std::vector<std::uint32_t> &triangles() const { return m_triangles; }
-    bool isIn(std::uint32_t triangle) const
-    {
-        return std::find(m_triangles.begin(), m_triangles.end(), triangle) != m_triangles.end();
-    }
+    bool isIn(std::uint32_t triangle) const { return std::ranges::find(m_triangles, triangle) != m_triangles.end(); }
 
 private:
     bool isIn(const std::array<std::uint32_t, 3> &corners) const
     {
-        return std::all_of(m_corners.begin(), m_corners.end(), [&](std::uint32_t corner) {
-            return std::find(corners.begin(), corners.end(), corner) != corners.end();
-        });
+        return std::ranges::all_of(
+            m_corners, [&](std::uint32_t corner) { return std::ranges::find(corners, corner) != corners.end(); });
     }
 
     std::vector<std::uint32_t> m_corners;

@@ -22,14 +22,13 @@ std::optional<SurfacePlace> onTriangleWith(const SurfaceMesh &mesh, std::uint32_
 {
     if (a == SurfaceMesh::kNone || b == SurfaceMesh::kNone)
         return std::nullopt;
-    const auto [begin, end] = mesh.around(a);
-    for (const std::uint32_t *triangle = begin; triangle != end; ++triangle) {
-        const std::array<std::uint32_t, 3> &corners = mesh.corners(*triangle);
+    for (const std::uint32_t triangle : mesh.around(a)) {
+        const std::array<std::uint32_t, 3> &corners = mesh.corners(triangle);
         const auto ofA = std::find(corners.begin(), corners.end(), a) - corners.begin();
         const auto ofB = std::find(corners.begin(), corners.end(), b) - corners.begin();
         if (ofB == 3)
             continue;
-        SurfacePlace place{*triangle, glm::dvec3(0.0)};
+        SurfacePlace place{triangle, glm::dvec3(0.0)};
         place.barycentric[static_cast<int>(ofA)] += 1.0 - share;
         place.barycentric[static_cast<int>(ofB)] += share;
         return place;
@@ -39,7 +38,7 @@ std::optional<SurfacePlace> onTriangleWith(const SurfaceMesh &mesh, std::uint32_
 
 } // namespace
 
-std::shared_ptr<const SurfaceMesh> SurfaceMesh::build(const Model &model, const Progress &progress)
+std::shared_ptr<const SurfaceMesh> SurfaceMesh::build(const Model &model, const base::Progress &progress)
 {
     const auto goesOn = [&](double share) { return !progress || progress(share); };
     auto surface = std::make_shared<SurfaceMesh>();
@@ -98,9 +97,13 @@ std::uint32_t SurfaceMesh::cornerOfVertex(std::uint32_t vertex) const
     return vertex < m_ofVertex.size() ? m_ofVertex[vertex] : kNone;
 }
 
-std::pair<const std::uint32_t *, const std::uint32_t *> SurfaceMesh::around(std::uint32_t corner) const
+std::uint32_t SurfaceMesh::thirdCorner(std::uint32_t triangle, std::uint32_t a, std::uint32_t b) const
 {
-    return {m_around.data() + m_starts[corner], m_around.data() + m_starts[corner + 1]};
+    for (const std::uint32_t corner : m_corners[triangle]) {
+        if (corner != a && corner != b)
+            return corner;
+    }
+    return a;
 }
 
 std::uint32_t SurfaceMesh::onlyAcross(std::uint32_t triangle, std::uint32_t a, std::uint32_t b) const

@@ -3,18 +3,16 @@
 #include "core/base/progress.h"
 #include "core/landmarks/landmark.h"
 #include "core/mesh/mesh.h"
-#include "core/ray/box_tree.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <utility>
+#include <span>
 #include <vector>
 
 namespace unprojector::curves {
-using base::Progress;
 
 /// The triangles of a model as one surface. Corners with identical coordinates are one corner, even
 /// where the file repeats them per triangle, as STL and split normals do. Built once per model, for
@@ -26,7 +24,7 @@ public:
     /// Builds the surface, with some 28 bytes per triangle.
     /// @param progress  may be empty
     /// @return null if progress requests a stop. Throws std::bad_alloc.
-    static std::shared_ptr<const SurfaceMesh> build(const mesh::Model &model, const Progress &progress);
+    static std::shared_ptr<const SurfaceMesh> build(const mesh::Model &model, const base::Progress &progress);
 
     /// The model's triangle count. A triangle without three distinct corners has an edge of length
     /// 0 and no neighbours.
@@ -39,17 +37,21 @@ public:
     /// The corner of a vertex by its number, see Model::vertexNumber; kNone if no triangle uses it.
     std::uint32_t cornerOfVertex(std::uint32_t vertex) const;
     /// The triangles that share a corner.
-    std::pair<const std::uint32_t *, const std::uint32_t *> around(std::uint32_t corner) const;
+    std::span<const std::uint32_t> around(std::uint32_t corner) const
+    {
+        return std::span(m_around).subspan(m_starts[corner], m_starts[corner + 1] - m_starts[corner]);
+    }
+    /// The corner of a triangle beside two others; the first of them where a flat triangle has no other.
+    std::uint32_t thirdCorner(std::uint32_t triangle, std::uint32_t a, std::uint32_t b) const;
 
     /// Calls visit(other) for every other triangle with both corners.
     template <class Visit>
     void across(std::uint32_t triangle, std::uint32_t a, std::uint32_t b, const Visit &visit) const
     {
-        const auto [begin, end] = around(a);
-        for (const std::uint32_t *other = begin; other != end; ++other) {
-            const std::array<std::uint32_t, 3> &c = m_corners[*other];
-            if (*other != triangle && (c[0] == b || c[1] == b || c[2] == b))
-                visit(*other);
+        for (const std::uint32_t other : around(a)) {
+            const std::array<std::uint32_t, 3> &c = m_corners[other];
+            if (other != triangle && (c[0] == b || c[1] == b || c[2] == b))
+                visit(other);
         }
     }
     /// The only other triangle with both corners; kNone at a boundary, and where three or more

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "core/curves/surface_mesh.h"
-#include "core/geometry/result.h"
+#include "core/geometry/spaces.h"
 
 #include <glm/mat4x4.hpp>
 
-#include <functional>
+#include <optional>
 #include <vector>
 
 namespace unprojector::curves {
@@ -14,13 +14,6 @@ namespace unprojector::curves {
 struct SurfacePath {
     std::vector<geometry::WorldPoint> places; ///< start, crossings of edges and passed corners, end
     double length = 0.0;                      ///< world units
-};
-
-/// The reason why there is no path.
-enum class PathError {
-    NotConnected, ///< the surface between both is not connected
-    NoSection,    ///< the plane's section from one does not lead to the other, or no such plane exists
-    Stopped,
 };
 
 /// The edges that the search of a geodesic visits before it follows a wave instead.
@@ -42,16 +35,19 @@ inline constexpr std::size_t kMostEdges = 1 << 16;
 /// longer; differences below 10 parts per million count as the same.
 ///
 /// @param worldFromObject  the length is measured in the world
-/// @param goesOn           may be empty
+/// @param progress         may be empty
 /// @param mostEdges        another limit, for comparisons
-geometry::Result<SurfacePath, PathError> geodesic(const SurfaceMesh &mesh, const SurfacePlace &from,
-                                                  const SurfacePlace &to, const glm::dmat4 &worldFromObject,
-                                                  const Progress &goesOn, std::size_t mostEdges = kMostEdges);
+/// @return nothing where the surface between both is not connected
+/// Throws base::Stopped.
+std::optional<SurfacePath> geodesic(const SurfaceMesh &mesh, const SurfacePlace &from, const SurfacePlace &to,
+                                    const glm::dmat4 &worldFromObject, const base::Progress &progress,
+                                    std::size_t mostEdges = kMostEdges);
 
 /// The section of the surface by a plane through both points, along the mean of their normals. Of
 /// its two ways from one point to the other, it is the shorter one.
-geometry::Result<SurfacePath, PathError> planeSection(const SurfaceMesh &mesh, const SurfacePlace &from,
-                                                      const SurfacePlace &to, const glm::dmat4 &worldFromObject,
-                                                      const Progress &goesOn);
+/// @return nothing where it does not lead from one to the other, or no such plane exists
+/// Throws base::Stopped.
+std::optional<SurfacePath> planeSection(const SurfaceMesh &mesh, const SurfacePlace &from, const SurfacePlace &to,
+                                        const glm::dmat4 &worldFromObject, const base::Progress &progress);
 
 } // namespace unprojector::curves

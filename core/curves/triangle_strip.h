@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -18,30 +20,28 @@ struct TriangleStrip {
     std::vector<Edge> edges; ///< one fewer than triangles
 };
 
-/// A strip around a short path from one end to the other, found by A* over points on the edges.
-/// @param mostEdges  see geodesic
-/// @return nothing if the search would visit more edges; NotConnected, Stopped
-geometry::Result<std::optional<TriangleStrip>, PathError> stripBetween(const PlacedMesh &mesh, const PathEnd &from,
-                                                                       const PathEnd &to, const Progress &goesOn,
-                                                                       std::size_t mostEdges);
-
+/// Thrown where no path leads from one end to the other.
+struct NotConnected {};
+/// Receives the share done; throws base::Stopped.
+using Report = std::function<void(double)>;
 /// Triangles, sorted.
 using Corridor = std::vector<std::uint32_t>;
+
+/// A strip around a short path from one end to the other, found by A* over points on the edges.
+/// @param corridor  searched only; null: the whole surface
+/// @param mostEdges  see geodesic
+/// @return nothing if the search would visit more edges
+std::optional<TriangleStrip> stripBetween(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
+                                          const Report &report, const Corridor *corridor,
+                                          std::size_t mostEdges = std::numeric_limits<std::size_t>::max());
 
 /// The triangles about a short path from one end to the other. A wave spreads from corner to corner
 /// by fast marching until it reaches the goal (Kimmel and Sethian, 1998); a corner's distance
 /// follows from two others by the image of the source (Novotni and Klein, 2002). It needs 16 bytes
 /// per corner.
-/// @return NotConnected, Stopped
-geometry::Result<Corridor, PathError> corridorBetween(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
-                                                      const Progress &goesOn);
+Corridor corridorBetween(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to, const Report &report);
 /// Some rings of triangles around others, which may come in any order.
-Corridor corridorAbout(const SurfaceMesh &mesh, Corridor triangles);
-
-/// The strip of stripBetween, searched only in a corridor.
-/// @return NotConnected, Stopped
-geometry::Result<TriangleStrip, PathError> stripWithin(const Corridor &corridor, const PlacedMesh &mesh,
-                                                       const PathEnd &from, const PathEnd &to, const Progress &goesOn);
+Corridor corridorAbout(const PlacedMesh &mesh, Corridor triangles);
 
 /// The shortest path within a strip.
 struct StripPath {

@@ -14,8 +14,6 @@
 #include <utility>
 
 namespace unprojector::curves {
-using namespace geometry;
-
 namespace {
 
 constexpr std::uint32_t kNone = SurfaceMesh::kNone;
@@ -69,34 +67,34 @@ void sort(std::vector<std::uint32_t> &numbers)
 }
 
 /// The corners of triangles, each once, sorted.
-std::vector<std::uint32_t> cornersOf(const SurfaceMesh &mesh, const std::vector<std::uint32_t> &triangles)
+std::vector<std::uint32_t> cornersOf(const PlacedMesh &mesh, const std::vector<std::uint32_t> &triangles)
 {
     std::vector<std::uint32_t> corners;
     for (const std::uint32_t triangle : triangles)
-        corners.insert(corners.end(), mesh.corners(triangle).begin(), mesh.corners(triangle).end());
+        corners.insert(corners.end(), mesh->corners(triangle).begin(), mesh->corners(triangle).end());
     sort(corners);
     return corners;
 }
 
 class Wave {
 public:
-    Wave(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to, const Progress &goesOn)
-        : m_mesh(mesh), m_from(from), m_to(to), m_goesOn(goesOn), m_corners(mesh.mesh().cornerCount())
+    Wave(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to, const Report &report)
+        : m_mesh(mesh), m_from(from), m_to(to), m_report(report), m_corners(mesh->cornerCount())
     {
     }
 
-    Result<Corridor, PathError> run()
+    Corridor run()
     {
         for (const std::uint32_t triangle : m_from.triangles()) {
-            for (const std::uint32_t corner : m_mesh.mesh().corners(triangle))
+            for (const std::uint32_t corner : m_mesh->corners(triangle))
                 offer(corner, glm::distance(m_from.place(), m_mesh[corner]), kNone);
         }
-        const std::vector<std::uint32_t> goals = cornersOf(m_mesh.mesh(), m_to.triangles());
+        const std::vector<std::uint32_t> goals = cornersOf(m_mesh, m_to.triangles());
         std::size_t left = goals.size();
         double nearest = std::numeric_limits<double>::infinity(); // to the goal in a straight line
         for (std::size_t steps = 0; left > 0; ++steps) {
             if (m_open.empty())
-                return PathError::NotConnected;
+                throw NotConnected{};
             const auto [distance, corner] = m_open.top();
             m_open.pop();
             if (m_corners[corner].isDone)
@@ -105,8 +103,8 @@ public:
             left -= std::binary_search(goals.begin(), goals.end(), corner) ? 1u : 0u;
             nearest = std::min(nearest, glm::distance(m_mesh[corner], m_to.place()));
             constexpr std::size_t kAsking = 1 << 12;
-            if (steps % kAsking == 0 && m_goesOn && !m_goesOn(distance / (distance + nearest)))
-                return PathError::Stopped;
+            if (steps % kAsking == 0)
+                m_report(distance / (distance + nearest));
             spread(corner);
         }
         return way();
@@ -134,9 +132,8 @@ private:
     {
         const glm::dvec3 place = m_mesh[corner];
         const double distance = m_corners[corner].distance;
-        const auto [begin, end] = m_mesh.mesh().around(corner);
-        for (const std::uint32_t *triangle = begin; triangle != end; ++triangle) {
-            const std::array<std::uint32_t, 3> &corners = m_mesh.mesh().corners(*triangle);
+        for (const std::uint32_t triangle : m_mesh->around(corner)) {
+            const std::array<std::uint32_t, 3> &corners = m_mesh->corners(triangle);
             const std::size_t k = corners[0] == corner ? 0 : corners[1] == corner ? 1 : 2;
             const std::array others{corners[(k + 1) % 3], corners[(k + 2) % 3]};
             // A triangle's positions and lengths serve all offers in it.
@@ -153,7 +150,7 @@ private:
                 else
                     offer(others[i], distance + leg, corner);
             }
-            spreadAcross(corner, *triangle, others, places, own);
+            spreadAcross(corner, triangle, others, places, own);
         }
     }
 
@@ -171,12 +168,10 @@ private:
     void spreadAcross(std::uint32_t corner, std::uint32_t triangle, const std::array<std::uint32_t, 2> &edge,
                       const std::array<glm::dvec3, 2> &ends, const Sides &own)
     {
-        const std::uint32_t other = m_mesh.mesh().onlyAcross(triangle, edge[0], edge[1]);
+        const std::uint32_t other = m_mesh->onlyAcross(triangle, edge[0], edge[1]);
         if (other == kNone)
             return;
-        const std::array<std::uint32_t, 3> &corners = m_mesh.mesh().corners(other);
-        const std::uint32_t next = *std::find_if(
-            corners.begin(), corners.end(), [&](std::uint32_t each) { return each != edge[0] && each != edge[1]; });
+        const std::uint32_t next = m_mesh->thirdCorner(other, edge[0], edge[1]);
         if (m_corners[next].isDone)
             return;
         const glm::dvec3 place = m_mesh[next];
@@ -197,7 +192,7 @@ private:
     {
         double least = std::numeric_limits<double>::infinity();
         std::uint32_t corner = kNone;
-        for (const std::uint32_t each : cornersOf(m_mesh.mesh(), m_to.triangles())) {
+        for (const std::uint32_t each : cornersOf(m_mesh, m_to.triangles())) {
             const double whole = m_corners[each].distance + glm::distance(m_mesh[each], m_to.place());
             if (std::exchange(least, std::min(least, whole)) > whole)
                 corner = each;
@@ -205,8 +200,8 @@ private:
         Corridor triangles(m_from.triangles());
         triangles.insert(triangles.end(), m_to.triangles().begin(), m_to.triangles().end());
         for (; corner != kNone; corner = m_corners[corner].parent) {
-            const auto [begin, end] = m_mesh.mesh().around(corner);
-            triangles.insert(triangles.end(), begin, end);
+            const auto around = m_mesh->around(corner);
+            triangles.insert(triangles.end(), around.begin(), around.end());
         }
         sort(triangles);
         return triangles;
@@ -214,7 +209,7 @@ private:
 
     const PlacedMesh &m_mesh;
     const PathEnd &m_from, &m_to;
-    const Progress &m_goesOn;
+    const Report &m_report;
     std::vector<Corner> m_corners;
     using Open = std::pair<double, std::uint32_t>; ///< distance, corner
     std::priority_queue<Open, std::vector<Open>, std::greater<>> m_open;
@@ -222,13 +217,12 @@ private:
 
 } // namespace
 
-Result<Corridor, PathError> corridorBetween(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
-                                            const Progress &goesOn)
+Corridor corridorBetween(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to, const Report &report)
 {
-    return Wave(mesh, from, to, goesOn).run();
+    return Wave(mesh, from, to, report).run();
 }
 
-Corridor corridorAbout(const SurfaceMesh &mesh, Corridor triangles)
+Corridor corridorAbout(const PlacedMesh &mesh, Corridor triangles)
 {
     sort(triangles); // those of a path come in its order
     constexpr int kRings = 12;
@@ -236,8 +230,8 @@ Corridor corridorAbout(const SurfaceMesh &mesh, Corridor triangles)
     for (int ring = 0; ring < kRings; ++ring) {
         Corridor touched;
         for (const std::uint32_t corner : cornersOf(mesh, last)) {
-            const auto [begin, end] = mesh.around(corner);
-            touched.insert(touched.end(), begin, end);
+            const auto around = mesh->around(corner);
+            touched.insert(touched.end(), around.begin(), around.end());
         }
         sort(touched);
         last.clear();

@@ -16,7 +16,6 @@
 namespace unprojector::gui {
 using namespace geometry;
 using namespace mesh;
-using namespace ray;
 using namespace scene;
 
 namespace {
@@ -113,7 +112,6 @@ QString faultOf(const curves::CurveError &error, const std::vector<Landmark> &la
         return Texts::tr("no plane along the surface's normals leads from “%1” to “%2”; use the geodesic, or place a "
                          "landmark between them")
             .arg(quoted(landmarks, error.point - 1), quoted(landmarks, error.point));
-    case Code::Stopped: break;
     }
     return {};
 }
@@ -141,10 +139,10 @@ SceneCurves::Line worked(const Request &request, Surfaces &surfaces, const base:
             curves::lineThrough(*surface, points, request.kind, request.placement, goesOnFrom(kSurface, 1.0));
         if (through)
             line.line = std::move(through).value();
-        else if (through.error().code == curves::CurveError::Code::Stopped)
-            line.isComputing = true;
         else
             line.reason = faultOf(through.error(), request.points);
+    } catch (const base::Stopped &) {
+        line.isComputing = true;
     } catch (...) { // the other lines may exist
         line.failure = failureOf(std::current_exception());
         line.reason = failureText(*line.failure);

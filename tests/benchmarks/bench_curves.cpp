@@ -48,9 +48,8 @@ double alongEdges(const SurfaceMesh &mesh, std::uint32_t from, std::uint32_t to)
         open.pop();
         if (way > least[corner])
             continue;
-        const auto [begin, end] = mesh.around(corner);
-        for (const std::uint32_t *triangle = begin; triangle != end; ++triangle) {
-            for (const std::uint32_t next : mesh.corners(*triangle)) {
+        for (const std::uint32_t triangle : mesh.around(corner)) {
+            for (const std::uint32_t next : mesh.corners(triangle)) {
                 const double there = way + glm::distance(mesh.place(corner), mesh.place(next));
                 if (there < least[next]) {
                     least[next] = there;
