@@ -86,8 +86,7 @@ Chunks chunksOfGlb(const Source &source, std::vector<base::Note> &notes)
 /// @param object  the key whose value is the object that contains the key
 bool isUnread(std::string_view object, std::string_view key)
 {
-    return key == "extras" || key == "asset"
-           || (object == "extensions" && gltfExtension(key) == GltfExtension::Unknown);
+    return key == "extras" || key == "asset" || (object == "extensions" && !isReadExtension(key));
 }
 
 Json parsed(std::string_view text)

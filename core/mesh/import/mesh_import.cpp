@@ -303,6 +303,19 @@ Model import(const std::filesystem::path &file, base::Reporter &progress)
 
 } // namespace
 
+std::vector<std::string_view> textPieces(std::string_view text,
+                                         std::size_t (*nextEnd)(std::string_view text, std::size_t from))
+{
+    constexpr std::size_t kPieceBytes = 1 << 20; // a few milliseconds of work
+    std::vector<std::string_view> pieces;
+    while (!text.empty()) {
+        const std::size_t size = text.size() <= kPieceBytes ? text.size() : nextEnd(text, kPieceBytes);
+        pieces.push_back(text.substr(0, size));
+        text.remove_prefix(size);
+    }
+    return pieces;
+}
+
 std::string lowerCaseSuffix(const std::filesystem::path &file)
 {
     std::string suffix = utf8FromPath(file.extension());

@@ -49,6 +49,11 @@ struct Source {
     }
 };
 
+/// Splits a text into pieces of about a million bytes, to be read in parallel.
+/// @param nextEnd  the first place from an offset on where a piece of a text may end
+std::vector<std::string_view> textPieces(std::string_view text,
+                                         std::size_t (*nextEnd)(std::string_view text, std::size_t from));
+
 std::string lowerCaseSuffix(const std::filesystem::path &file); ///< without the dot
 /// The file as UTF-8, converted if it begins with a byte order mark of another UTF; else unchanged.
 /// @param converted  holds the text of a file in UTF-16

@@ -26,44 +26,39 @@ namespace {
 
 constexpr std::size_t kElementsBetweenReports = 1 << 14;
 
-/// The prefix of "OFF" in the first word: [ST][C][N][4][n]OFF.
+/// The first word, [ST][C][N]OFF, and whether the file is binary.
 struct OffKind {
     bool hasTexcoords = false;
     bool hasColors = false;
     bool hasNormals = false;
-    bool hasW = false;
-    bool hasDimension = false;
-    std::endian byteOrder = std::endian::big;
     bool isBinary = false;
+    std::endian byteOrder = std::endian::big;
 };
 
-struct OffWord {
-    OffKind kind;
-    std::size_t length = 0; ///< of the word itself: in some files the vertex count follows without a blank
-};
-
-std::optional<OffWord> offWord(std::string_view word)
+/// Reads the first word.
+/// @return its length: in some files the vertex count follows without a blank. 0 if it is missing
+std::size_t readOffWord(std::string_view word, OffKind &kind)
 {
-    OffWord result;
     std::string_view rest = word;
     const auto take = [&rest](std::string_view prefix) {
         const bool found = rest.starts_with(prefix);
         rest.remove_prefix(found ? prefix.size() : 0);
         return found;
     };
-    OffKind &kind = result.kind;
     for (std::size_t before = 0; before != rest.size();) { // MeshLab writes NCOFF
         before = rest.size();
         kind.hasTexcoords = take("ST") || kind.hasTexcoords;
         kind.hasColors = take("C") || kind.hasColors;
         kind.hasNormals = take("N") || kind.hasNormals;
     }
-    kind.hasW = take("4");
-    kind.hasDimension = take("n");
-    if (!take("OFF") || (!rest.empty() && !integerFromWord(rest)))
-        return std::nullopt;
-    result.length = word.size() - rest.size();
-    return result;
+    if (take("OFF") && (rest.empty() || integerFromWord(rest)))
+        return word.size() - rest.size();
+    if (rest.starts_with("4OFF") || rest.starts_with("nOFF") || rest.starts_with("4nOFF"))
+        failUnsupported(tr("its first word is %1, and only OFF with ST, C or N before it can be read", quoted(word)));
+    if (!integerFromWord(word)) // the word is optional: the file may begin with the counts
+        failMalformed(tr("the file does not begin with \"OFF\""));
+    kind = {};
+    return 0;
 }
 
 /// The file's numbers: words in text, or binary. In text each vertex and each face begins a line.
@@ -77,7 +72,6 @@ public:
     {
     }
 
-    bool isBinary() const { return m_isBinary; }
     std::size_t offset() const { return m_isBinary ? m_at : m_scanner.offset(); }
     std::size_t bytesLeft() const { return m_bytes.size() - offset(); }
     std::size_t leastBytes() const { return m_isBinary ? 4 : 2; }
@@ -104,15 +98,13 @@ public:
         return *value;
     }
 
-    double real(const char *what)
+    template <std::size_t count>
+    std::array<double, count> reals(const char *what)
     {
-        if (m_isBinary)
-            return static_cast<double>(std::bit_cast<float>(bits(what)));
-        const std::string_view word = wordInLine(what);
-        const std::optional<double> value = doubleFromWord(word);
-        if (!value)
-            failWord(word, what);
-        return *value;
+        std::array<double, count> values;
+        for (double &value : values)
+            value = real(what);
+        return values;
     }
 
     /// Skips the number of edges: it has no meaning, and some files omit it. In text it follows the
@@ -210,6 +202,17 @@ public:
     }
 
 private:
+    double real(const char *what)
+    {
+        if (m_isBinary)
+            return static_cast<double>(std::bit_cast<float>(bits(what)));
+        const std::string_view word = wordInLine(what);
+        const std::optional<double> value = doubleFromWord(word);
+        if (!value)
+            failWord(word, what);
+        return *value;
+    }
+
     std::uint32_t bits(const char *what)
     {
         if (m_bytes.size() - m_at < 4)
@@ -296,25 +299,17 @@ glm::u8vec4 colorFromNumbers(std::span<const float> values, float mostOfAll)
 class VertexColors {
 public:
     /// @param values  3 or 4; any other number is no colour
-    void add(std::span<const float> values)
+    /// @return whether they are a colour
+    bool add(std::span<const float> values)
     {
         std::array<float, 4> &color = m_colors.emplace_back(std::array{1.0f, 1.0f, 1.0f, kNoOpacity});
-        m_withNumbers += values.empty() ? 0U : 1U;
         if (values.size() != 3 && values.size() != 4)
-            return;
-        ++m_withColors;
-        for (std::size_t c = 0; c < values.size(); ++c) {
-            color[c] = values[c];
-            m_most = std::max(m_most, values[c]);
-            m_areInRange = m_areInRange && values[c] >= 0.0f && values[c] <= 255.0f;
-        }
+            return false;
+        std::ranges::copy(values, color.begin());
+        for (const float value : values)
+            m_most = std::max(m_most, value);
+        return true;
     }
-    /// Returns whether each vertex has a colour, and all numbers are in range.
-    bool areColors() const { return m_areInRange && !m_colors.empty() && m_withColors == m_colors.size(); }
-    /// The number of vertices whose numbers are no colour.
-    std::size_t withOthers() const { return m_withNumbers - m_withColors; }
-    std::size_t withNumbers() const { return m_withNumbers; }
-
     std::vector<glm::u8vec4> take() const
     {
         std::vector<glm::u8vec4> colors;
@@ -328,9 +323,6 @@ public:
 private:
     static constexpr float kNoOpacity = -1.0f;
     std::vector<std::array<float, 4>> m_colors;
-    std::size_t m_withNumbers = 0;
-    std::size_t m_withColors = 0;
-    bool m_areInRange = true;
     float m_most = 0.0f;
 };
 
@@ -356,44 +348,34 @@ void readVertices(const OffKind &kind, std::size_t count, OffNumbers &numbers, M
         if (v % kElementsBetweenReports == 0)
             progress.report(0.5 * static_cast<double>(v) / static_cast<double>(count));
         numbers.beginLine(marked("vertex|of a mesh"));
-        const double x = numbers.real(marked("vertex|of a mesh"));
-        const double y = numbers.real(marked("vertex|of a mesh"));
-        const double z = numbers.real(marked("vertex|of a mesh"));
-        const double w = kind.hasW ? numbers.real(marked("vertex|of a mesh")) : 1.0;
-        positions.push_back(glm::dvec3(x, y, z) / w);
+        const auto [x, y, z] = numbers.reals<3>(marked("vertex|of a mesh"));
+        positions.emplace_back(x, y, z);
         box.add(positions.back());
         if (kind.hasNormals) {
-            const double nx = numbers.real(marked("normal|of a mesh"));
-            const double ny = numbers.real(marked("normal|of a mesh"));
-            mesh.normals.emplace_back(nx, ny, numbers.real(marked("normal|of a mesh")));
+            const auto [nx, ny, nz] = numbers.reals<3>(marked("normal|of a mesh"));
+            mesh.normals.emplace_back(nx, ny, nz);
         }
-        if (kind.hasColors && (numbers.isBinary() || kind.hasTexcoords)) {
-            std::array<float, 4> color{};
-            for (float &value : color)
-                value = static_cast<float>(numbers.real(marked("vertex colour")));
-            colors.add(color);
+        // In text the colour ends the line, so its opacity may be missing.
+        const bool isColorLast = kind.hasColors && !kind.isBinary && !kind.hasTexcoords;
+        if (kind.hasColors && !isColorLast) {
+            const auto [r, g, b, a] = numbers.reals<4>(marked("vertex colour"));
+            colors.add(
+                std::array{static_cast<float>(r), static_cast<float>(g), static_cast<float>(b), static_cast<float>(a)});
         }
         if (kind.hasTexcoords) {
-            const double u = numbers.real(marked("texture coordinate"));
-            mesh.texcoords.emplace_back(u, numbers.real(marked("texture coordinate")));
+            const auto [s, t] = numbers.reals<2>(marked("texture coordinate"));
+            mesh.texcoords.emplace_back(s, t);
         }
-        if (numbers.isBinary())
+        if (kind.isBinary)
             continue;
         const bool areNumbers = numbers.restOfLine(rest);
-        verticesWithMore += !areNumbers || (kind.hasTexcoords && !rest.empty()) ? 1U : 0U;
-        if (!kind.hasTexcoords)
-            colors.add(rest);
+        const bool areUsed = isColorLast ? colors.add(rest) || rest.empty() : rest.empty();
+        verticesWithMore += !areNumbers || !areUsed ? 1U : 0U;
     }
     setPositions(mesh, originFor(box), positions);
-    // Some programs write colours without declaring them in the first word.
-    const bool areUndeclared = !kind.hasColors && colors.areColors();
-    if (kind.hasColors || areUndeclared)
+    if (kind.hasColors)
         mesh.colors = colors.take();
-    if (areUndeclared)
-        model.notes.push_back({marked("the numbers behind the coordinates are used as colours, though the header does "
-                                      "not declare any")});
-    verticesWithMore += mesh.colors.empty() ? colors.withNumbers() : colors.withOthers();
-    noteVerticesWithMore(model.notes, std::min(verticesWithMore, count));
+    noteVerticesWithMore(model.notes, verticesWithMore);
 }
 
 /// The byte order of the counts. Some programs write the binary form in little endian; in the wrong
@@ -434,9 +416,8 @@ Model readOff(const Source &source)
     OffKind kind;
     std::size_t offset = 0;
     std::size_t line = 1;
-    if (const std::optional<OffWord> first = offWord(word)) {
-        kind = first->kind;
-        offset = scanner.offset() - word.size() + first->length;
+    if (const std::size_t length = readOffWord(word, kind); length > 0) {
+        offset = scanner.offset() - word.size() + length;
         line = scanner.line();
         if (TextScanner ahead = scanner; ahead.nextWordInLine() == "BINARY") {
             ahead.skipLine();
@@ -447,16 +428,9 @@ Model readOff(const Source &source)
             if (isText(source.text().substr(offset)))
                 failMalformed(tr("the first line says BINARY and text follows; remove the word BINARY"));
         }
-    } else if (!integerFromWord(word)) { // the word is optional: the file may begin with the counts
-        failMalformed(tr("the file does not begin with \"OFF\""));
     }
 
     OffNumbers numbers(source, offset, line, kind);
-    if (kind.hasDimension) {
-        numbers.beginLine(marked("number of dimensions"));
-        if (const std::int64_t dimensions = numbers.integer(marked("number of dimensions")); dimensions != 3)
-            failUnsupported(tr("points of %1 dimensions", dimensions));
-    }
     numbers.beginLine(marked("number of vertices"));
     const std::int64_t declaredVertices = numbers.integer(marked("number of vertices"));
     numbers.beginLine(marked("number of faces"));
