@@ -22,7 +22,6 @@ struct Character {
                            [this](const Range &range) { return code >= range.first && code <= range.last; });
     }
     std::size_t columns() const { return isWide() ? 2 : 1; }
-    bool isOneOf(std::string_view signs) const { return signs.find(bytes) != signs.npos; }
 };
 
 /// The character at a position; invalid UTF-8 counts as single bytes.
@@ -34,35 +33,6 @@ Character characterAt(std::string_view text, std::size_t start)
     for (const char byte : character.bytes.substr(1))
         character.code = character.code << 6 | (static_cast<unsigned char>(byte) & 0x3f);
     return character;
-}
-
-/// Returns whether a line may end between two characters, neither of them a blank.
-bool mayEndBetween(const Character &before, const Character &after)
-{
-    constexpr std::string_view kClosing = "，。：；、？！）”’》」,.:;)…", kOpening = "（“‘《「(";
-    return (before.isWide() || after.isWide()) && !after.isOneOf(kClosing) && !before.isOneOf(kOpening);
-}
-
-std::string wrappedLine(std::string_view line, std::size_t columns, std::size_t indent)
-{
-    std::string result;
-    std::size_t start = 0, column = indent, end = 0; // end: the last possible line end, 0 for none
-    Character before;
-    for (std::size_t at = 0; at < line.size();) {
-        const Character here = characterAt(line, at);
-        if (at > start && (here.bytes == " " || (before.bytes != " " && mayEndBetween(before, here))))
-            end = at;
-        if (here.bytes != " " && column + here.columns() > columns && end > start) {
-            result.append(line.substr(start, end - start)).append("\n").append(indent, ' ');
-            start = std::min(line.find_first_not_of(' ', end), line.size());
-            column = indent + columnsOf(line.substr(start, at - start));
-            end = start;
-        }
-        column += here.columns();
-        before = here;
-        at += here.bytes.size();
-    }
-    return result.append(line.substr(start));
 }
 
 } // namespace
@@ -101,21 +71,6 @@ std::string paddedLeft(const std::string &text, std::size_t columns)
 {
     const std::size_t taken = columnsOf(text);
     return taken < columns ? std::string(columns - taken, ' ') + text : text;
-}
-
-std::string wrapped(std::string_view text, std::size_t columns, std::size_t indent)
-{
-    std::string result;
-    while (true) {
-        const std::size_t end = text.find('\n');
-        result += wrappedLine(text.substr(0, end), columns, indent);
-        if (end == text.npos)
-            return result;
-        result.append("\n");
-        text.remove_prefix(end + 1);
-        if (!text.empty() && text.front() != '\n')
-            result.append(indent, ' ');
-    }
 }
 
 } // namespace unprojector::base

@@ -20,10 +20,4 @@ std::string padded(std::string text, std::size_t columns);
 /// The same with the blanks in front.
 std::string paddedLeft(const std::string &text, std::size_t columns);
 
-/// Wraps a text so that each line takes at most the given number of columns if possible. Lines
-/// break at blanks and between wide characters, but not before a closing sign or after an opening
-/// one. Existing line ends stay.
-/// @param indent  blanks in front of every line begun here
-std::string wrapped(std::string_view text, std::size_t columns, std::size_t indent = 0);
-
 } // namespace unprojector::base

@@ -28,8 +28,6 @@ public:
     ///         overwritten unnoticed
     /// @return an error of kind Changed; the system's errors
     Done commit(const std::optional<FileStamp> &onlyIf = std::nullopt);
-    /// The path of the new file, for cleanup where this object cannot do it; empty after commit().
-    const std::filesystem::path &freshFile() const { return m_fresh.path(); }
 
 private:
     ReplacingFile() = default;

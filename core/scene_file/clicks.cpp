@@ -159,20 +159,21 @@ base::Expected<SceneOrClicks, base::Error> parseSceneOrClicks(std::string_view t
     return SceneOrClicks(std::move(given).value().clicks);
 }
 
-Result<SceneFile, std::string> oneScene(const SceneOrClicks &given)
+SceneOrError oneScene(const SceneOrClicks &given, const std::string &name)
 {
     if (const auto *scene = std::get_if<SceneFile>(&given))
         return *scene;
     const auto &clicks = std::get<std::vector<Click>>(given);
     if (clicks.empty())
-        return base::tr("it has no click and so no scene; give a scene file");
+        return base::Error{.text = base::tr("it has no click and so no scene; give a scene file"), .file = name};
     const auto first = sceneText(clicks.front().scene);
     const bool isOne = std::all_of(clicks.begin() + 1, clicks.end(), [&first](const Click &click) {
         const auto other = sceneText(click.scene);
         return first && other && *first == *other;
     });
     if (!isOne)
-        return base::tr("its clicks have different scenes; give one click, or the scene of one");
+        return base::Error{.text = base::tr("its clicks have different scenes; give one click, or the scene of one"),
+                           .file = name};
     return clicks.front().scene;
 }
 

@@ -79,7 +79,7 @@ using SceneOrClicks = std::variant<SceneFile, std::vector<Click>>;
 base::Expected<SceneOrClicks, base::Error> parseSceneOrClicks(std::string_view text, const std::string &name);
 
 /// The scene, or the one that all clicks share.
-/// @return why there is none, in the language of base::tr()
-geometry::Result<SceneFile, std::string> oneScene(const SceneOrClicks &given);
+/// @param name  of the file, for the error
+SceneOrError oneScene(const SceneOrClicks &given, const std::string &name);
 
 } // namespace unprojector::scene_file

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <random>
 
 using namespace unprojector;
@@ -54,9 +53,7 @@ void rows(benchmark::State &state, bool isComputing)
     const LineBlock text = block();
     const std::string header = (std::filesystem::temp_directory_path() / "bench_rows.csv").string();
     std::ofstream(header) << "px,py,depth\n";
-    const std::unique_ptr<RowStream> stream =
-        openRows({.input = header}, {{"px", "py", "depth"}}, std::vector<std::string>(7, "name"));
-    const RowTable &table = *stream->table;
+    const RowTable table({.input = header}, {{"px", "py", "depth"}}, std::vector<std::string>(7, "name"));
     const ClickBatch formula = *ClickBatch::of(Method::Formula, setup(), {});
     const ClickBatch matrix = *ClickBatch::of(Method::Matrix, setup(), {});
     NumberRows numbers;

@@ -90,14 +90,14 @@ private slots:
         const Run run = runCommand(words, {}, kChinese);
         VERIFY_SUCCEEDED(run);
         const QString help = QString::fromUtf8(run.output);
-        QVERIFY(help.contains(QStringLiteral("\n用法：unproject")));
+        QVERIFY(help.contains(QStringLiteral("\n用法: unproject")));
         QVERIFY(!help.contains(QChar::ReplacementCharacter));
         for (const QString &line : help.split(u'\n')) {
             if (isExample(line))
                 continue;
             QVERIFY2(!hasEnglish(line), qPrintable(line));
-            const bool isHead = line.startsWith(QStringLiteral("  ")) && !line.startsWith(QStringLiteral("   "));
-            QVERIFY2(isHead || base::columnsOf(line.toStdString()) <= 80, qPrintable(line));
+            const bool isOption = line.startsWith(QStringLiteral("  "));
+            QVERIFY2(isOption || base::columnsOf(line.toStdString()) <= 80, qPrintable(line));
         }
     }
 

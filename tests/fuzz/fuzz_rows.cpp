@@ -4,6 +4,7 @@
 #include "tests/fuzz/fuzzing.h"
 
 #include <cmath>
+#include <optional>
 
 using namespace unprojector::cli;
 
@@ -15,16 +16,18 @@ extern "C" int LLVMFuzzerInitialize(int *, char ***)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
-    ByteSource source(fuzz::fileOf("rows.csv", data, size).string());
-    LineBlocks blocks(source);
     RowOptions options;
+    options.input = fuzz::fileOf("rows.csv", data, size).string();
     options.isJson = size % 2 == 0;
-    const auto table = RowTable::of(blocks, source, {{"px", "py", "depth"}}, {"result"}, options);
-    if (!table)
+    std::optional<RowTable> table;
+    try {
+        table.emplace(options, std::vector<ColumnNames>{{"px", "py", "depth"}}, std::vector<std::string>{"result"});
+    } catch (const Refused &) { // the header
         return 0;
+    }
     LineBlock block;
     NumberRows rows;
-    while (blocks.next(block)) {
+    while (table->blocks().next(block)) {
         std::vector<LineMessage> messages;
         table->read(block, rows, messages);
         fuzz::require(rows.isBad.size() == rows.count(), "each row is good or bad");
@@ -40,6 +43,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         });
         fuzz::require(result.output.empty() == (rows.count() == 0), "each row is written");
     }
-    fuzz::require(blocks.bytesRead() == size, "everything is read");
+    fuzz::require(table->blocks().bytesRead() == size, "everything is read");
     return 0;
 }

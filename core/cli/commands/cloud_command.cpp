@@ -297,7 +297,7 @@ ExitCode runCloud(CloudOptions &options)
         options.choices.size =
             images::PixelSize{static_cast<std::size_t>(size.width), static_cast<std::size_t>(size.height)};
     }
-    const SceneFile scene = needed(readScene(options.scene));
+    const SceneFile scene = readScene(options.scene);
     const Setup g = setupOf(scene);
     const bool isMatrix = options.method == Method::Matrix;
     const BatchUnprojection unprojection =
@@ -314,15 +314,15 @@ ExitCode runCloud(CloudOptions &options)
     inputs.push_back(options.depth);
     if (!options.color.empty())
         inputs.push_back(options.color);
-    Output sink(options.output, inputs); // an unwritable output is reported before the computation
+    ByteSink sink(options.output, inputs); // an unwritable output is reported before the computation
     const images::PixelSize window{static_cast<std::size_t>(g.surface.widthPixels),
                                    static_cast<std::size_t>(g.surface.heightPixels)};
     std::optional<images::ColorImage> colors;
     if (!options.color.empty())
-        colors = needed(readColors(options.color, window));
+        colors = readColors(options.color, window);
     ProgressBar progress(pixelsOf(g), ProgressBar::Unit::Points);
-    const images::NumberImage image = needed(
-        readDepthImage(options.depth, options.choices, window, [&](std::size_t count) { progress.advance(count); }));
+    const images::NumberImage image =
+        readDepthImage(options.depth, options.choices, window, [&](std::size_t count) { progress.advance(count); });
     progress.finish();
     const DepthRows rows(image, options.numbers, g, lines, clip.value_or(ClipDistances{}));
     Cloud cloud{options, g, unprojection, image, rows, lines, clip, std::move(colors)};

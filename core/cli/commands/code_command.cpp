@@ -19,8 +19,8 @@ struct CodeOptions {
 
 ExitCode runCode(const CodeOptions &options)
 {
-    const SceneFile scene = needed(readScene(options.scene));
-    Output sink(options.output, filesOf(scene, options.scene));
+    const SceneFile scene = readScene(options.scene);
+    ByteSink sink(options.output, filesOf(scene, options.scene));
     sink.write(scene_code::sceneCode(scene, options.dialect));
     return sink.finish();
 }

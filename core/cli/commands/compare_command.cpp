@@ -229,13 +229,13 @@ std::string json(const std::vector<Way> &ways, std::size_t points)
 
 ExitCode runCompare(const CompareOptions &options)
 {
-    const SceneFile scene = needed(readScene(options.scene));
+    const SceneFile scene = readScene(options.scene);
     const Setup setup = setupOf(scene);
     const std::optional<ExactUnprojection> exact = ExactUnprojection::of(setup);
     if (!exact)
         refuse(options.scene + ": " + errorText(geometry::Error{ErrorCode::SingularMatrix}));
     const Unprojector unprojector = needed(Unprojector::of(setup), options.scene);
-    Output sink("-", filesOf(scene, options.scene));
+    ByteSink sink("-", filesOf(scene, options.scene));
     const FormulaInFloat formulaInFloat(setup);
     const auto by = [&](Method method) {
         return [&, method](const WindowPoint &window) { return unprojector.worldAt(method, window); };

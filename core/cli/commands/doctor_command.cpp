@@ -73,7 +73,7 @@ constexpr std::size_t kMostPointBytes = std::size_t{1} << 24;
 /// @param file  UTF-8; "-" for stdin
 WrongPoints wrongPoints(const std::string &file)
 {
-    Input source(file);
+    ByteSource source(file);
     const std::string text = source.readAll(kMostPointBytes);
     if (source.hasFailed())
         refuse(tr("%1: cannot be read", source.name()));
@@ -205,10 +205,9 @@ struct CaseRead {
 /// True if all models of a scene exist and are readable.
 bool areModelsThere(const std::string &file)
 {
-    const std::optional<SceneFile> scene = file == "-" ? std::nullopt : readScene(file);
-    if (!scene)
+    if (file == "-")
         return false;
-    const std::vector<std::filesystem::path> models = opening::modelFiles(*scene, base::pathFromUtf8(file));
+    const std::vector<std::filesystem::path> models = opening::modelFiles(readScene(file), base::pathFromUtf8(file));
     return std::all_of(models.begin(), models.end(), [](const std::filesystem::path &model) {
         std::error_code ignored;
         return std::filesystem::exists(model, ignored);
@@ -232,7 +231,7 @@ std::function<std::vector<KnownPoint>(const Box &)> verticesOnceRead(const std::
 
 CaseRead withoutMesh(const std::string &file)
 {
-    const SceneFile scene = needed(readScene(file));
+    const SceneFile scene = readScene(file);
     Case result{setupOf(scene), {}, {}, {}, verticesOnceRead(file)};
     for (const SceneFileObject &object : scene.objects)
         result.models.push_back({object.name, preciseWorldFromObject(object.transform)});
@@ -369,7 +368,7 @@ ExitCode runDoctor(const DoctorOptions &options)
     setSpace(given.points, options.gotSpace, scene);
     if (!options.points.empty())
         read.files.push_back(options.points);
-    Output sink("-", read.files);
+    ByteSink sink("-", read.files);
     if (otherSize) {
         scene.otherSize = Surface{otherSize->width, otherSize->height, 1.0};
         if (const Check valid = check(*scene.otherSize); !valid)

@@ -126,7 +126,7 @@ ExitCode runInfo(const InfoOptions &options)
     notes.insert(notes.end(), openOnes.begin(), openOnes.end());
     if (!isFinite(all))
         notes.push_back(tr("missing numbers are beyond the range of a double; check the scales of the objects"));
-    Output sink("-", opened.files);
+    ByteSink sink("-", opened.files);
     if (options.isJson) {
         std::string text = '{' + json(all) + ", \"objects\": [" + objects + "], \"notes\": [";
         for (const std::string &note : notes)

@@ -42,25 +42,12 @@ bool isMeantAsScene(const std::string &file)
     return file == "-" || opening::isMeantAsScene(pathFromUtf8(file));
 }
 
-namespace {
-
-template <class Value>
-Value neededOf(Expected<Value, base::Error> result)
-{
-    if (!result)
-        refuse(result.error().message());
-    return std::move(result).value();
-}
-
-} // namespace
-
 OpenedScene openScene(const std::string &file)
 {
     if (!isMeantAsScene(file))
-        return neededOf(opening::openModel(pathFromUtf8(file)));
-    scene_file::SceneFile scene = needed(readScene(file));
-    const std::filesystem::path path = file == "-" ? std::filesystem::path() : pathFromUtf8(file);
-    return neededOf(opening::withModels(std::move(scene), path, file == "-" ? "stdin" : file));
+        return needed(opening::openModel(pathFromUtf8(file)));
+    scene_file::SceneFile scene = readScene(file);
+    return needed(opening::withModels(std::move(scene), file == "-" ? "" : pathFromUtf8(file), inputName(file)));
 }
 
 void checkReach(const OpenedScene &opened)
@@ -84,7 +71,7 @@ Setup setupOf(const OpenedScene &opened, const std::string &size)
         if (const Check valid = check(*surface); !valid)
             refuse("--size " + size + ": " + errorText(valid.error()));
     }
-    return neededOf(opening::setupOf(opened, surface));
+    return needed(opening::setupOf(opened, surface));
 }
 
 namespace {
@@ -109,7 +96,7 @@ GivenTexts givenTexts(const std::vector<std::string> &words, const std::string &
     for (const std::string &word : words) {
         if (!isFile(word))
             refuse(word + ": " + tr("there is no such file"));
-        Input source(word);
+        ByteSource source(word);
         std::string text = source.readAll(kMostCameraBytes);
         if (source.hasFailed())
             refuse(tr("%1: cannot be read", source.name()));

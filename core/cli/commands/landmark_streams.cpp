@@ -33,7 +33,7 @@ void tell(const std::string &name, const std::vector<LandmarkNote> &notes)
 
 ReadLandmarks readFile(const std::string &file, Format format)
 {
-    Input source(file);
+    ByteSource source(file);
     const std::string text = source.readAll(kMostLandmarkBytes);
     if (source.hasFailed())
         refuse(tr("%1: the file cannot be read to its end", source.name()));
@@ -50,13 +50,13 @@ ReadLandmarks readFile(const std::string &file, Format format)
 ExitCode write(const std::string &file, const Result<WrittenLandmarks, LandmarkFileError> &text,
                const InputFiles &inputs)
 {
-    const std::string name = file == "-" ? "stdout" : file;
+    const std::string name = outputName(file);
     if (!text) {
         LandmarkFileError error = text.error();
         error.file = name;
         refuse(errorText(error));
     }
-    Output sink(file, inputs);
+    ByteSink sink(file, inputs);
     sink.write(text->text);
     const ExitCode written = sink.finish();
     if (written == ExitCode::Done)
@@ -75,7 +75,7 @@ ExitCode writeSliders(const std::string &file, const Result<Sliders, LandmarkFil
             + (sliders ? tr("it is not written, because no curve has semilandmarks") : errorText(sliders.error())));
         return ExitCode::SomeRowsBad;
     }
-    Output sink(file, inputs);
+    ByteSink sink(file, inputs);
     sink.write(sliders->text);
     if (const ExitCode finished = sink.finish(); finished != ExitCode::Done)
         return finished;
@@ -96,10 +96,7 @@ Format formatOf(const std::string &file, const std::optional<Format> &given, con
                                                      : landmark_files::formatOf(pathFromUtf8(file));
     if (!format)
         refuse(tr("%1: the name does not tell the format; give %2, one of %3",
-                  file != "-" ? file
-                  : isRead    ? "stdin"
-                              : "stdout",
-                  option, isRead ? readWords() : writtenWords()));
+                  isRead ? inputName(file) : outputName(file), option, isRead ? readWords() : writtenWords()));
     return *format;
 }
 

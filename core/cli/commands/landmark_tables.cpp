@@ -244,7 +244,7 @@ ExitCode makeTable(const LandmarksOptions &options)
         inputs.push_back(options.measures);
         inputs.insert(inputs.end(), found.models.begin(), found.models.end());
     }
-    const std::string name = options.output == "-" ? "stdout" : options.output;
+    const std::string name = outputName(options.output);
     const auto table = specimenTable(folder.sets, form, {measures, found.values}, {}, options.texts());
     const ExitCode written = table ? write(options.output, WrittenLandmarks{table->text, table->notes}, inputs)
                                    : write(options.output, table.error(), inputs);
@@ -290,7 +290,7 @@ ExitCode makeRepeats(const LandmarksOptions &options)
         if (written != ExitCode::Done)
             return written;
         for (const std::string &remark : errorRemarks(measurementErrorOf(specimens)))
-            complain((options.errors == "-" ? "stdout" : options.errors) + ": " + remark);
+            complain(outputName(options.errors) + ": " + remark);
     }
     return code;
 }

@@ -182,7 +182,7 @@ void checkDistinct(const std::string &a, const std::string &b)
         return;
     if (a != b && (a == "-" || b == "-" || (whole(a) != whole(b) && !isSameFile(pathFromUtf8(a), pathFromUtf8(b)))))
         return;
-    refuse(tr("%1: two results cannot go to one file; give another name for one of them", a == "-" ? "stdout" : a));
+    refuse(tr("%1: two results cannot go to one file; give another name for one of them", outputName(a)));
 }
 
 ExitCode runLandmarks(const LandmarksOptions &options)

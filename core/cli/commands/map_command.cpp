@@ -152,7 +152,7 @@ ExitCode runMap(const MapOptions &options)
         refuse(tr("a view of %1x%2 is too large for a map; give a smaller --size, of at most %3 pixels",
                   setup.surface.widthPixels, setup.surface.heightPixels, kMostPixels));
     const Unprojector unprojector = needed(Unprojector::of(setup), opened.name);
-    Output sink(options.output, opened.files); // an unwritable output is reported before the computation
+    ByteSink sink(options.output, opened.files); // an unwritable output is reported before the computation
     ProgressBar bar(pixels, ProgressBar::Unit::Points);
     const Seen seen(options, opened, unprojector);
     Question question{options.quantity, options.unit, OtherProgram::Paper};

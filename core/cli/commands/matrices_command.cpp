@@ -239,7 +239,7 @@ Result<Written> writtenCamera(const MatricesOptions &options, const SceneFile &s
 
 ExitCode runMatrices(const MatricesOptions &options)
 {
-    const SceneFile scene = needed(readScene(options.scene));
+    const SceneFile scene = readScene(options.scene);
     const Written camera = needed(writtenCamera(options, scene), options.scene);
     const std::vector<NamedMatrix> matrices = matricesOf(scene, camera);
     for (const NamedMatrix &m : matrices) {
@@ -251,7 +251,7 @@ ExitCode runMatrices(const MatricesOptions &options)
     const std::vector<NamedRows> others = camera.hasClip ? std::vector<NamedRows>() : openCvRows(camera.camera);
     if (!camera.hasClip && !camera.camera.intrinsics)
         complain(tr("%1: no camera matrix K: OpenCV's camera is a perspective, this projection is not", options.scene));
-    Output sink("-", filesOf(scene, options.scene));
+    ByteSink sink("-", filesOf(scene, options.scene));
     sink.write(written(matrices, others, options, camera));
     return sink.finish();
 }

@@ -213,8 +213,6 @@ void writePick(RowWriter &writer, const RayOnMesh &ray, bool hasEdges)
     writeEdge();
 }
 
-const ColumnNames kPositionColumns{"px", "py", ""};
-
 /// Parses "X,Y".
 DevicePoint positionGiven(const std::string &text)
 {
@@ -251,9 +249,7 @@ std::string viewportText(const Setup &setup)
 
 ExitCode pickRows(const PickOptions &options, const OpenedScene &opened, const SceneRays &rays, ByteSink &sink)
 {
-    const auto rows = openRows(options.rows, {kPositionColumns}, pickColumns(options.hasEdges));
-    if (!rows)
-        throw Refused();
+    RowTable rows(options.rows, {{"px", "py", ""}}, pickColumns(options.hasEdges));
     std::atomic<std::size_t> outside = 0; // rows whose pixels have no ray
     const auto write = [&](const glm::dvec3 &row, RowWriter &writer) {
         const DevicePoint position(row.x, row.y);
@@ -264,11 +260,11 @@ ExitCode pickRows(const PickOptions &options, const OpenedScene &opened, const S
                   options.hasEdges);
         return hit ? std::string() : errorText(hit.error());
     };
-    ExitCode code = runRows(*rows, sink, options.rows, [&] { return rows->table->worker(write); });
+    ExitCode code = rows.runEach(sink, write);
     if (outside > 0) { // empty cells alone would look like background
         code = std::max(code, ExitCode::SomeRowsBad);
         complain(
-            rows->source.name() + ": "
+            rows.name() + ": "
             + tr(outside == 1 ? "%1 pixel lies outside %2 and has no hit" : "%1 pixels lie outside %2 and have no hit",
                  outside.load(), viewportText(rays.rays().setup())));
     }
@@ -317,7 +313,7 @@ ExitCode runPick(const PickOptions &options)
     if (positions.empty())
         inputs.push_back(options.rows.input);
     // Output appended to the input would be read as input, endlessly.
-    Output sink("-", inputs);
+    ByteSink sink("-", inputs);
     const Unprojector unprojector = needed(Unprojector::of(setupOf(opened, options.size)), opened.name);
     if (opened.objects.empty())
         complain(tr("%1: the scene has no objects; rays will hit nothing", opened.name));

@@ -256,7 +256,7 @@ ExitCode runClicks(const PointsOptions &options, const std::vector<Click> &click
         refuse(tr("--distortion is for tables of pixels; the window's clicks have no distortion"));
     if (options.isPixel)
         refuse(tr("--pixel is for tables of pixels; clicks already have the centres of their pixels"));
-    Output sink("-", filesOf(clicks, options.rows.scene));
+    ByteSink sink("-", filesOf(clicks, options.rows.scene));
     std::vector<std::string> names(kClickColumns.begin(), kClickColumns.end());
     const std::vector<std::string> results = pointColumns(options.methods);
     names.insert(names.end(), results.begin(), results.end());
@@ -265,13 +265,13 @@ ExitCode runClicks(const PointsOptions &options, const std::vector<Click> &click
     ExitCode code = ExitCode::Done;
     for (std::size_t i = 0; i < clicks.size(); ++i) {
         const Click &click = clicks[i];
-        const std::string name = (options.rows.scene == "-" ? "stdin" : options.rows.scene)
-                                 + (clicks.size() == 1 ? "" : ": [" + std::to_string(i) + ']');
+        const std::string name =
+            inputName(options.rows.scene) + (clicks.size() == 1 ? "" : ": [" + std::to_string(i) + ']');
         const auto complainOfClick = [&](const std::string &what) {
             code = ExitCode::SomeRowsBad;
             complain(name + ": " + what);
         };
-        const BatchSpace space = needed(batchSpace(options.rows.space, click.scene));
+        const BatchSpace space = batchSpace(options.rows.space, click.scene);
         const Setup setup = setupOf(click.scene);
         const Unprojector unprojector = needed(Unprojector::of(setup), name);
         const DevicePoint device = deviceFromWindow(setup.surface, click.window);
@@ -296,15 +296,13 @@ ExitCode runClicks(const PointsOptions &options, const std::vector<Click> &click
 
 ExitCode runPoints(const PointsOptions &options)
 {
-    const SceneOrClicks given = needed(sceneOrClicks(options.rows.scene));
+    const SceneOrClicks given = sceneOrClicks(options.rows.scene);
     if (const auto *clicks = std::get_if<std::vector<Click>>(&given); clicks && !options.rows.isInputGiven)
         return runClicks(options, *clicks);
-    const RowScene scene = needed(rowScene(given, options.rows));
-    const auto rows = openRows(options.rows, {kClickColumns}, pointColumns(options.methods));
-    if (!rows)
-        throw Refused();
+    const RowScene scene = rowScene(given, options.rows);
+    RowTable rows(options.rows, {kClickColumns}, pointColumns(options.methods));
     const Setup &setup = scene.setup;
-    Task task{options, *rows->table, setup.depthRange, {}, {}};
+    Task task{options, rows, setup.depthRange, {}, {}};
     if (!options.distortion.empty())
         task.lens = sceneLens(options.distortion, setup, options.rows.scene);
     bool isUsable = false;
@@ -319,7 +317,7 @@ ExitCode runPoints(const PointsOptions &options)
     if (!isUsable)
         throw Refused();
     ByteSink sink("-", scene.inputs); // appended to the input, it would be read as input, endlessly
-    return runRows(*rows, sink, options.rows, [&] { return BlockWorker(Worker(task)); });
+    return rows.run(sink, [&] { return BlockWorker(Worker(task)); });
 }
 
 } // namespace

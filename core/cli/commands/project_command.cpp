@@ -82,11 +82,9 @@ struct ProjectOptions {
 ExitCode runProject(const ProjectOptions &options)
 {
     const std::string &scene = options.rows.scene;
-    const RowScene rowsScene = needed(rowScene(needed(sceneOrClicks(scene)), options.rows));
+    const RowScene rowsScene = rowScene(sceneOrClicks(scene), options.rows);
     // The preferred names first: users write x, y, z; `unproject points` writes the others.
-    const auto rows = openRows(options.rows, {{"x", "y", "z"}, pointColumnsOf("formula")}, kResults);
-    if (!rows)
-        throw Refused();
+    RowTable rows(options.rows, {{"x", "y", "z"}, pointColumnsOf("formula")}, kResults);
     const Setup &setup = rowsScene.setup;
     const PixelProjection projection = needed(PixelProjection::of(setup, rowsScene.space), scene);
     std::optional<SceneLens> lens;
@@ -108,7 +106,7 @@ ExitCode runProject(const ProjectOptions &options)
                    : tr("the point has no window position: it lies in the plane of the eye, or too far away");
     };
     ByteSink sink("-", rowsScene.inputs); // appended to the input, it would be read as input, endlessly
-    return runRows(*rows, sink, options.rows, [&] { return rows->table->worker(write); });
+    return rows.runEach(sink, write);
 }
 
 } // namespace

@@ -54,7 +54,7 @@ Box addObjects(const SceneOptions &options, InputFiles &inputs, SceneFile &scene
 /// Writes a scene after the reader has accepted it: that checks a scene's limits.
 ExitCode writeScene(const SceneOptions &options, const InputFiles &inputs, const SceneFile &scene)
 {
-    Output sink(options.output, inputs);
+    ByteSink sink(options.output, inputs);
     const auto written = sceneText(scene);
     const auto readAgain = written ? parseScene(*written, options.output == "-" ? "scene" : options.output)
                                    : SceneOrError(written.error());

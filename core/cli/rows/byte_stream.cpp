@@ -7,6 +7,7 @@
 #include "core/cli/terminal/progress_bar.h"
 #include "core/mesh/import/named_files.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <filesystem>
@@ -44,13 +45,29 @@ void complain(std::string_view line)
     withoutProgressBar([&text] { std::fwrite(text.data(), 1, text.size(), stderr); });
 }
 
+void refuse(std::string_view reason)
+{
+    complain(reason);
+    throw Refused();
+}
+
+std::string inputName(const std::string &file)
+{
+    return file == "-" ? "stdin" : file;
+}
+
+std::string outputName(const std::string &file)
+{
+    return file == "-" ? "stdout" : file;
+}
+
 void ByteSource::Close::operator()(std::FILE *file) const
 {
     if (file != stdin)
         std::fclose(file);
 }
 
-ByteSource::ByteSource(const std::string &file) : m_name(file == "-" ? "stdin" : file)
+ByteSource::ByteSource(const std::string &file) : m_name(inputName(file))
 {
     if (file == "-") {
         setBinary(stdin);
@@ -58,14 +75,12 @@ ByteSource::ByteSource(const std::string &file) : m_name(file == "-" ? "stdin" :
         return;
     }
     std::error_code ignored;
-    if (std::filesystem::is_directory(pathFromUtf8(file), ignored)) {
-        complain(tr("%1: this is a folder; give a file", file));
-        return;
-    }
+    if (std::filesystem::is_directory(pathFromUtf8(file), ignored))
+        refuse(tr("%1: this is a folder; give a file", file));
     errno = 0;
     m_file.reset(opened(file, false));
     if (!m_file)
-        complain(tr("%1: cannot be read: %2", file, base::systemErrorText(errno)));
+        refuse(tr("%1: cannot be read: %2", file, base::systemErrorText(errno)));
 }
 
 std::size_t ByteSource::read(char *buffer, std::size_t size)
@@ -116,11 +131,10 @@ void ByteSink::Close::operator()(std::FILE *file) const
         std::fclose(file);
 }
 
-ByteSink::ByteSink(const std::string &file, const InputFiles &inputs) : m_name(file == "-" ? "stdout" : file)
+ByteSink::ByteSink(const std::string &file, const InputFiles &inputs) : m_name(outputName(file))
 {
-    if (isOverInput(file, inputs))
-        return;
-        // Writing to a closed pipe or beyond a limit then fails, and is handled here.
+    checkNotInput(file, inputs);
+    // Writing to a closed pipe or beyond a limit then fails, and is handled here.
 #ifdef SIGPIPE
     std::signal(SIGPIPE, SIG_IGN);
 #endif
@@ -137,17 +151,13 @@ ByteSink::ByteSink(const std::string &file, const InputFiles &inputs) : m_name(f
         errno = 0;
         m_stream.reset(opened(file, true));
         if (!m_stream)
-            complain(tr("%1: cannot be written: %2", file, base::systemErrorText(errno)));
+            refuse(tr("%1: cannot be written: %2", file, base::systemErrorText(errno)));
         return;
     }
-    const InterruptionsWait untilItIsGuarded;
     Expected<ReplacingFile, base::Error> replacing = ReplacingFile::open(path);
-    if (!replacing) {
-        complain(file + ": " + replacing.error().text);
-        return;
-    }
+    if (!replacing)
+        refuse(file + ": " + replacing.error().text);
     m_file = std::move(replacing).value();
-    m_guard.emplace(m_file->freshFile());
 }
 
 bool ByteSink::isTerminal() const
@@ -206,34 +216,28 @@ void ByteSink::check(const Done &written)
     complain(m_name + ": " + written.error().text);
 }
 
-bool isOverInput(const std::string &output, const InputFiles &inputs)
+void checkNotInput(const std::string &output, const InputFiles &inputs)
 {
-    // Several objects of a scene may share a model.
-    InputFiles kept;
-    std::set<std::string> known;
-    const auto keep = [&](const std::string &file) {
-        if (known.insert(file).second)
-            kept.push_back(file);
-    };
-    for (const std::string &input : inputs)
-        keep(input);
+    if (output.empty())
+        return;
+    const std::filesystem::path target = namedPath(output, "/dev/stdout");
     std::error_code error;
     // An empty file contains nothing to destroy. The models are read for the files that they name
     // only if one could be lost.
-    if (const auto size = std::filesystem::file_size(namedPath(output, "/dev/stdout"), error); !error && size > 0) {
-        for (const std::string &input : InputFiles(kept)) {
-            for (const std::filesystem::path &named : mesh::namedFiles(namedPath(input, "/dev/stdin")))
-                keep(utf8FromPath(named));
-        }
+    const auto size = std::filesystem::file_size(target, error);
+    std::set<std::string> known; // several objects of a scene may share a model
+    const auto check = [&](const std::string &file) {
+        if (known.insert(file).second && isSameFile(target, namedPath(file, "/dev/stdin")))
+            refuse(tr("%1: this is the input %2 too and would be destroyed; give another name", outputName(output),
+                      inputName(file)));
+    };
+    std::for_each(inputs.begin(), inputs.end(), check);
+    if (error || size == 0)
+        return;
+    for (const std::string &input : std::set<std::string>(known)) {
+        for (const std::filesystem::path &named : mesh::namedFiles(namedPath(input, "/dev/stdin")))
+            check(utf8FromPath(named));
     }
-    for (const std::string &input : kept) {
-        if (!isSameFile(namedPath(output, "/dev/stdout"), namedPath(input, "/dev/stdin")))
-            continue;
-        complain(tr("%1: this is the input %2 too and would be destroyed; give another name",
-                    output == "-" ? "stdout" : output, input == "-" ? "stdin" : input));
-        return true;
-    }
-    return false;
 }
 
 } // namespace unprojector::cli

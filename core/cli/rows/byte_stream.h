@@ -18,6 +18,15 @@ namespace unprojector::cli {
 /// Prints a line on stderr, formatted by base::printableLine. A progress bar is erased first.
 void complain(std::string_view line);
 
+/// Ends the run of a command as ExitCode::UnusableInput, after the reason was printed.
+struct Refused {};
+/// Prints the reason on stderr and ends the run.
+[[noreturn]] void refuse(std::string_view reason);
+
+/// The names of files for messages: "stdin" and "stdout" for "-".
+std::string inputName(const std::string &file);
+std::string outputName(const std::string &file);
+
 /// The files that a run reads, or that the scene it reads names, in UTF-8; "-" stands for stdin. No
 /// output may replace one of them, under any name.
 using InputFiles = std::vector<std::string>;
@@ -25,10 +34,9 @@ using InputFiles = std::vector<std::string>;
 /// Reads bytes unchanged (no line-end translation) from a file, or from stdin for "-".
 class ByteSource {
 public:
-    /// Opens the file. On an error it prints the reason on stderr, and `isOpen` is false.
+    /// Opens the file; refuses one that cannot be opened.
     explicit ByteSource(const std::string &file);
 
-    bool isOpen() const { return m_file != nullptr; }
     /// The name for messages: the file's, or "stdin".
     const std::string &name() const { return m_name; }
     /// The number of bytes where it is known: for a regular file, also as stdin.
@@ -61,13 +69,11 @@ class ByteSink {
 public:
     enum class State { Open, ReaderGone, Failed };
 
-    /// Opens the output. If the file cannot be opened, or is an input, it prints the reason on
-    /// stderr, and `isOpen` is false.
+    /// Opens the output; refuses a file that cannot be opened, or is an input.
     /// @param file    UTF-8, "-" for stdout
     /// @param inputs  inputs of this run
     ByteSink(const std::string &file, const InputFiles &inputs);
 
-    bool isOpen() const { return m_stream != nullptr || m_file; }
     void write(std::string_view bytes);
     /// Writes a text for people, formatted by base::printableLines.
     void print(std::string_view text);
@@ -88,15 +94,13 @@ private:
     void check(const base::Done &written);
 
     std::unique_ptr<std::FILE, Close> m_stream;
-    std::optional<RemovedWhenInterrupted> m_guard; ///< guard of the new file while it exists
-    std::optional<base::ReplacingFile> m_file;     ///< where there is no stream
+    std::optional<base::ReplacingFile> m_file; ///< where there is no stream
     std::string m_name;
     State m_state = State::Open;
 };
 
-/// Returns whether writing an output would destroy one of the inputs, or a file that a model among
-/// them names. If so, it prints the reason on stderr.
-/// @param output  UTF-8; "-" stands for stdout
-bool isOverInput(const std::string &output, const InputFiles &inputs);
+/// Refuses an output that would destroy one of the inputs, or a file that a model among them names.
+/// @param output  UTF-8; "-" stands for stdout; empty: there is none
+void checkNotInput(const std::string &output, const InputFiles &inputs);
 
 } // namespace unprojector::cli

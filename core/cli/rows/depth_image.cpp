@@ -10,21 +10,17 @@ using namespace images;
 using base::tr;
 namespace {
 
-/// Reads an image by one of the readers, and prints what it reports.
+/// Reads an image by one of the readers, and prints its notes.
 template <class Image>
-std::optional<Image> readImage(const std::string &file, const ImageRequest &request,
-                               base::Expected<Image, base::Error> (*reader)(ImageBytes &, const ImageRequest &))
+Image readImage(const std::string &file, const ImageRequest &request,
+                base::Expected<Image, base::Error> (*reader)(ImageBytes &, const ImageRequest &))
 {
     ByteSource source(file);
-    if (!source.isOpen())
-        return std::nullopt;
     ImageBytes bytes([&](char *target, std::size_t count) { return source.read(target, count); },
                      [&](std::uint64_t position) { return source.seek(position); }, source.size());
     base::Expected<Image, base::Error> image = reader(bytes, request);
-    if (source.hasFailed() || !image) {
-        complain(source.name() + ": " + (source.hasFailed() ? tr("reading stopped at an error") : image.error().text));
-        return std::nullopt;
-    }
+    if (source.hasFailed() || !image)
+        refuse(source.name() + ": " + (source.hasFailed() ? tr("reading stopped at an error") : image.error().text));
     for (const std::string &note : image->notes)
         complain(source.name() + ": " + note);
     return std::move(image).value();
@@ -32,8 +28,8 @@ std::optional<Image> readImage(const std::string &file, const ImageRequest &requ
 
 } // namespace
 
-std::optional<NumberImage> readDepthImage(const std::string &file, const DepthImageChoices &choices,
-                                          const PixelSize &window, const std::function<void(std::size_t)> &onRead)
+NumberImage readDepthImage(const std::string &file, const DepthImageChoices &choices, const PixelSize &window,
+                           const std::function<void(std::size_t)> &onRead)
 {
     ImageRequest request;
     request.rawSize = choices.size;
@@ -50,7 +46,7 @@ std::optional<NumberImage> readDepthImage(const std::string &file, const DepthIm
     return readImage(file, request, readNumberImage);
 }
 
-std::optional<ColorImage> readColors(const std::string &file, const PixelSize &window)
+ColorImage readColors(const std::string &file, const PixelSize &window)
 {
     ImageRequest request;
     request.check = [&](const PixelSize &size) {

@@ -17,15 +17,14 @@ struct DepthImageChoices {
     std::optional<std::endian> byteOrder;  ///< of PGM and raw floats; empty: the usual one
 };
 
-/// Reads a depth image, see images::readNumberImage; prints errors and notes on stderr.
+/// Reads a depth image, see images::readNumberImage; prints notes on stderr, refuses on errors.
 /// @param window  size of the scene's window; an image of another size is refused before memory is
 ///         allocated
 /// @param onRead  receives the number of pixels read since the last call
-std::optional<images::NumberImage> readDepthImage(const std::string &file, const DepthImageChoices &choices,
-                                                  const images::PixelSize &window,
-                                                  const std::function<void(std::size_t)> &onRead);
+images::NumberImage readDepthImage(const std::string &file, const DepthImageChoices &choices,
+                                   const images::PixelSize &window, const std::function<void(std::size_t)> &onRead);
 
-/// Reads the colors of the same pixels, see images::readColorImage; prints errors on stderr.
-std::optional<images::ColorImage> readColors(const std::string &file, const images::PixelSize &window);
+/// Reads the colors of the same pixels, see images::readColorImage.
+images::ColorImage readColors(const std::string &file, const images::PixelSize &window);
 
 } // namespace unprojector::cli

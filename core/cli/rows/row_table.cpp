@@ -103,34 +103,32 @@ std::string RowOptions::header(const std::vector<std::string> &names) const
     return text;
 }
 
-std::optional<RowTable> RowTable::of(LineBlocks &blocks, const ByteSource &source,
-                                     const std::vector<ColumnNames> &alternatives,
-                                     const std::vector<std::string> &results, const RowOptions &options)
+RowTable::RowTable(const RowOptions &options, const std::vector<ColumnNames> &alternatives,
+                   const std::vector<std::string> &results)
+    : m_options(options), m_source(options.input)
 {
     std::string wanted;
     for (const ColumnNames &names : alternatives) {
         const std::string list = names[0] + ',' + names[1] + (names[2].empty() ? "" : ',' + names[2]);
         wanted = wanted.empty() ? list : tr("%1 or %2", wanted, list);
     }
-    const auto refuse = [&source](const std::string &what) {
-        complain(source.name() + what);
-        return std::nullopt;
-    };
+    const auto fail = [this](const std::string &what) { refuse(name() + what); };
     LineBlock first;
-    if (!blocks.next(first, true))
-        return refuse(tr(source.hasFailed() ? ": cannot be read" : ": is empty; its first line must be %1", wanted));
+    if (!m_blocks.next(first, true))
+        fail(tr(m_source.hasFailed() ? ": cannot be read" : ": is empty; its first line must be %1", wanted));
     if (first.isOverlong)
-        return refuse(":1: " + tr("the line is longer than %1 bytes; it must be %2", LineBlocks::kMostBytes, wanted));
+        fail(":1: " + tr("the line is longer than %1 bytes; it must be %2", LineBlocks::kMostBytes, wanted));
     CsvReader reader(first.text, ',', '\n');
     reader.nextSource();
     reader.split();
     const CsvRow &header = reader.row();
     if (header.source.find('\r') != std::string_view::npos)
-        return refuse(":1: " + tr("the lines end with CR alone, as on old Macs; save the file with LF or CRLF"));
-    const auto place = [&header](std::size_t cell) { return ":1:" + std::to_string(columnOf(header, cell)) + ": "; };
+        fail(":1: " + tr("the lines end with CR alone, as on old Macs; save the file with LF or CRLF"));
+    const auto failAt = [&](std::size_t cell, const std::string &what) {
+        fail(":1:" + std::to_string(columnOf(header, cell)) + ": " + what);
+    };
     if (reader.error())
-        return refuse(place(reader.error()->cell)
-                      + tr("the quote is not closed; the names of the columns must be on one line"));
+        failAt(reader.error()->cell, tr("the quote is not closed; the names of the columns must be on one line"));
     const auto find = [&header](const std::string &name, std::size_t from = 0) {
         while (from < header.cells.size() && trimmed(header.cells[from].text) != name)
             ++from;
@@ -142,21 +140,19 @@ std::optional<RowTable> RowTable::of(LineBlocks &blocks, const ByteSource &sourc
     };
     // Take the first alternative that is present; if none is, report the first as missing.
     const auto there = std::find_if(alternatives.begin(), alternatives.end(), hasAll);
-    RowTable table(options, source.name());
-    table.m_wanted = there == alternatives.end() ? alternatives.front() : *there;
+    m_wanted = there == alternatives.end() ? alternatives.front() : *there;
     for (std::size_t k = 0; k < 3; ++k) {
-        const std::string &name = table.m_wanted[k];
+        const std::string &name = m_wanted[k];
         if (name.empty())
             continue;
-        table.m_places[k] = find(name);
-        if (table.m_places[k] == header.cells.size())
-            return refuse(":1:1: " + tr("the header has no column %1; the first line must be %2", name, wanted)
-                          + hintFor(header, name));
-        if (const std::size_t again = find(name, table.m_places[k] + 1); again < header.cells.size())
-            return refuse(place(again) + tr("the header names the column %1 twice", name));
+        m_places[k] = find(name);
+        if (m_places[k] == header.cells.size())
+            fail(":1:1: " + tr("the header has no column %1; the first line must be %2", name, wanted)
+                 + hintFor(header, name));
+        if (const std::size_t again = find(name, m_places[k] + 1); again < header.cells.size())
+            failAt(again, tr("the header names the column %1 twice", name));
     }
-    table.nameColumns(header, results);
-    return table;
+    nameColumns(header, results);
 }
 
 void RowTable::nameColumns(const CsvRow &header, const std::vector<std::string> &results)
@@ -193,7 +189,7 @@ void RowTable::nameColumns(const CsvRow &header, const std::vector<std::string> 
 void RowTable::complainAt(const LineBlock &block, const CsvRow &row, std::size_t cell, std::string_view what,
                           std::vector<LineMessage> &messages) const
 {
-    std::string message = m_fileName + ':' + std::to_string(block.firstLine + row.line - 1);
+    std::string message = name() + ':' + std::to_string(block.firstLine + row.line - 1);
     if (cell != kNoColumn)
         message += ':' + std::to_string(columnOf(row, cell));
     messages.push_back({row.line, message.append(": ").append(what)});
@@ -288,21 +284,10 @@ void RowTable::writeCells(RowWriter &writer, CsvReader &reader, const LineBlock 
     }
 }
 
-std::unique_ptr<RowStream> openRows(const RowOptions &options, const std::vector<ColumnNames> &alternatives,
-                                    const std::vector<std::string> &results)
+ExitCode RowTable::run(ByteSink &sink, const std::function<BlockWorker()> &worker)
 {
-    auto rows = std::make_unique<RowStream>(options.input);
-    if (rows->source.isOpen())
-        rows->table = RowTable::of(rows->blocks, rows->source, alternatives, results, options);
-    return rows->table ? std::move(rows) : nullptr;
-}
-
-ExitCode runRows(RowStream &rows, ByteSink &sink, const RowOptions &options, const std::function<BlockWorker()> &worker)
-{
-    if (!sink.isOpen())
-        return ExitCode::UnusableInput;
-    sink.write(options.header(rows.table->names()));
-    return runBlocks(rows.blocks, rows.source, sink, options.threads > 0 ? options.threads : coreCount(), worker);
+    sink.write(m_options.header(m_names));
+    return runBlocks(m_blocks, m_source, sink, m_options.threads > 0 ? m_options.threads : coreCount(), worker);
 }
 
 } // namespace unprojector::cli

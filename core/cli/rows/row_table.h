@@ -9,11 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace unprojector::cli {
@@ -64,14 +61,18 @@ class RowTable {
 public:
     static constexpr std::size_t kNoColumn = static_cast<std::size_t>(-1);
 
-    /// Reads the first line and finds the columns by name; other columns may be present. Blanks and
-    /// quotes around names are removed; a comma in quotes does not separate. Errors are printed on
-    /// stderr.
+    /// Opens the input, reads its first line and finds the columns by name; other columns may be
+    /// present. Blanks and quotes around names are removed; a comma in quotes does not separate.
+    /// Refuses an unusable header.
     /// @param alternatives  accepted names of the three, the preferred ones first; at least one
     /// @param results  names of the columns written
-    static std::optional<RowTable> of(LineBlocks &blocks, const ByteSource &source,
-                                      const std::vector<ColumnNames> &alternatives,
-                                      const std::vector<std::string> &results, const RowOptions &options);
+    RowTable(const RowOptions &options, const std::vector<ColumnNames> &alternatives,
+             const std::vector<std::string> &results);
+
+    /// The name of the input, for messages.
+    const std::string &name() const { return m_source.name(); }
+    /// The rows behind the header.
+    LineBlocks &blocks() { return m_blocks; }
 
     /// Reads the rows of a block. Empty lines are skipped. Numbers may have quotes and blanks around
     /// them, a sign and an exponent. A row is bad if it has anything else, NaN, infinity, more cells
@@ -82,9 +83,6 @@ public:
     /// @param column  index of the wrong one among the three, or kNoColumn
     void complainOf(const LineBlock &block, const RowPlace &place, std::size_t column, std::string_view what,
                     std::vector<LineMessage> &messages) const;
-
-    /// The names of all columns that are written.
-    const std::vector<std::string> &names() const { return m_names; }
 
     /// Writes the rows of a block: their input cells, then the results, which a bad row does not have.
     /// @param results  writes the results of a row, and returns why some are missing, or an empty text
@@ -112,22 +110,25 @@ public:
         }
     }
 
-    /// A worker for results that depend on a row's numbers alone.
-    /// @param results  as in write(), of a glm::dvec3; kept by reference
+    /// Processes all rows with workers and writes them, after the header.
+    /// @param worker  makes the worker of a thread
+    ExitCode run(ByteSink &sink, const std::function<BlockWorker()> &worker);
+    /// The same for results that depend on a row's numbers alone.
+    /// @param results  as in write(), of a glm::dvec3
     template <class Results>
-    BlockWorker worker(const Results &results) const
+    ExitCode runEach(ByteSink &sink, const Results &results)
     {
-        return [this, &results, rows = NumberRows()](const LineBlock &block, BlockResult &result) mutable {
-            read(block, rows, result.messages);
-            write(block, rows, result, [&](std::size_t row, base::RowWriter &writer) {
-                return results(glm::dvec3(rows.values[0][row], rows.values[1][row], rows.values[2][row]), writer);
-            });
-        };
+        return run(sink, [&]() -> BlockWorker {
+            return [&, rows = NumberRows()](const LineBlock &block, BlockResult &result) mutable {
+                read(block, rows, result.messages);
+                write(block, rows, result, [&](std::size_t row, base::RowWriter &writer) {
+                    return results(glm::dvec3(rows.values[0][row], rows.values[1][row], rows.values[2][row]), writer);
+                });
+            };
+        });
     }
 
 private:
-    RowTable(const RowOptions &options, std::string fileName) : m_options(options), m_fileName(std::move(fileName)) {}
-
     /// @param cell  index of the wrong cell, from the row's start, or kNoColumn
     void complainAt(const LineBlock &block, const base::CsvRow &row, std::size_t cell, std::string_view what,
                     std::vector<LineMessage> &messages) const;
@@ -139,7 +140,8 @@ private:
     void nameColumns(const base::CsvRow &header, const std::vector<std::string> &results);
 
     RowOptions m_options;
-    std::string m_fileName;
+    ByteSource m_source;
+    LineBlocks m_blocks{m_source};
     ColumnNames m_wanted;
     std::array<std::size_t, 3> m_places{kNoColumn, kNoColumn, kNoColumn}; ///< of the three in a row
     std::vector<std::size_t> m_columns; ///< for each input column: one of the three, kPassed, or kDropped
@@ -147,24 +149,5 @@ private:
     std::size_t m_resultCount = 0;
     bool m_isPlain = false; ///< the three in their order, and no other column
 };
-
-/// The rows of a file behind its header.
-struct RowStream {
-    explicit RowStream(const std::string &file) : source(file) {}
-
-    ByteSource source;
-    LineBlocks blocks{source};
-    std::optional<RowTable> table;
-};
-/// Opens the rows; returns null and prints the reason on stderr if something is unusable. See
-/// RowTable::of.
-std::unique_ptr<RowStream> openRows(const RowOptions &options, const std::vector<ColumnNames> &alternatives,
-                                    const std::vector<std::string> &results);
-
-/// Processes all rows with workers and writes them, after the header.
-/// @param sink  not open: UnusableInput
-/// @param worker  makes the worker of a thread
-ExitCode runRows(RowStream &rows, ByteSink &sink, const RowOptions &options,
-                 const std::function<BlockWorker()> &worker);
 
 } // namespace unprojector::cli

@@ -1,13 +1,9 @@
 #include "core/cli/terminal/console.h"
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <charconv>
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <string_view>
 
 #include <sys/stat.h>
 
@@ -40,27 +36,6 @@ HANDLE handleOf(std::FILE *stream)
     return reinterpret_cast<HANDLE>(_get_osfhandle(_fileno(stream)));
 }
 #endif
-
-/// Plain memory, because a signal handler reads it.
-std::array<std::filesystem::path::value_type, 4096> interruptedFile;
-
-/// The signals that end a program from outside and can be caught.
-constexpr int kInterruptions[] = {SIGINT, SIGTERM,
-#ifdef SIGHUP
-                                  SIGHUP
-#endif
-};
-
-extern "C" void removeAndEnd(int signal)
-{
-#ifdef _WIN32
-    _wunlink(interruptedFile.data());
-#else
-    unlink(interruptedFile.data());
-#endif
-    std::signal(signal, SIG_DFL);
-    std::raise(signal);
-}
 
 /// The column count of the terminal itself; 0 if it does not report one.
 std::size_t columnsOf([[maybe_unused]] std::FILE *stream)
@@ -110,43 +85,6 @@ std::string systemLanguages()
         languages += (languages.empty() ? "" : ":") + utf8(name);
 #endif
     return languages;
-}
-
-RemovedWhenInterrupted::RemovedWhenInterrupted(const std::filesystem::path &file)
-{
-    if (file.native().size() >= interruptedFile.size())
-        return;
-    std::copy_n(file.c_str(), file.native().size() + 1, interruptedFile.begin());
-    for (const int signal : kInterruptions) {
-        if (std::signal(signal, removeAndEnd) == SIG_IGN) // ignored under nohup
-            std::signal(signal, SIG_IGN);
-    }
-}
-
-RemovedWhenInterrupted::~RemovedWhenInterrupted()
-{
-    for (const int signal : kInterruptions) {
-        if (std::signal(signal, SIG_DFL) == SIG_IGN)
-            std::signal(signal, SIG_IGN);
-    }
-}
-
-InterruptionsWait::InterruptionsWait()
-{
-#ifndef _WIN32
-    sigset_t waiting;
-    sigemptyset(&waiting);
-    for (const int signal : kInterruptions)
-        sigaddset(&waiting, signal);
-    pthread_sigmask(SIG_BLOCK, &waiting, &m_before);
-#endif
-}
-
-InterruptionsWait::~InterruptionsWait()
-{
-#ifndef _WIN32
-    pthread_sigmask(SIG_SETMASK, &m_before, nullptr);
-#endif
 }
 
 bool isTerminal(std::FILE *stream)

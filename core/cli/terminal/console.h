@@ -2,11 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#ifndef _WIN32
-#include <csignal>
-#endif
 #include <cstdio>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,32 +19,6 @@ std::vector<std::string> utf8Arguments(int argc, char **argv);
 /// The languages that the user has chosen for the system's own windows, the preferred first, in the
 /// form of LANGUAGE: "zh-CN:en-US". Empty on systems where environment variables give the language.
 std::string systemLanguages();
-
-/// Removes a file when the user ends the program: with Ctrl+C, with kill, by closing the terminal.
-/// It does so while it lives. Only one instance may exist at a time.
-class RemovedWhenInterrupted {
-public:
-    explicit RemovedWhenInterrupted(const std::filesystem::path &file);
-    ~RemovedWhenInterrupted();
-    RemovedWhenInterrupted(const RemovedWhenInterrupted &) = delete;
-    RemovedWhenInterrupted &operator=(const RemovedWhenInterrupted &) = delete;
-};
-
-/// Delays such interruptions on this thread until it is destroyed. Thus a file that must be removed
-/// can be created and registered in one step. On Windows the interruption arrives on a thread of
-/// its own and cannot be delayed.
-class InterruptionsWait {
-public:
-    InterruptionsWait();
-    ~InterruptionsWait();
-    InterruptionsWait(const InterruptionsWait &) = delete;
-    InterruptionsWait &operator=(const InterruptionsWait &) = delete;
-
-#ifndef _WIN32
-private:
-    sigset_t m_before;
-#endif
-};
 
 /// True if a stream goes to a terminal.
 bool isTerminal(std::FILE *stream);

@@ -7,8 +7,7 @@
 
 namespace unprojector::cli {
 
-/// The format of --help: in English the library's; in Chinese with columns counted as terminals do,
-/// and wrapped to 80.
+/// The library's format of --help, with its words in the user's language.
 std::shared_ptr<CLI::Formatter> helpFormatter();
 
 /// Sets the headings of the groups of options and commands, once all are added.

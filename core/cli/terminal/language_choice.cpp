@@ -1,53 +1,39 @@
 #include "core/cli/terminal/language_choice.h"
 
+#include "core/base/text_scanner.h"
 #include "core/cli/terminal/console.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
+#include <sstream>
 #include <string_view>
 
 namespace unprojector::cli {
 using base::Language;
 namespace {
 
-/// The word in small letters, with _ for -, as in "zh_hans_cn".
-std::string plain(std::string_view word)
+/// "zh_cn" of "zh-CN.UTF-8@pinyin".
+std::string nameIn(std::string_view locale)
 {
-    std::string result(word);
-    for (char &c : result)
-        c = c == '-' ? '_' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return result;
-}
-
-/// "zh_CN" of "zh_CN.UTF-8@pinyin".
-std::string_view withoutEncoding(std::string_view locale)
-{
-    return locale.substr(0, std::min(locale.find_first_of(".@"), locale.size()));
+    std::string name = base::lowerCase(locale.substr(0, locale.find_first_of(".@")));
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
 }
 
 bool isUtf8(std::string_view locale)
 {
     const std::size_t dot = locale.find('.');
-    if (dot == locale.npos)
-        return true;
-    const std::string encoding = plain(locale.substr(dot + 1, locale.find('@') - dot - 1));
+    const std::string encoding = dot == locale.npos ? "utf8" : nameIn(locale.substr(dot + 1));
     return encoding == "utf_8" || encoding == "utf8";
 }
 
-bool isPlainC(std::string_view name)
-{
-    const std::string_view word = withoutEncoding(name);
-    return word == "C" || word == "POSIX";
-}
-
 /// The language of a locale; empty if the command does not support it.
-std::optional<Language> knownLanguage(std::string_view name)
+std::optional<Language> knownLanguage(const std::string &name)
 {
-    const std::string word = plain(withoutEncoding(name));
-    if (isPlainC(name) || word == "en" || word.starts_with("en_"))
+    if (name == "c" || name == "posix" || name == "en" || name.starts_with("en_"))
         return Language::English;
-    if (word == "zh" || word.starts_with("zh_hans") || word == "zh_cn" || word == "zh_sg" || word == "zh_my")
+    if (name == "zh" || name.starts_with("zh_hans") || name == "zh_cn" || name == "zh_sg" || name == "zh_my")
         return Language::Chinese;
     return std::nullopt;
 }
@@ -70,14 +56,12 @@ Language chosenLanguage(const LanguageWishes &wishes)
     std::string locale;
     for (const std::string *wish : {&wishes.system, &wishes.lang, &wishes.messages, &wishes.all})
         locale = wish->empty() ? locale : *wish;
-    if (locale.empty() || isPlainC(locale) || !isUtf8(locale))
+    if (locale.empty() || nameIn(locale) == "c" || nameIn(locale) == "posix" || !isUtf8(locale))
         return Language::English;
-    std::string_view names = wishes.list.empty() ? locale : wishes.list;
-    while (!names.empty()) {
-        const std::size_t end = std::min(names.find(':'), names.size());
-        if (const auto known = knownLanguage(names.substr(0, end)))
+    std::istringstream names(wishes.list.empty() ? locale : wishes.list);
+    for (std::string name; std::getline(names, name, ':');) {
+        if (const auto known = knownLanguage(nameIn(name)))
             return *known;
-        names.remove_prefix(std::min(end + 1, names.size()));
     }
     return Language::English;
 }

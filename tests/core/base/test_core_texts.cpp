@@ -360,35 +360,6 @@ private slots:
         QCOMPARE(padded("world", 4), std::string("world"));
         QCOMPARE(paddedLeft("点", 4), std::string("  点"));
     }
-
-    void linesAreWrappedBetweenCharacters_data()
-    {
-        addColumn<QString>("text");
-        addColumn<int>("columns");
-        addColumn<int>("indent");
-        addColumn<QString>("wrapped");
-
-        newRow("fits") << "一二三" << 6 << 0 << "一二三";
-        newRow("too-long") << "一二三四" << 7 << 0 << "一二三\n四";
-        newRow("no-sign-first") << "一二三，四" << 6 << 0 << "一二\n三，四";
-        newRow("no-opening-last") << "一二（三四" << 6 << 0 << "一二\n（三四";
-        newRow("words-stay-whole") << "一 world二" << 6 << 0 << "一\nworld\n二";
-        newRow("blank-at-the-end") << "ab cd" << 2 << 0 << "ab\ncd";
-        newRow("word-too-long") << "abcdef 一" << 4 << 0 << "abcdef\n一";
-        newRow("indented") << "一二三" << 6 << 2 << "一二\n  三";
-        newRow("own-line-ends") << "一\n\n二" << 6 << 2 << "一\n\n  二";
-    }
-
-    void linesAreWrappedBetweenCharacters()
-    {
-        QFETCH(QString, text);
-        QFETCH(int, columns);
-        QFETCH(int, indent);
-        QFETCH(QString, wrapped);
-        QCOMPARE(QString::fromStdString(
-                     unprojector::base::wrapped(text.toStdString(), std::size_t(columns), std::size_t(indent))),
-                 wrapped);
-    }
 };
 
 UNPROJECTOR_TEST(TestCoreTexts)
