@@ -18,6 +18,11 @@ bool isAligned(const py::array &array)
 
 } // namespace
 
+py::array_t<double> arrayOf(const glm::dvec3 &vector)
+{
+    return py::array_t<double>(3, &vector.x);
+}
+
 std::size_t Strides::add(std::vector<py::ssize_t> strides)
 {
     m_strides.push_back(std::move(strides));
@@ -46,6 +51,11 @@ void Strides::join()
         else
             shape.push_back(m_shape[axis]);
     }
+    if (shape.empty()) { // of one element
+        shape.push_back(1);
+        for (std::vector<py::ssize_t> &own : strides)
+            own.push_back(0);
+    }
     m_shape = std::move(shape);
     m_strides = std::move(strides);
 }
@@ -62,11 +72,6 @@ void Strides::eachRun(std::size_t begin, std::size_t count, const Run &run) cons
 {
     const std::size_t axes = m_shape.size(), arrays = m_strides.size();
     std::vector<py::ssize_t> offsets(arrays), steps(arrays);
-    if (axes == 0) {
-        if (count > 0)
-            run(offsets, steps, count);
-        return;
-    }
     for (std::size_t a = 0; a < arrays; ++a)
         steps[a] = m_strides[a].back();
     while (count > 0) {
@@ -98,30 +103,12 @@ Numbers numbersOf(const char *name, const py::object &argument)
     }
     const bool isDouble = isNative(array, "float64"), isFloat = isNative(array, "float32");
     if ((isDouble || isFloat) && isAligned(array))
-        return {array, isFloat};
+        return {name, array, isFloat};
     const char kind = array.dtype().kind();
     if (kind != 'f' && kind != 'i' && kind != 'u')
         throw py::type_error(std::string(name) + " has the type " + std::string(py::str(array.dtype()))
                              + "; give float64, float32 or whole numbers");
-    return {array.attr("astype")("float64"), false};
-}
-
-void refuseOverlap(const char *name, const py::array &output,
-                   std::initializer_list<std::pair<const char *, const py::array *>> inputs)
-{
-    const py::object numpy = py::module_::import("numpy");
-    for (const auto &[input, array] : inputs) {
-        if (!numpy.attr("may_share_memory")(output, *array).cast<bool>())
-            continue;
-        constexpr int kMostWork = 100000; // beyond it, NumPy raises an exception
-        bool isShared = true;
-        try {
-            isShared = numpy.attr("shares_memory")(output, *array, py::arg("max_work") = kMostWork).cast<bool>();
-        } catch (const py::error_already_set &) {
-        }
-        if (isShared)
-            throw py::value_error(std::string(name) + " shares memory with " + input);
-    }
+    return {name, array.attr("astype")("float64"), false};
 }
 
 std::string shapeText(const std::vector<py::ssize_t> &shape)
@@ -137,30 +124,25 @@ std::vector<py::ssize_t> shapeOf(const py::array &array)
     return {array.shape(), array.shape() + array.ndim()};
 }
 
-std::vector<py::ssize_t> broadcastShape(std::initializer_list<std::pair<const char *, const py::array *>> arguments)
+std::vector<py::ssize_t> broadcastShape(std::span<const Numbers> arguments)
 {
-    std::vector<py::ssize_t> shape;
-    for (const auto &[name, array] : arguments) {
-        const auto axes = static_cast<std::size_t>(array->ndim());
-        if (axes > shape.size())
-            shape.insert(shape.begin(), axes - shape.size(), 1);
-        for (std::size_t axis = 0; axis < axes; ++axis) {
-            py::ssize_t &length = shape[shape.size() - axes + axis];
-            const py::ssize_t own = array->shape(static_cast<py::ssize_t>(axis));
-            if (length == 1) {
-                length = own;
-            } else if (own != 1 && own != length) {
-                std::string text = "these shapes do not broadcast:";
-                for (const auto &[each, other] : arguments)
-                    text += std::string(" ") + each + ' ' + shapeText(shapeOf(*other)) + ',';
-                text.pop_back();
-                throw py::value_error(text);
-            }
-        }
+    py::list arrays;
+    std::string shapes;
+    for (const Numbers &each : arguments) {
+        arrays.append(each.array);
+        shapes += std::string(shapes.empty() ? " " : ", ") + each.name + ' ' + shapeText(shapeOf(each.array));
     }
-    return shape;
+    try {
+        const py::object together = py::module_::import("numpy").attr("broadcast")(*arrays);
+        return together.attr("shape").cast<std::vector<py::ssize_t>>();
+    } catch (const py::error_already_set &) {
+        throw py::value_error("these shapes do not broadcast:" + shapes);
+    }
 }
 
+namespace {
+
+/// The strides of an array that is broadcast to a shape; 0 along repeated axes.
 std::vector<py::ssize_t> broadcastStrides(const py::array &array, std::size_t axes)
 {
     std::vector<py::ssize_t> strides(axes, 0);
@@ -170,6 +152,42 @@ std::vector<py::ssize_t> broadcastStrides(const py::array &array, std::size_t ax
         strides[axes - own + axis] = array.shape(k) == 1 ? 0 : array.strides(k);
     }
     return strides;
+}
+
+/// False only where NumPy finds out quickly that no element is of both.
+bool doOverlap(const py::array &a, const py::array &b)
+{
+    const py::object numpy = py::module_::import("numpy");
+    if (!numpy.attr("may_share_memory")(a, b).cast<bool>())
+        return false;
+    constexpr int kMostWork = 100000; // beyond it, NumPy raises an exception
+    try {
+        return numpy.attr("shares_memory")(a, b, py::arg("max_work") = kMostWork).cast<bool>();
+    } catch (const py::error_already_set &) {
+        return true;
+    }
+}
+
+} // namespace
+
+py::array outputOf(const py::object &out, const std::vector<py::ssize_t> &shape, std::span<const Numbers> inputs)
+{
+    if (out.is_none())
+        return py::array_t<double>(shape);
+    if (!py::isinstance<py::array>(out))
+        throw py::type_error("out is no NumPy array");
+    auto array = py::reinterpret_borrow<py::array>(out);
+    if (shapeOf(array) != shape)
+        throw py::value_error("out has the shape " + shapeText(shapeOf(array)) + "; give " + shapeText(shape));
+    if ((!isNative(array, "float32") && !isNative(array, "float64")) || !isAligned(array))
+        throw py::value_error("out has the type " + std::string(py::str(array.dtype())) + "; give float64 or float32");
+    if (!array.writeable())
+        throw py::value_error("out is read-only");
+    for (const Numbers &input : inputs) {
+        if (doOverlap(array, input.array))
+            throw py::value_error(std::string("out shares memory with ") + input.name);
+    }
+    return array;
 }
 
 Input::Input(const Numbers &numbers, Strides &strides)
@@ -185,47 +203,24 @@ const double *Input::block(const Strides &strides, std::size_t begin, std::size_
     double *to = scratch;
     strides.eachRun(begin, count, [&](const auto &offsets, const auto &steps, std::size_t size) {
         const char *from = m_data + offsets[m_index];
-        const py::ssize_t step = steps[m_index];
-        if (m_isFloat) {
-            for (std::size_t i = 0; i < size; ++i, from += step)
-                *to++ = static_cast<double>(*reinterpret_cast<const float *>(from));
-        } else {
-            for (std::size_t i = 0; i < size; ++i, from += step)
-                *to++ = *reinterpret_cast<const double *>(from);
-        }
+        const auto copy = [&]<class Number>(const Number *) {
+            for (std::size_t i = 0; i < size; ++i, from += steps[m_index])
+                *to++ = static_cast<double>(*reinterpret_cast<const Number *>(from));
+        };
+        if (m_isFloat)
+            copy(static_cast<const float *>(nullptr));
+        else
+            copy(static_cast<const double *>(nullptr));
     });
     return scratch;
 }
 
-Output::Output(const char *name, const py::object &given, const std::vector<py::ssize_t> &shape, py::ssize_t width)
-    : m_isFloat(false), m_width(width)
+Output::Output(py::array array, Strides &strides)
+    : m_array(std::move(array)), m_data(static_cast<char *>(m_array.mutable_data())),
+      m_isFloat(isNative(m_array, "float32")), m_width(m_array.shape(m_array.ndim() - 1)),
+      m_componentStride(m_array.strides(m_array.ndim() - 1)),
+      m_index(strides.add({m_array.strides(), m_array.strides() + m_array.ndim() - 1}))
 {
-    std::vector<py::ssize_t> whole = shape;
-    whole.push_back(width);
-    if (given.is_none()) {
-        m_array = py::array_t<double>(whole);
-    } else {
-        if (!py::isinstance<py::array>(given))
-            throw py::type_error(std::string(name) + " is no NumPy array");
-        m_array = py::reinterpret_borrow<py::array>(given);
-        m_isFloat = isNative(m_array, "float32");
-        if (shapeOf(m_array) != whole)
-            throw py::value_error(std::string(name) + " has the shape " + shapeText(shapeOf(m_array)) + "; give "
-                                  + shapeText(whole));
-        if ((!m_isFloat && !isNative(m_array, "float64")) || !isAligned(m_array))
-            throw py::value_error(std::string(name) + " has the type " + std::string(py::str(m_array.dtype()))
-                                  + "; give float64 or float32");
-        if (!m_array.writeable())
-            throw py::value_error(std::string(name) + " is read-only");
-    }
-    m_data = static_cast<char *>(m_array.mutable_data());
-    m_componentStride = m_array.strides(m_array.ndim() - 1);
-}
-
-void Output::addTo(Strides &strides)
-{
-    std::vector<py::ssize_t> steps(m_array.strides(), m_array.strides() + m_array.ndim() - 1);
-    m_index = strides.add(std::move(steps));
 }
 
 double *Output::room(const Strides &strides, std::size_t begin, double *scratch) const

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 
 #include <cstddef>
 #include <functional>
-#include <initializer_list>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,8 +17,24 @@ namespace unprojector::python {
 
 namespace py = pybind11;
 
+/// A vector or a matrix that acts on column vectors, by rows.
+py::array_t<double> arrayOf(const glm::dvec3 &vector);
+template <class Matrix>
+py::array_t<double> arrayOf(const Matrix &matrix, bool isTransposed = false)
+{
+    constexpr auto kSize = static_cast<py::ssize_t>(Matrix::length());
+    // The columns of GLM are rows in memory.
+    py::array_t<double> array({kSize, kSize});
+    for (py::ssize_t i = 0; i < kSize; ++i) {
+        for (py::ssize_t j = 0; j < kSize; ++j)
+            array.mutable_at(isTransposed ? i : j, isTransposed ? j : i) =
+                matrix[static_cast<glm::length_t>(i)][static_cast<glm::length_t>(j)];
+    }
+    return array;
+}
+
 /// A shape, and for each array the bytes from one element to the next along each axis. Axes that
-/// all arrays go through in one step are joined.
+/// all arrays go through in one step are joined; at least one remains.
 class Strides {
 public:
     explicit Strides(std::vector<py::ssize_t> shape) : m_shape(std::move(shape)) {}
@@ -34,16 +52,17 @@ public:
                                    std::size_t count)>;
     void eachRun(std::size_t begin, std::size_t count, const Run &run) const;
     /// True if the elements of every array lie at equal distances: lineStride.
-    bool isLine() const { return m_shape.size() <= 1; }
-    py::ssize_t lineStride(std::size_t array) const { return m_shape.empty() ? 0 : m_strides[array][0]; }
+    bool isLine() const { return m_shape.size() == 1; }
+    py::ssize_t lineStride(std::size_t array) const { return m_strides[array][0]; }
 
 private:
     std::vector<py::ssize_t> m_shape;
     std::vector<std::vector<py::ssize_t>> m_strides; ///< of each array, an axis each
 };
 
-/// The numbers that a caller gave: an array of float64 or float32, of any strides.
+/// The numbers of an argument: an array of float64 or float32, of any strides.
 struct Numbers {
+    const char *name;
     py::array array;
     bool isFloat = false;
 };
@@ -54,18 +73,16 @@ Numbers numbersOf(const char *name, const py::object &argument);
 
 /// The shape that arguments broadcast to.
 /// @return ValueError; it names the shapes
-std::vector<py::ssize_t> broadcastShape(std::initializer_list<std::pair<const char *, const py::array *>> arguments);
+std::vector<py::ssize_t> broadcastShape(std::span<const Numbers> arguments);
 
 /// "(480, 640)".
 std::string shapeText(const std::vector<py::ssize_t> &shape);
 std::vector<py::ssize_t> shapeOf(const py::array &array);
 
-/// The strides of an array that is broadcast to a shape; 0 along repeated axes.
-std::vector<py::ssize_t> broadcastStrides(const py::array &array, std::size_t axes);
-
-/// @return ValueError: an output lies on an input, which would be overwritten before it is read
-void refuseOverlap(const char *name, const py::array &output,
-                   std::initializer_list<std::pair<const char *, const py::array *>> inputs);
+/// The argument out, or a new array of float64 where it is None.
+/// @return ValueError: another shape or type, read-only, or it lies on an input, which would be
+///         overwritten before it is read
+py::array outputOf(const py::object &out, const std::vector<py::ssize_t> &shape, std::span<const Numbers> inputs);
 
 /// One input of a loop: hands out its numbers in blocks.
 class Input {
@@ -86,13 +103,10 @@ private:
 /// An output with vectors along its last axis, of any strides.
 class Output {
 public:
-    /// @param given   out= of the caller, or None: a new array of float64
-    /// @param shape   of the array without its last axis
-    /// @param width   of the last axis
-    /// @return ValueError: another shape or type, read-only
-    Output(const char *name, const py::object &given, const std::vector<py::ssize_t> &shape, py::ssize_t width);
+    /// @param array    of float64 or float32
+    /// @param strides  gets the array
+    Output(py::array array, Strides &strides);
 
-    void addTo(Strides &strides);
     const py::array &array() const { return m_array; }
 
     /// Room for the vectors of a block: in place where they lie so, else `scratch`.
@@ -105,7 +119,7 @@ private:
     char *m_data;
     bool m_isFloat;
     py::ssize_t m_width, m_componentStride;
-    std::size_t m_index = 0;
+    std::size_t m_index;
 };
 
 } // namespace unprojector::python

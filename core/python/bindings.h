@@ -7,6 +7,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <string>
 #include <utility>
 
 /// The Python module: thin functions over the C++ library. Each function here adds one part.
@@ -38,6 +39,24 @@ T valueOrRaise(Result<T> result)
     }
     PyErr_SetString(type, result.error().message.c_str());
     throw py::error_already_set();
+}
+
+/// The value of a call that runs without the GIL, or the exception of its error.
+template <class Call>
+auto withoutGil(const Call &call)
+{
+    return valueOrRaise([&] {
+        const py::gil_scoped_release released;
+        return call();
+    }());
+}
+
+/// Issues a UserWarning.
+/// @return the exception that the user made of it
+inline void warn(const std::string &text)
+{
+    if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0)
+        throw py::error_already_set();
 }
 
 } // namespace unprojector::python

@@ -3,6 +3,7 @@
 #include "core/python/arrays.h"
 #include "core/python/loops.h"
 
+#include <array>
 #include <atomic>
 #include <bit>
 #include <cmath>
@@ -60,59 +61,23 @@ or behind it. With counts, a tuple of the points and a dict: "kept", "zero", "na
 
 A UserWarning says that no pixel has a point. The digits are those of `unproject cloud`.)";
 
-DepthIs meaningOf(const std::string &word)
-{
-    if (word == "buffer")
-        return DepthIs::Buffer;
-    if (word == "range")
-        return DepthIs::Range;
-    if (word == "z")
-        return DepthIs::Z;
-    if (word == "distance")
-        return DepthIs::Distance;
-    if (word == "disparity")
-        return DepthIs::Disparity;
-    refuseWord("depth_is", word, "\"buffer\", \"range\", \"z\", \"distance\" or \"disparity\"");
-}
-
 /// A depth image of any strides.
 struct Depths {
-    /// Copies numbers of a row; in place where they are floats one after the other.
-    const float *floats(const char *row, py::ssize_t step, std::size_t count, float *scratch) const
-    {
-        const auto copy = [&]<class Number>(const Number *) {
-            for (std::size_t i = 0; i < count; ++i, row += step)
-                scratch[i] = static_cast<float>(*reinterpret_cast<const Number *>(row));
-        };
-        if (type == NumberType::Uint8)
-            copy(static_cast<const std::uint8_t *>(nullptr));
-        else if (type == NumberType::Uint16)
-            copy(static_cast<const std::uint16_t *>(nullptr));
-        else if (step == py::ssize_t{sizeof(float)})
-            return reinterpret_cast<const float *>(row);
-        else
-            copy(static_cast<const float *>(nullptr));
-        return scratch;
-    }
-
     py::array array;
     NumberType type = NumberType::Float64;
     bool isConverted = false;
 
     /// Copies numbers of a row.
-    void read(const char *row, py::ssize_t step, std::size_t count, std::vector<double> &numbers) const
+    template <class Target>
+    void read(const char *row, py::ssize_t step, std::span<Target> numbers) const
     {
-        numbers.resize(count);
         const auto copy = [&]<class Number>(const Number *) {
-            const char *from = row;
-            for (double &number : numbers) {
-                number = static_cast<double>(*reinterpret_cast<const Number *>(from));
-                from += step;
+            for (Target &number : numbers) {
+                number = static_cast<Target>(*reinterpret_cast<const Number *>(row));
+                row += step;
             }
         };
-        if (isConverted)
-            return copy(static_cast<const double *>(nullptr));
-        switch (type) {
+        switch (isConverted ? NumberType::Float64 : type) {
         case NumberType::Uint8: return copy(static_cast<const std::uint8_t *>(nullptr));
         case NumberType::Uint16: return copy(static_cast<const std::uint16_t *>(nullptr));
         case NumberType::Int32: return copy(static_cast<const std::int32_t *>(nullptr));
@@ -120,6 +85,27 @@ struct Depths {
         case NumberType::Float64: return copy(static_cast<const double *>(nullptr));
         }
     }
+    /// Numbers of a row: in place where they are floats one after the other, else copied.
+    std::span<const float> floats(const char *row, py::ssize_t step, std::span<float> scratch) const
+    {
+        if (type == NumberType::Float32 && step == py::ssize_t{sizeof(float)})
+            return {reinterpret_cast<const float *>(row), scratch.size()};
+        read(row, step, scratch);
+        return scratch;
+    }
+};
+
+/// The counts, under their names in the result.
+struct NamedCount {
+    const char *name;
+    std::size_t CloudCounts::*count;
+};
+constexpr NamedCount kCounts[] = {
+    {"kept", &CloudCounts::kept},         {"zero", &CloudCounts::zero},
+    {"nan", &CloudCounts::notANumber},    {"infinite", &CloudCounts::infinite},
+    {"negative", &CloudCounts::negative}, {"before near", &CloudCounts::beforeNear},
+    {"at far", &CloudCounts::atFar},      {"outside range", &CloudCounts::outsideRange},
+    {"no data", &CloudCounts::noData},
 };
 
 Depths depthsOf(const py::object &argument)
@@ -129,12 +115,11 @@ Depths depthsOf(const py::object &argument)
         PyErr_Clear();
         throw py::type_error("depth is no array of numbers");
     }
+    constexpr std::array kTypes{"uint8", "uint16", "int32", "float32", "float64"}; // in the order of NumberType
     const bool isAligned = py::cast<bool>(depths.array.attr("flags").attr("aligned"));
-    for (const auto &[name, type] : {std::pair("uint8", NumberType::Uint8), std::pair("uint16", NumberType::Uint16),
-                                     std::pair("int32", NumberType::Int32), std::pair("float32", NumberType::Float32),
-                                     std::pair("float64", NumberType::Float64)}) {
-        if (isAligned && depths.array.dtype().equal(py::dtype(name))) {
-            depths.type = type;
+    for (std::size_t i = 0; i < kTypes.size(); ++i) {
+        if (isAligned && depths.array.dtype().equal(py::dtype(kTypes[i]))) {
+            depths.type = static_cast<NumberType>(i);
             return depths;
         }
     }
@@ -234,7 +219,8 @@ Outcome computed(const Cloud &cloud, const Depths &depths, py::array &points, bo
             for (std::size_t row = begin; row < end; ++row) {
                 const char *const from = data + rows.offset(row);
                 if (hasCounts) {
-                    depths.read(from, step, width, numbers);
+                    numbers.resize(width);
+                    depths.read(from, step, std::span(numbers));
                     cloud.count(row % height, numbers, own);
                 }
                 for (std::size_t first = 0; first < width; first += kBlock) {
@@ -242,10 +228,10 @@ Outcome computed(const Cloud &cloud, const Depths &depths, py::array &points, bo
                     const char *const start = from + static_cast<py::ssize_t>(first) * step;
                     Scalar *const to = results.areDense() ? results.at(row, first) : scratch.data();
                     if (takesFloats) {
-                        cloud.row(row % height, first, std::span(depths.floats(start, step, size, floats.data()), size),
-                                  to);
+                        cloud.row(row % height, first, depths.floats(start, step, std::span(floats).first(size)), to);
                     } else {
-                        depths.read(start, step, size, numbers);
+                        numbers.resize(size);
+                        depths.read(start, step, std::span(numbers));
                         cloud.row(row % height, first, numbers, to);
                     }
                     for (std::size_t i = 0; !hasOwn && i < size; ++i)
@@ -257,33 +243,11 @@ Outcome computed(const Cloud &cloud, const Depths &depths, py::array &points, bo
             if (hasOwn)
                 hasPoint = true;
             const std::lock_guard lock(mutex);
-            counts.kept += own.kept;
-            counts.zero += own.zero;
-            counts.notANumber += own.notANumber;
-            counts.infinite += own.infinite;
-            counts.negative += own.negative;
-            counts.beforeNear += own.beforeNear;
-            counts.atFar += own.atFar;
-            counts.outsideRange += own.outsideRange;
-            counts.noData += own.noData;
+            for (const NamedCount &each : kCounts)
+                counts.*each.count += own.*each.count;
         },
         threads);
     return {hasPoint, counts};
-}
-
-py::dict dictOf(const CloudCounts &counts)
-{
-    py::dict dict;
-    dict["kept"] = counts.kept;
-    dict["zero"] = counts.zero;
-    dict["nan"] = counts.notANumber;
-    dict["infinite"] = counts.infinite;
-    dict["negative"] = counts.negative;
-    dict["before near"] = counts.beforeNear;
-    dict["at far"] = counts.atFar;
-    dict["outside range"] = counts.outsideRange;
-    dict["no data"] = counts.noData;
-    return dict;
 }
 
 py::object cloudOf(const Setup &setup, const py::object &depth, const std::string &depthIs, std::optional<double> scale,
@@ -293,7 +257,7 @@ py::object cloudOf(const Setup &setup, const py::object &depth, const std::strin
 {
     const Depths depths = depthsOf(depth);
     CloudOptions options;
-    options.depthIs = meaningOf(depthIs);
+    options.depthIs = valueOf<DepthIs>("depth_is", depthIs, {"buffer", "range", "z", "distance", "disparity"});
     options.scale = scale;
     options.baseline = baseline;
     options.disparityOffset = disparityOffset;
@@ -320,37 +284,26 @@ py::object cloudOf(const Setup &setup, const py::object &depth, const std::strin
     } else {
         if (!dtype.is_none())
             throw py::value_error("out has a type of its own; leave dtype out");
-        shape.pop_back();
-        points = Output("out", out, shape, 3).array();
-        refuseOverlap("out", points, {{"depth", &depths.array}});
+        const Numbers input{"depth", depths.array};
+        points = outputOf(out, shape, {&input, 1});
     }
     const Outcome outcome = points.dtype().equal(py::dtype("float32"))
                                 ? computed<float>(cloud, depths, points, hasCounts, most)
                                 : computed<double>(cloud, depths, points, hasCounts, most);
-    if (!outcome.hasPoint && depths.array.size() > 0
-        && PyErr_WarnEx(PyExc_UserWarning, "no pixel has a point; check depth_is, scale, near and far", 1) != 0)
-        throw py::error_already_set();
-    if (hasCounts)
-        return py::make_tuple(points, dictOf(outcome.counts));
-    return points;
-}
-
-py::array arrayOf(const DepthImage &image)
-{
-    return std::visit(
-        [&image](const auto &numbers) -> py::array {
-            using Number = typename std::remove_cvref_t<decltype(numbers)>::value_type;
-            return py::array_t<Number>({image.height, image.width}, numbers.data());
-        },
-        image.numbers);
+    if (!outcome.hasPoint && depths.array.size() > 0)
+        warn("no pixel has a point; check depth_is, scale, near and far");
+    if (!hasCounts)
+        return points;
+    py::dict counts;
+    for (const NamedCount &each : kCounts)
+        counts[each.name] = outcome.counts.*each.count;
+    return py::make_tuple(points, counts);
 }
 
 } // namespace
 
 void bindCloud(py::module_ &module, SetupClass &setup)
 {
-    py::options options;
-    options.disable_function_signatures();
     setup.def("cloud", &cloudOf, py::arg("depth"), py::kw_only(), py::arg("depth_is"), py::arg("scale") = py::none(),
               py::arg("baseline") = py::none(), py::arg("disparity_offset") = py::none(),
               py::arg("no_data") = py::none(), py::arg("method") = "formula", py::arg("out") = py::none(),
@@ -358,20 +311,19 @@ void bindCloud(py::module_ &module, SetupClass &setup)
     module.def(
         "read_depth",
         [](const std::filesystem::path &file, const std::string &channel, const std::string &byteOrder) {
-            if (!byteOrder.empty() && byteOrder != "little" && byteOrder != "big")
-                refuseWord("byte_order", byteOrder, "\"little\" or \"big\"");
             std::optional<std::endian> order;
             if (!byteOrder.empty())
-                order = byteOrder == "little" ? std::endian::little : std::endian::big;
-            const DepthImage image = valueOrRaise([&] {
-                const py::gil_scoped_release released;
-                return readDepth(file, channel, order);
-            }());
-            for (const std::string &note : image.notes) {
-                if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0)
-                    throw py::error_already_set();
-            }
-            return arrayOf(image);
+                order =
+                    valueOf<bool>("byte_order", byteOrder, {"little", "big"}) ? std::endian::big : std::endian::little;
+            const DepthImage image = withoutGil([&] { return readDepth(file, channel, order); });
+            for (const std::string &note : image.notes)
+                warn(note);
+            return std::visit(
+                [&image](const auto &numbers) -> py::array {
+                    using Number = typename std::remove_cvref_t<decltype(numbers)>::value_type;
+                    return py::array_t<Number>({image.height, image.width}, numbers.data());
+                },
+                image.numbers);
         },
         py::arg("file"), py::kw_only(), py::arg("channel") = "", py::arg("byte_order") = "",
         R"(The numbers of a depth image.

@@ -41,6 +41,13 @@ std::string textOf(const py::handle &number)
                                                    : number.attr("__str__")());
 }
 
+/// True for several items, and not one number or text.
+bool isRow(const py::handle &item)
+{
+    return (py::isinstance<py::sequence>(item) && !py::isinstance<py::str>(item))
+           || (py::isinstance<py::array>(item) && py::reinterpret_borrow<py::array>(item).ndim() > 0);
+}
+
 /// The rows of an argument, each as a text of `width` numbers; a string is a row of its own.
 std::vector<std::string> rowsOf(const char *name, const py::object &argument, std::size_t width)
 {
@@ -49,10 +56,6 @@ std::vector<std::string> rowsOf(const char *name, const py::object &argument, st
     if (!py::isinstance<py::sequence>(argument) && !py::isinstance<py::array>(argument))
         throw py::type_error(std::string(name) + " is no sequence of " + std::to_string(width) + " numbers");
     const py::list items(argument);
-    const auto isRow = [](const py::handle &item) {
-        return (py::isinstance<py::sequence>(item) && !py::isinstance<py::str>(item))
-               || (py::isinstance<py::array>(item) && py::reinterpret_borrow<py::array>(item).ndim() > 0);
-    };
     std::vector<std::string> rows;
     const auto isText = [](const py::handle &item) { return py::isinstance<py::str>(item); };
     // As many strings as a row has numbers are one row.
@@ -81,19 +84,12 @@ std::vector<std::string> depthsOf(const py::object &depth, std::size_t count)
 {
     if (depth.is_none())
         return std::vector<std::string>(count);
-    if (py::isinstance<py::sequence>(depth) && !py::isinstance<py::str>(depth)) {
-        std::vector<std::string> depths;
-        for (const py::handle item : py::list(depth))
-            depths.push_back(item.is_none() ? std::string() : textOf(item));
-        return depths;
-    }
-    if (py::isinstance<py::array>(depth) && py::reinterpret_borrow<py::array>(depth).ndim() > 0) {
-        std::vector<std::string> depths;
-        for (const py::handle item : py::list(depth))
-            depths.push_back(textOf(item));
-        return depths;
-    }
-    return {textOf(depth)};
+    if (!isRow(depth))
+        return {textOf(depth)};
+    std::vector<std::string> depths;
+    for (const py::handle item : py::list(depth))
+        depths.push_back(item.is_none() ? std::string() : textOf(item));
+    return depths;
 }
 
 Diagnosis diagnosed(const py::object &setup, const py::object &pixel, const py::object &depth, const py::object &got,
@@ -116,23 +112,12 @@ Diagnosis diagnosed(const py::object &setup, const py::object &pixel, const py::
     options.otherSize = otherSize;
     if (py::isinstance<Scene>(setup)) {
         const auto scene = setup.cast<Scene>();
-        return valueOrRaise([&] {
-            const py::gil_scoped_release released;
-            return diagnose(scene, points, options);
-        }());
+        return withoutGil([&] { return diagnose(scene, points, options); });
     }
     if (!py::isinstance<Setup>(setup))
         throw py::type_error("the first argument is no Setup and no Scene");
     const auto from = setup.cast<Setup>();
-    return valueOrRaise([&] {
-        const py::gil_scoped_release released;
-        return diagnose(from, points, options);
-    }());
-}
-
-py::array_t<double> vectorArray(const glm::dvec3 &v)
-{
-    return py::array_t<double>(3, &v.x);
+    return withoutGil([&] { return diagnose(from, points, options); });
 }
 
 /// The corrected lines of each library, by its name in small letters.
@@ -154,8 +139,6 @@ py::dict codeOf(const Diagnosis &diagnosis)
 
 void bindDiagnose(py::module_ &module)
 {
-    py::options options;
-    options.disable_function_signatures();
     py::class_<CodeChange>(module, "CodeChange", "A line of code with the mistake, and the corrected line.")
         .def_readonly("mistake", &CodeChange::mistake, "The id of the mistake.")
         .def_readonly("library", &CodeChange::library, "\"GLU\", \"GLM\", \"Qt\", \"three.js\" or \"NumPy\".")
@@ -168,7 +151,7 @@ void bindDiagnose(py::module_ &module)
         .def_readonly("distance", &Candidate::distance, "From the given points, in units of their last digits.")
         .def_readonly("explains", &Candidate::explains, "Whether it explains all digits that count.")
         .def_property_readonly(
-            "point", [](const Candidate &c) { return vectorArray(c.point); }, "Its answer to the first point, (3,).")
+            "point", [](const Candidate &c) { return arrayOf(c.point); }, "Its answer to the first point, (3,).")
         .def_property_readonly(
             "values",
             [](const Candidate &c) {
@@ -189,15 +172,12 @@ void bindDiagnose(py::module_ &module)
         .def_property_readonly("code", &codeOf,
                                "The lines to change by library: code[\"numpy\"] has \"- wrong\" and \"+ right\".")
         .def_property_readonly(
-            "right",
-            [](const Diagnosis &d) -> py::object {
-                return d.right ? py::object(vectorArray(*d.right)) : py::object(py::none());
-            },
+            "right", [](const Diagnosis &d) { return d.right ? std::optional(arrayOf(*d.right)) : std::nullopt; },
             "The right answer to the first point, (3,); None where it is unknown.")
         .def_property_readonly(
             "next",
-            [](const Diagnosis &d) -> py::object {
-                return d.next ? py::object(py::make_tuple(d.next->x, d.next->y)) : py::object(py::none());
+            [](const Diagnosis &d) {
+                return d.next ? std::optional(py::make_tuple(d.next->x, d.next->y)) : std::nullopt;
             },
             "The pixel whose answer distinguishes the first candidates; None without one.")
         .def("__str__", [](const Diagnosis &d) { return d.report.substr(0, d.report.find_last_not_of('\n') + 1); })

@@ -13,18 +13,7 @@ namespace unprojector::python {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-const char *wordOf(const Landmark &landmark)
-{
-    if (landmark.world)
-        return "";
-    switch (landmark.absence) {
-    case Absence::NotPlaced: return "not placed";
-    case Absence::Skipped: return "skipped";
-    case Absence::Missing: return "missing";
-    }
-    return "";
-}
+constexpr const char *kAbsences[] = {"not placed", "skipped", "missing"}; // in the order of Absence
 
 /// An array of a vector a row; NaN where a row has none.
 template <class Rows, class Of>
@@ -57,7 +46,7 @@ std::vector<std::string> absencesOf(const Specimen &specimen)
 {
     std::vector<std::string> words;
     for (const Landmark &landmark : specimen.landmarks)
-        words.emplace_back(wordOf(landmark));
+        words.emplace_back(landmark.world ? "" : kAbsences[static_cast<std::size_t>(landmark.absence)]);
     return words;
 }
 
@@ -82,7 +71,7 @@ py::array_t<double> pointNamed(const Specimen &specimen, const std::string &name
                                              + "\"; take one by its index in points");
     }
     const glm::dvec3 point = std::find_if(all.begin(), all.end(), isIt)->world.value_or(glm::dvec3(kNaN));
-    return py::array_t<double>(3, &point.x);
+    return python::arrayOf(point);
 }
 
 std::string specimenText(const Specimen &specimen)
@@ -195,14 +184,9 @@ py::tuple tableOf(const py::object &argument)
 
 std::vector<std::string> written(const std::filesystem::path &file, const Landmarks &landmarks)
 {
-    std::vector<std::string> notes = valueOrRaise([&] {
-        const py::gil_scoped_release released;
-        return landmarks.write(file);
-    }());
-    for (const std::string &note : notes) {
-        if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0)
-            throw py::error_already_set(); // warnings are errors
-    }
+    std::vector<std::string> notes = withoutGil([&] { return landmarks.write(file); });
+    for (const std::string &note : notes)
+        warn(note);
     return notes;
 }
 
@@ -245,8 +229,6 @@ void bindSpecimen(py::module_ &module)
 
 void bindLandmarks(py::module_ &module)
 {
-    py::options options;
-    options.disable_function_signatures();
     bindSpecimen(module);
     py::class_<Landmarks>(module, "Landmarks", R"(The landmarks of a file: of one or several specimens.
 
@@ -276,12 +258,7 @@ landmarks["bregma"] is a position. Iterating gives the names.)")
         });
     module.def(
         "read_landmarks",
-        [](const std::filesystem::path &file) {
-            return valueOrRaise([&] {
-                const py::gil_scoped_release released;
-                return Landmarks::read(file);
-            }());
-        },
+        [](const std::filesystem::path &file) { return withoutGil([&] { return Landmarks::read(file); }); },
         py::arg("file"), R"(The landmarks of a file.
 
 read_landmarks(file)

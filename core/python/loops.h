@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <initializer_list>
 #include <string>
 
 namespace unprojector::python {
@@ -54,24 +55,30 @@ void inBlocks(std::size_t size, std::size_t task, std::size_t threads, const Blo
         threads);
 }
 
-/// Describes a word that is none of the known ones, as ValueError.
-[[noreturn]] inline void refuseWord(const char *name, const std::string &word, const char *known)
+/// The value of a word.
+/// @param words  in the order of the enumeration
+/// @return ValueError: it is none of these
+template <class Value>
+Value valueOf(const char *name, const std::string &word, std::initializer_list<const char *> words)
 {
+    std::string known;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string each = words.begin()[i];
+        if (word == each)
+            return static_cast<Value>(i);
+        known += (i == 0 ? "\"" : i + 1 < words.size() ? ", \"" : " or \"") + each + '"';
+    }
     throw py::value_error(std::string(name) + " is \"" + word + "\"; give " + known);
 }
 
 inline Space spaceOf(const std::string &word)
 {
-    if (word != "world" && word != "eye")
-        refuseWord("space", word, "\"world\" or \"eye\"");
-    return word == "eye" ? Space::Eye : Space::World;
+    return valueOf<Space>("space", word, {"world", "eye"});
 }
 
 inline Method methodOf(const std::string &word)
 {
-    if (word != "formula" && word != "matrix")
-        refuseWord("method", word, "\"formula\" or \"matrix\"");
-    return word == "matrix" ? Method::Matrix : Method::Formula;
+    return valueOf<Method>("method", word, {"formula", "matrix"});
 }
 
 } // namespace unprojector::python

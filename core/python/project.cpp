@@ -80,21 +80,18 @@ py::object project(const Setup &setup, const py::object &points, const std::stri
     constexpr py::ssize_t kAxes = 3;
     if (shape.empty() || shape.back() != kAxes)
         throw py::value_error("points has the shape " + shapeText(shape) + "; give (..., 3)");
-    shape.pop_back();
-
-    Strides strides(shape);
+    Strides strides({shape.begin(), shape.end() - 1});
     std::vector<Input> inputs;
     for (py::ssize_t k = 0; k < kAxes; ++k) {
         const py::array component = given.array[py::make_tuple(py::ellipsis(), k)];
-        inputs.emplace_back(Numbers{component, given.isFloat}, strides);
+        inputs.emplace_back(Numbers{given.name, component, given.isFloat}, strides);
     }
     std::vector<std::pair<const StageMember *, Output>> outputs;
     for (std::size_t i = 0; i < kStageMembers.size(); ++i) {
         if (!hasStages && i != kWindow)
             continue;
-        outputs.emplace_back(&kStageMembers[i],
-                             Output(kStageMembers[i].name, py::none(), shape, kStageMembers[i].width));
-        outputs.back().second.addTo(strides);
+        shape.back() = kStageMembers[i].width;
+        outputs.emplace_back(&kStageMembers[i], Output(py::array_t<double>(shape), strides));
     }
     strides.join();
 
@@ -131,8 +128,6 @@ py::object project(const Setup &setup, const py::object &points, const std::stri
 void bindProject(py::module_ &module, SetupClass &setup)
 {
     addStagesType(module);
-    py::options options;
-    options.disable_function_signatures();
     setup.def("project", &project, py::arg("points"), py::kw_only(), py::arg("space") = "world",
               py::arg("stages") = false, py::arg("threads") = py::none(), kProjectHelp);
 }

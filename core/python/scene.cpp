@@ -55,17 +55,6 @@ Returns a structured array of the broadcast shape. The fields:
 Where there is no such thing, numbers are nan and indices -1. The digits are those of
 `unproject pick`.)";
 
-/// Runs without the GIL, and raises the error.
-template <class Call>
-auto withoutGil(const Call &call)
-{
-    auto result = [&] {
-        const py::gil_scoped_release released;
-        return call();
-    }();
-    return valueOrRaise(std::move(result));
-}
-
 py::dtype hitType()
 {
     struct Field {
@@ -103,26 +92,13 @@ py::dtype hitType()
     return py::dtype::from_args(description);
 }
 
-Snap snapOf(const std::string &word)
-{
-    if (word == "surface")
-        return Snap::Surface;
-    if (word == "vertex")
-        return Snap::Vertex;
-    if (word == "edge")
-        return Snap::Edge;
-    if (word == "face")
-        return Snap::Face;
-    refuseWord("snap", word, "\"surface\", \"vertex\", \"edge\" or \"face\"");
-}
-
 py::array pick(const Scene &scene, const py::object &pixelX, const py::object &pixelY, const std::string &snap,
                const std::optional<Setup> &setup, const py::object &threads)
 {
-    const Snap target = snapOf(snap);
+    const auto target = valueOf<Snap>("snap", snap, {"surface", "vertex", "edge", "face"});
     const std::size_t most = threadsOf(threads);
     const std::array<Numbers, 2> given{numbersOf("px", pixelX), numbersOf("py", pixelY)};
-    const std::vector<py::ssize_t> shape = broadcastShape({{"px", &given[0].array}, {"py", &given[1].array}});
+    const std::vector<py::ssize_t> shape = broadcastShape(given);
     py::array hits(hitType(), shape);
     auto *const results = static_cast<Hit *>(hits.mutable_data());
     Strides strides(shape);
@@ -201,11 +177,6 @@ std::string objectText(const SceneObject &object)
            + std::to_string(object.triangles) + " triangles, " + std::to_string(object.points) + " points>";
 }
 
-py::array_t<double> vectorArray(const glm::dvec3 &v)
-{
-    return py::array_t<double>(3, &v.x);
-}
-
 void bindObject(py::module_ &module)
 {
     py::class_<SceneObject>(module, "SceneObject", "An object of a scene.")
@@ -217,19 +188,10 @@ void bindObject(py::module_ &module)
         .def_readonly("hidden", &SceneObject::isHidden, "Whether a pick passes through it.")
         .def_readonly("notes", &SceneObject::notes, "What the importer changed or dropped: a list of sentences.")
         .def_property_readonly(
-            "bounds",
-            [](const SceneObject &o) { return py::make_tuple(vectorArray(o.lowest), vectorArray(o.highest)); },
+            "bounds", [](const SceneObject &o) { return py::make_tuple(arrayOf(o.lowest), arrayOf(o.highest)); },
             "The lowest and the highest corner of its box, world space, (3,) each.")
         .def_property_readonly(
-            "matrix",
-            [](const SceneObject &o) {
-                py::array_t<double> array({4, 4});
-                for (int row = 0; row < 4; ++row) {
-                    for (int column = 0; column < 4; ++column)
-                        array.mutable_at(row, column) = o.worldFromObject[column][row];
-                }
-                return array;
-            },
+            "matrix", [](const SceneObject &o) { return arrayOf(o.worldFromObject); },
             "World from object space, float64 of shape (4, 4), for column vectors.")
         .def("__repr__", &objectText);
 }
@@ -238,8 +200,6 @@ void bindObject(py::module_ &module)
 
 void bindScene(py::module_ &module)
 {
-    py::options options;
-    options.disable_function_signatures();
     bindObject(module);
     py::class_<Scene>(module, "Scene", kSceneHelp)
         .def_static(

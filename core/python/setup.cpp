@@ -15,9 +15,11 @@ namespace unprojector::python {
 namespace {
 
 using Size = std::pair<int, int>;
+using OptionalViewport = std::optional<std::array<double, 4>>;
+using Ends = std::pair<double, double>;
 
 /// An argument as a float64 array of the given shape, by rows.
-py::array_t<double> arrayOf(const char *name, const py::object &argument, const std::vector<py::ssize_t> &shape)
+py::array_t<double> argumentOf(const char *name, const py::object &argument, const std::vector<py::ssize_t> &shape)
 {
     const py::array array = numbersOf(name, argument).array;
     if (shapeOf(array) != shape)
@@ -28,8 +30,14 @@ py::array_t<double> arrayOf(const char *name, const py::object &argument, const 
 
 glm::dvec3 vectorOf(const char *name, const py::object &argument)
 {
-    const auto array = arrayOf(name, argument, {3});
+    const auto array = argumentOf(name, argument, {3});
     return {array.at(0), array.at(1), array.at(2)};
+}
+
+void requireFinite(double number, const std::string &name)
+{
+    if (!std::isfinite(number))
+        throw py::value_error(name + " is " + std::string(py::str(py::float_(number))) + "; give a finite number");
 }
 
 /// A matrix that acts on column vectors, rows by columns as NumPy has it.
@@ -37,40 +45,16 @@ template <class Matrix>
 Matrix matrixOf(const char *name, const py::object &argument)
 {
     constexpr auto kSize = static_cast<py::ssize_t>(Matrix::length());
-    const auto array = arrayOf(name, argument, {kSize, kSize});
+    const auto array = argumentOf(name, argument, {kSize, kSize});
     Matrix matrix;
     for (py::ssize_t row = 0; row < kSize; ++row) {
         for (py::ssize_t column = 0; column < kSize; ++column) {
             const double entry = array.at(row, column);
-            if (!std::isfinite(entry))
-                throw py::value_error(std::string(name) + '[' + std::to_string(row) + ", " + std::to_string(column)
-                                      + "] is " + std::string(py::str(py::float_(entry))) + "; give a finite number");
+            requireFinite(entry, std::string(name) + '[' + std::to_string(row) + ", " + std::to_string(column) + ']');
             matrix[static_cast<glm::length_t>(column)][static_cast<glm::length_t>(row)] = entry;
         }
     }
     return matrix;
-}
-
-template <class Matrix>
-py::array_t<double> arrayOfMatrix(const Matrix &matrix, bool isTransposed = false)
-{
-    constexpr auto kSize = static_cast<py::ssize_t>(Matrix::length());
-    py::array_t<double> array({kSize, kSize});
-    for (py::ssize_t row = 0; row < kSize; ++row) {
-        for (py::ssize_t column = 0; column < kSize; ++column) {
-            const auto i = static_cast<glm::length_t>(row), j = static_cast<glm::length_t>(column);
-            array.mutable_at(row, column) = isTransposed ? matrix[i][j] : matrix[j][i];
-        }
-    }
-    return array;
-}
-
-py::array_t<double> arrayOfVector(const glm::dvec3 &v)
-{
-    py::array_t<double> array(3);
-    for (py::ssize_t k = 0; k < 3; ++k)
-        array.mutable_at(k) = v[static_cast<glm::length_t>(k)];
-    return array;
 }
 
 /// The rotation matrix of an argument: 3x3, or the vector of cv2.Rodrigues.
@@ -83,16 +67,12 @@ glm::dmat3 rotationOf(const py::object &argument)
         throw py::value_error("R has the shape " + shapeText(shape)
                               + "; give (3, 3), or the vector of cv2.Rodrigues, (3,)");
     const glm::dvec3 axis = vectorOf("R", py::module_::import("numpy").attr("ravel")(argument));
-    for (int k = 0; k < 3; ++k) {
-        if (!std::isfinite(axis[k]))
-            throw py::value_error("R[" + std::to_string(k) + "] is " + std::string(py::str(py::float_(axis[k])))
-                                  + "; give a finite number");
-    }
+    for (int k = 0; k < 3; ++k)
+        requireFinite(axis[k], "R[" + std::to_string(k) + ']');
     return rotationFromAxis(axis);
 }
 
-Window windowOf(const Size &size, const std::optional<std::array<double, 4>> &viewport,
-                const std::pair<double, double> &depthRange)
+Window windowOf(const Size &size, const OptionalViewport &viewport, const Ends &depthRange)
 {
     Window window;
     window.width = size.first;
@@ -130,38 +110,33 @@ viewport : (x, y, width, height), optional
 depth_range : (float, float)
     The arguments of glDepthRange: the window depths of the near and the far plane.)";
 
-using Box = std::array<double, 4>; // left, right, bottom, top
-
-/// Defines a constructor by parameters. `before` are the projection's own arguments.
-template <class Make, class... Arguments>
-void defConstructor(SetupClass &setup, const char *name, const Make &make, const std::string &help,
-                    const Arguments &...before)
+/// Defines a constructor by parameters.
+/// @param projectionOf  of the distances of near and far, and of its own arguments
+/// @param own           these arguments
+template <class... Own, class... Arguments>
+void defConstructor(SetupClass &setup, const char *name, Projection (*projectionOf)(double, double, Own...),
+                    const std::string &help, const Arguments &...own)
 {
-    setup.def_static(name, make, py::kw_only(), before..., py::arg("near"), py::arg("far"), py::arg("eye"),
-                     py::arg("center"), py::arg("up") = py::make_tuple(0.0, 1.0, 0.0), py::arg("size"),
-                     py::arg("viewport") = py::none(), py::arg("depth_range") = py::make_tuple(0.0, 1.0),
-                     (help + kWindowHelp).c_str());
+    setup.def_static(
+        name,
+        [projectionOf](Own... given, double nearDistance, double farDistance, const py::object &eye,
+                       const py::object &center, const py::object &up, const Size &size,
+                       const OptionalViewport &viewport, const Ends &depthRange) {
+            return valueOrRaise(Setup::of(projectionOf(nearDistance, farDistance, given...),
+                                          {vectorOf("eye", eye), vectorOf("center", center), vectorOf("up", up)},
+                                          windowOf(size, viewport, depthRange)));
+        },
+        py::kw_only(), own..., py::arg("near"), py::arg("far"), py::arg("eye"), py::arg("center"),
+        py::arg("up") = py::make_tuple(0.0, 1.0, 0.0), py::arg("size"), py::arg("viewport") = py::none(),
+        py::arg("depth_range") = py::make_tuple(0.0, 1.0), (help + kWindowHelp).c_str());
 }
-
-Setup built(const Projection &projection, const py::object &eye, const py::object &center, const py::object &up,
-            const Window &window)
-{
-    return valueOrRaise(
-        Setup::of(projection, {vectorOf("eye", eye), vectorOf("center", center), vectorOf("up", up)}, window));
-}
-
-using OptionalViewport = std::optional<std::array<double, 4>>;
-using Ends = std::pair<double, double>;
 
 void bindParameters(SetupClass &setup)
 {
     defConstructor(
         setup, "perspective",
-        [](double fovy, std::optional<double> aspect, double nearDistance, double farDistance, const py::object &eye,
-           const py::object &center, const py::object &up, const Size &size, const OptionalViewport &viewport,
-           const Ends &depthRange) {
-            return built(Perspective{fovy, aspect, nearDistance, farDistance}, eye, center, up,
-                         windowOf(size, viewport, depthRange));
+        +[](double nearDistance, double farDistance, double fovy, std::optional<double> aspect) -> Projection {
+            return Perspective{fovy, aspect, nearDistance, farDistance};
         },
         R"(The setup of gluPerspective and gluLookAt.
 
@@ -175,12 +150,8 @@ aspect : float, optional
         py::arg("fovy"), py::arg("aspect") = py::none());
     defConstructor(
         setup, "frustum",
-        [](double left, double right, double bottom, double top, double skew, double nearDistance, double farDistance,
-           const py::object &eye, const py::object &center, const py::object &up, const Size &size,
-           const OptionalViewport &viewport, const Ends &depthRange) {
-            return built(Frustum{left, right, bottom, top, nearDistance, farDistance, skew}, eye, center, up,
-                         windowOf(size, viewport, depthRange));
-        },
+        +[](double nearDistance, double farDistance, double left, double right, double bottom, double top,
+            double skew) -> Projection { return Frustum{left, right, bottom, top, nearDistance, farDistance, skew}; },
         R"(The setup of glFrustum and gluLookAt.
 
 frustum(*, left, right, bottom, top, near, far, eye, center, up=(0, 1, 0), size,
@@ -193,12 +164,8 @@ skew : float
         py::arg("left"), py::arg("right"), py::arg("bottom"), py::arg("top"), py::arg("skew") = 0.0);
     defConstructor(
         setup, "ortho",
-        [](double left, double right, double bottom, double top, double nearDistance, double farDistance,
-           const py::object &eye, const py::object &center, const py::object &up, const Size &size,
-           const OptionalViewport &viewport, const Ends &depthRange) {
-            return built(Ortho{left, right, bottom, top, nearDistance, farDistance}, eye, center, up,
-                         windowOf(size, viewport, depthRange));
-        },
+        +[](double nearDistance, double farDistance, double left, double right, double bottom,
+            double top) -> Projection { return Ortho{left, right, bottom, top, nearDistance, farDistance}; },
         R"(The setup of glOrtho and gluLookAt.
 
 ortho(*, left, right, bottom, top, near, far, eye, center, up=(0, 1, 0), size,
@@ -209,11 +176,9 @@ left, right, bottom, top : float
         py::arg("left"), py::arg("right"), py::arg("bottom"), py::arg("top"));
     defConstructor(
         setup, "oblique",
-        [](double left, double right, double bottom, double top, double theta, double phi, double nearDistance,
-           double farDistance, const py::object &eye, const py::object &center, const py::object &up, const Size &size,
-           const OptionalViewport &viewport, const Ends &depthRange) {
-            return built(Oblique{{left, right, bottom, top, nearDistance, farDistance}, theta, phi}, eye, center, up,
-                         windowOf(size, viewport, depthRange));
+        +[](double nearDistance, double farDistance, double left, double right, double bottom, double top, double theta,
+            double phi) -> Projection {
+            return Oblique{{left, right, bottom, top, nearDistance, farDistance}, theta, phi};
         },
         R"(The setup of a sheared glOrtho and gluLookAt: x += cot(theta) z_eye, y += cot(phi) z_eye.
 
@@ -373,10 +338,10 @@ void bindProperties(SetupClass &setup)
         "depth_range", [](const Setup &s) { return std::pair(s.depthRange().atNear, s.depthRange().atFar); },
         "The window depths of the near and the far plane.");
     setup.def_property_readonly(
-        "projection", [](const Setup &s) { return arrayOfMatrix(s.clipFromEye()); },
+        "projection", [](const Setup &s) { return arrayOf(s.clipFromEye()); },
         "OpenGL's clip space from eye space, float64 of shape (4, 4), for column vectors.");
     setup.def_property_readonly(
-        "view", [](const Setup &s) { return arrayOfMatrix(s.eyeFromWorld()); },
+        "view", [](const Setup &s) { return arrayOf(s.eyeFromWorld()); },
         "OpenGL's eye space from world space, float64 of shape (4, 4), for column vectors.");
     setup.def_property_readonly(
         "camera",
@@ -384,7 +349,7 @@ void bindProperties(SetupClass &setup)
             const std::optional<Camera> camera = s.camera();
             if (!camera)
                 return py::none();
-            return py::make_tuple(arrayOfVector(camera->eye), arrayOfVector(camera->center), arrayOfVector(camera->up));
+            return py::make_tuple(arrayOf(camera->eye), arrayOf(camera->center), arrayOf(camera->up));
         },
         "Eye, center and up, float64 of shape (3,) each; None where the view was given as a matrix.");
     setup.def_property_readonly(
@@ -396,11 +361,11 @@ void bindProperties(SetupClass &setup)
             const ApiMatrices m = valueOrRaise(s.matrices(conventions));
             const bool areRows = areVectorsRows(conventions);
             py::dict result;
-            result["projection"] = arrayOfMatrix(m.clipFromEye, areRows);
-            result["view"] = arrayOfMatrix(m.eyeFromWorld, areRows);
-            result["window"] = arrayOfMatrix(m.windowFromNdc, areRows);
+            result["projection"] = arrayOf(m.clipFromEye, areRows);
+            result["view"] = arrayOf(m.eyeFromWorld, areRows);
+            result["window"] = arrayOf(m.windowFromNdc, areRows);
             if (m.intrinsics)
-                result["K"] = arrayOfMatrix(*m.intrinsics, areRows);
+                result["K"] = arrayOf(*m.intrinsics, areRows);
             return result;
         },
         py::arg("conventions") = "opengl",
@@ -433,9 +398,6 @@ conventions with row vectors on rows, v @ M.)");
 
 SetupClass bindSetup(py::module_ &module)
 {
-    module.def("conventions", &conventionKeys, "The names of the conventions that matrices can have: a list of str.");
-    py::options options;
-    options.disable_function_signatures();
     SetupClass setup(module, "Setup", kClassHelp);
     bindParameters(setup);
     bindMatrices(setup);

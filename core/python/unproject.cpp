@@ -61,7 +61,7 @@ DepthBuffer depthBufferOf(const py::object &bits)
     if (py::isinstance<py::str>(bits)) {
         buffer.isFloat = true;
         if (bits.cast<std::string>() != "float")
-            refuseWord("depth_bits", bits.cast<std::string>(), kDepthBits);
+            throw py::value_error("depth_bits is \"" + bits.cast<std::string>() + "\"; give " + kDepthBits);
     } else {
         const py::ssize_t number = wholeNumberOf("depth_bits", bits, kDepthBits);
         buffer.bits = static_cast<int>(number);
@@ -87,18 +87,14 @@ py::object unproject(const Setup &setup, const py::object &pixelX, const py::obj
             "uncertainty: the matrix is no perspective and no parallel projection: its points have no uncertainty");
 
     const std::array<Numbers, 3> given{numbersOf("px", pixelX), numbersOf("py", pixelY), numbersOf("depth", depth)};
-    const std::vector<py::ssize_t> shape =
-        broadcastShape({{"px", &given[0].array}, {"py", &given[1].array}, {"depth", &given[2].array}});
-    Output points("out", out, shape, 3);
-    if (!out.is_none())
-        refuseOverlap("out", points.array(),
-                      {{"px", &given[0].array}, {"py", &given[1].array}, {"depth", &given[2].array}});
-    std::optional<Output> bounds;
+    std::vector<py::ssize_t> shape = broadcastShape(given);
     Strides strides(shape);
+    shape.push_back(3);
     const Input x(given[0], strides), y(given[1], strides), d(given[2], strides);
-    points.addTo(strides);
+    const Output points(outputOf(out, shape, given), strides);
+    std::optional<Output> bounds;
     if (hasUncertainty)
-        bounds.emplace("uncertainty", py::none(), shape, 3).addTo(strides);
+        bounds.emplace(py::array_t<double>(shape), strides);
     strides.join();
 
     constexpr std::size_t kTask = std::size_t{1} << 15; // about 0.3 ms
@@ -122,8 +118,6 @@ py::object unproject(const Setup &setup, const py::object &pixelX, const py::obj
 
 void bindUnproject(SetupClass &setup)
 {
-    py::options options;
-    options.disable_function_signatures();
     setup.def("unproject", &unproject, py::arg("px"), py::arg("py"), py::arg("depth"), py::kw_only(),
               py::arg("method") = "formula", py::arg("space") = "world", py::arg("uncertainty") = false,
               py::arg("depth_bits") = 24, py::arg("exact") = true, py::arg("out") = py::none(),
