@@ -32,18 +32,6 @@ bool haveSamePixel(const StepPoint &one, const StepPoint &other)
     return a && b && a->pixel == b->pixel;
 }
 
-/// Adds the names of the points that links of these paragraphs click.
-void addClicked(const std::vector<std::string> &paragraphs, std::set<std::string> &names)
-{
-    constexpr std::string_view kLink = "'click:";
-    for (const std::string &paragraph : paragraphs) {
-        for (auto at = paragraph.find(kLink); at != std::string::npos; at = paragraph.find(kLink, at + 1)) {
-            const std::size_t from = at + kLink.size();
-            names.insert(paragraph.substr(from, paragraph.find('\'', from) - from));
-        }
-    }
-}
-
 /// The points that texts up to a step have clicked in its scene.
 std::set<std::string> clickedUpTo(const Lesson &lesson, std::size_t index)
 {

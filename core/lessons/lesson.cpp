@@ -4,12 +4,10 @@
 #include "core/examples/examples.h"
 #include "core/geometry/drawable.h"
 #include "core/lessons/highlights.h"
-#include "core/lessons/set_link.h"
 #include "core/scene_file/scene_fields.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <set>
 #include <utility>
 
@@ -20,18 +18,6 @@ namespace {
 
 using base::Json, base::JsonNode;
 using namespace scene_file;
-
-/// Names that paths use already.
-constexpr std::array kTaken{"scene",  "model", "view",    "projection", "viewport", "modelview", "whole",
-                            "object", "world", "eye",     "clip",       "ndc",      "window",    "device",
-                            "widget", "pixel", "formula", "inverse",    "point",    "surface",   "set",
-                            "pi",     "sqrt",  "deg",     "rad"};
-
-bool isName(std::string_view name)
-{
-    const auto isPart = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
-    return !name.empty() && name.front() >= 'a' && std::all_of(name.begin(), name.end(), isPart);
-}
 
 /// Runs a description on an object; keys that it does not name are an error.
 template <class Describe>
@@ -109,75 +95,65 @@ void readScene(SceneReader &json, Json &document)
     }
 }
 
-/// The names in quotes, with commas.
-template <class Names>
-std::string listed(const Names &names)
-{
-    std::string text;
-    for (const std::string_view name : names)
-        text += (text.empty() ? "\"" : ", \"") + std::string(name) + "\"";
-    return text;
-}
-
-/// Checks that each link of the texts has a target.
-void checkLinks(const JsonNode &node, const std::vector<std::string> &paragraphs)
-{
-    constexpr std::string_view kStart = "<a href='";
-    for (const std::string &paragraph : paragraphs) {
-        for (auto at = paragraph.find(kStart); at != std::string::npos; at = paragraph.find(kStart, at + 1)) {
-            const std::size_t from = at + kStart.size();
-            const std::string link = paragraph.substr(from, paragraph.find('\'', from) - from);
-            if (!parseLink(link))
-                node.fail("the link \"" + link + "\" leads nowhere");
-        }
-    }
-}
-
-void readChanges(SceneReader &json, Step &step)
-{
-    json.optionalObject("set", [&step](SceneReader &changes) {
-        changes.requireObject();
-        for (const auto &[name, change] : changes.json().items()) {
-            if (!isName(name))
-                changes.fail("\"" + name + "\" is no name; take one of small letters, digits and _, a letter first");
-            const JsonNode one(changes, name);
-            one.requireObject();
-            for (const auto &[key, value] : change.items()) {
-                if (std::find(kSettableKeys.begin(), kSettableKeys.end(), key) == kSettableKeys.end())
-                    one.fail("a link cannot change \"" + key + "\", only " + listed(kSettableKeys));
-            }
-            step.changes[name] = base::JsonValue(change);
-        }
-    });
-}
-
 /// The points that a click can read: pixels, and points that links of the texts click, in this step
 /// and the previous ones.
 std::set<std::string> clickedPoints(const Step &step, const std::vector<Step> &before)
 {
-    constexpr std::string_view kLink = "'click:";
     std::set<std::string> clicked;
     for (const auto &[name, point] : step.points) {
         if (std::holds_alternative<ClickedPixel>(point))
             clicked.insert(name);
     }
-    const auto look = [&](const std::vector<std::string> &paragraphs) {
-        for (const std::string &paragraph : paragraphs) {
-            for (auto at = paragraph.find(kLink); at != std::string::npos; at = paragraph.find(kLink, at + 1)) {
-                const std::size_t from = at + kLink.size();
-                clicked.insert(paragraph.substr(from, paragraph.find('\'', from) - from));
-            }
-        }
-    };
-    look(step.text);
+    addClicked(step.text, clicked);
     for (const Step &one : before) { // a click stays as long as the scene does
         if (one.scene != step.scene)
             continue;
-        look(one.text);
+        addClicked(one.text, clicked);
         if (one.question)
-            look(one.question->reveal);
+            addClicked(one.question->reveal, clicked);
     }
     return clicked;
+}
+
+/// The panels that show an answer. They are computed, so that no question can leave one uncovered:
+/// - Pipeline and Comparison show the coordinates of a followed or clickable point.
+/// - Pipeline shows the entries of matrices and of their factors.
+/// - Viewport and Life of the View show pixels as well.
+/// - Depth Precision and Life of the View show depths.
+///
+/// @param answer   an expression of StepNumbers. No panel shows an expression beyond a path, or
+///         another step's number
+/// @param clicked  the step's points that a click can read
+std::vector<Panel> panelsWithAnswer(std::string_view answer, const std::set<std::string> &clicked)
+{
+    constexpr std::array kSpaces{"object", "world",  "eye",    "clip",    "ndc",
+                                 "window", "device", "widget", "formula", "inverse"};
+    constexpr std::array kPixelSpaces{"window", "device", "widget"};
+    constexpr std::array kMatrices{"model",     "view",  "projection", "viewport",
+                                   "modelview", "whole", "viewSteps",  "projectionSteps"};
+    const auto isOneOf = [](const auto &names, std::string_view name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    if (!answer.empty() && answer.front() == '-') // the distance is no secret beside z
+        answer.remove_prefix(1);
+    if (answer.find_first_not_of("abcdefghijklmnopqrstuvwxyzS0123456789_.[]") != std::string_view::npos)
+        return {};
+    std::string_view head = answer.substr(0, answer.find_first_of(".["));
+    const bool isOfNamed = head.size() < answer.size() && !isOneOf(kSpaces, head) && !isOneOf(kMatrices, head);
+    if (isOfNamed) {
+        if (!clicked.contains(std::string(head)))
+            return {};
+        answer.remove_prefix(head.size() + 1);
+        head = answer.substr(0, answer.find_first_of(".["));
+    }
+    if (isOneOf(kPixelSpaces, head))
+        return {Panel::Pipeline, Panel::Comparison, answer.ends_with(".z") ? Panel::Precision : Panel::Inspector,
+                Panel::Lifecycle};
+    if (isOneOf(kSpaces, head))
+        return {Panel::Pipeline, Panel::Comparison};
+    if (isOneOf(kMatrices, head))
+        return {Panel::Pipeline};
+    return {};
 }
 
 /// @param earlier  the steps read before
@@ -193,27 +169,22 @@ void describeStep(SceneReader &json, const std::vector<Step> &earlier, Step &ste
         step.changes = before.changes;
     }
     readScene(json, step.scene.edit());
-    if (glm::dvec2 size{0.0}; json.has("view")) {
-        json.required("view", size);
-        const auto isSide = [](double side) {
-            return side >= 1.0 && side <= kMostDrawnPixels && side == std::floor(side);
-        };
-        if (!isSide(size.x) || !isSide(size.y))
-            json.fail("\"view\" must be two whole numbers from 1 to " + std::to_string(kMostDrawnPixels));
-        step.view = glm::ivec2(size);
-    }
+    json.optional("view", step.view, [](SceneReader &view, glm::ivec2 &size) {
+        view.elements(size, Whole{1.0, double(kMostDrawnPixels)});
+    });
     json.optional("place", step.workspace, Words{kWorkspaceNames});
     json.list("panels", step.panels, kPanelNames.size(), Words{kPanelNames});
     std::vector<Highlight> highlights;
     json.list("highlights", highlights, kHighlightNames.size(), Words{kHighlightNames});
     step.highlights = {highlights.begin(), highlights.end()};
-    readChanges(json, step);
+    json.optionalObject("set", [&step](SceneReader &changes) {
+        changes.requireObject();
+        for (const auto &[name, change] : changes.json().items())
+            step.changes[name] = base::JsonValue(change);
+    });
     json.optionalObject("points", [&step](SceneReader &points) {
         points.requireObject();
         for (const auto &[name, point] : points.json().items()) {
-            if (!isName(name) || std::find(kTaken.begin(), kTaken.end(), name) != kTaken.end())
-                points.fail("\"" + name
-                            + "\" is no free name; take others, of small letters, digits and _, a letter first");
             SceneReader one(points, name);
             step.points[name] = readPoint(one);
         }
@@ -230,15 +201,7 @@ void describeStep(SceneReader &json, const std::vector<Step> &earlier, Step &ste
             if (std::find(asked.hides.begin(), asked.hides.end(), panel) == asked.hides.end())
                 asked.hides.push_back(panel);
         }
-        checkLinks(question, asked.reveal);
-        if (!(asked.tolerance > 0.0))
-            question.fail("\"tolerance\" must be greater than 0");
     });
-    checkLinks(json, step.text);
-    if (!isName(step.id))
-        json.fail("\"id\" must be of small letters, digits and _, a letter first");
-    if (step.title.empty() || step.text.empty())
-        json.fail("must have a \"title\" and a \"text\"");
 }
 
 /// Reads each of the "steps", which must be there.
@@ -285,41 +248,8 @@ const Step *Lesson::step(std::string_view id) const
     return found == steps.end() ? nullptr : &*found;
 }
 
-std::vector<Panel> panelsWithAnswer(std::string_view answer, const std::set<std::string> &clicked)
-{
-    constexpr std::array kSpaces{"object", "world",  "eye",    "clip",    "ndc",
-                                 "window", "device", "widget", "formula", "inverse"};
-    constexpr std::array kPixelSpaces{"window", "device", "widget"};
-    constexpr std::array kMatrices{"model",     "view",  "projection", "viewport",
-                                   "modelview", "whole", "viewSteps",  "projectionSteps"};
-    const auto isOneOf = [](const auto &names, std::string_view name) {
-        return std::find(names.begin(), names.end(), name) != names.end();
-    };
-    if (!answer.empty() && answer.front() == '-') // the distance is no secret beside z
-        answer.remove_prefix(1);
-    if (answer.find_first_not_of("abcdefghijklmnopqrstuvwxyzS0123456789_.[]") != std::string_view::npos)
-        return {};
-    std::string_view head = answer.substr(0, answer.find_first_of(".["));
-    const bool isOfNamed = head.size() < answer.size() && !isOneOf(kSpaces, head) && !isOneOf(kMatrices, head);
-    if (isOfNamed) {
-        if (!clicked.contains(std::string(head)))
-            return {};
-        answer.remove_prefix(head.size() + 1);
-        head = answer.substr(0, answer.find_first_of(".["));
-    }
-    if (isOneOf(kPixelSpaces, head) && answer.ends_with(".z"))
-        return {Panel::Pipeline, Panel::Comparison, Panel::Precision, Panel::Lifecycle};
-    if (isOneOf(kPixelSpaces, head))
-        return {Panel::Pipeline, Panel::Comparison, Panel::Inspector, Panel::Lifecycle};
-    if (isOneOf(kSpaces, head))
-        return {Panel::Pipeline, Panel::Comparison};
-    if (isOneOf(kMatrices, head))
-        return {Panel::Pipeline};
-    return {};
-}
-
-Result<Lesson, LessonError> parseLesson(std::string_view name, std::string_view json,
-                                        const std::optional<std::string_view> &texts)
+base::Expected<Lesson, base::Error> parseLesson(std::string_view name, std::string_view json,
+                                                const std::optional<std::string_view> &texts)
 {
     Lesson lesson{std::string(name), {}, {}};
     base::Done done = read(lesson.name + ".json", json, [&lesson](SceneReader &root) {
@@ -338,53 +268,43 @@ Result<Lesson, LessonError> parseLesson(std::string_view name, std::string_view 
     if (done && texts)
         done = readTexts(*texts, lesson);
     if (!done)
-        return LessonError{done.error().message()};
+        return done.error();
     return lesson;
 }
 
-Result<std::vector<std::string>, LessonError> untranslated(const Lesson &lesson, std::string_view texts)
+std::string shownText(std::string_view text)
 {
-    // Apply the translation to a lesson without texts; texts that are still empty have no
-    // translation.
-    Lesson silent = lesson;
-    silent.title.clear();
-    for (Step &step : silent.steps) {
-        step.title.clear();
-        step.text.clear();
-        step.source.clear();
-        if (step.question) {
-            step.question->text.clear();
-            step.question->reveal.clear();
-        }
+    std::string shown;
+    for (;;) {
+        const std::size_t open = text.find('{');
+        shown += text.substr(0, open);
+        const std::size_t close = text.find('}', open);
+        if (close == std::string_view::npos)
+            return shown;
+        const std::string_view statement = text.substr(open + 1, close - open - 1);
+        shown += statement.substr(0, statement.rfind(" = "));
+        text.remove_prefix(close + 1);
     }
-    if (const base::Done done = readTexts(texts, silent); !done)
-        return LessonError{done.error().message()};
-    std::vector<std::string> missing;
-    const auto look = [&missing](const auto &wanted, const auto &there, const std::string &key) {
-        if (wanted.empty() != there.empty())
-            missing.push_back(key);
-    };
-    look(lesson.title, silent.title, "title");
-    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-        const Step &wanted = lesson.steps[i], &there = silent.steps[i];
-        look(wanted.title, there.title, wanted.id + ".title");
-        look(wanted.text, there.text, wanted.id + ".text");
-        look(wanted.source, there.source, wanted.id + ".source");
-        if (!wanted.question)
-            continue;
-        look(wanted.question->text, there.question->text, wanted.id + ".question.text");
-        look(wanted.question->reveal, there.question->reveal, wanted.id + ".question.reveal");
-    }
-    return missing;
 }
 
-Result<std::vector<std::string>, LessonError> parseLessonNames(std::string_view json)
+void addClicked(const std::vector<std::string> &paragraphs, std::set<std::string> &names)
+{
+    constexpr std::string_view kLink = "'click:";
+    for (const std::string &paragraph : paragraphs) {
+        for (auto at = paragraph.find(kLink); at != std::string::npos; at = paragraph.find(kLink, at + 1)) {
+            const std::size_t from = at + kLink.size();
+            names.insert(paragraph.substr(from, paragraph.find('\'', from) - from));
+        }
+    }
+}
+
+base::Expected<std::vector<std::string>, base::Error> parseLessonNames(std::string_view json)
 {
     std::vector<std::string> names;
     const base::Done done =
         read("lessons.json", json, [&names](SceneReader &fields) { fields.optional("lessons", names); });
     if (!done)
-        return LessonError{done.error().message()};
+        return done.error();
     return names;
 }
 

@@ -49,8 +49,8 @@
 ///       "question": {                          optional
 ///         "text": "Which z …?", "answer": "eye.z", "tolerance": 0.01, "reveal": ["…"],
 ///                                              or "quoted 4", a number of the source
-///         "hides": ["inspector"]}              optional: more panels with the answer, see
-///                                              panelsWithAnswer
+///         "hides": ["inspector"]}              optional: more panels with the answer than its source
+///                                              tells
 ///     }]
 ///   }
 ///
@@ -62,15 +62,11 @@
 ///
 /// The reader sees the part before the last " = ". The part behind it is the source of each number,
 /// see StepNumbers, or the word "quoted" for numbers of the text's source. A test computes all but
-/// the quoted ones. It rejects sources without a path: {1 = 1} would always be right.
+/// the quoted ones, and checks names, changes and links. It rejects sources without a path: {1 = 1}
+/// would always be right.
 ///
 /// link.h lists the targets of links.
 namespace unprojector::lessons {
-
-/// An error in a lesson: one line in English with file and key, for authors of lessons.
-struct LessonError {
-    std::string text;
-};
 
 /// A click on a pixel, and the element of the mesh that it snaps to.
 struct ClickedPixel {
@@ -118,25 +114,16 @@ struct Lesson {
 /// @param json   content of NAME.json
 /// @param texts  content of NAME_LANGUAGE.json, or empty. Texts that it lacks stay English; a step
 ///         or a key that the lesson lacks is an error
-geometry::Result<Lesson, LessonError> parseLesson(std::string_view name, std::string_view json,
-                                                  const std::optional<std::string_view> &texts = {});
+base::Expected<Lesson, base::Error> parseLesson(std::string_view name, std::string_view json,
+                                                const std::optional<std::string_view> &texts = {});
 
-/// The keys of `lesson` that a translation lacks: "model_view.title". For the test.
-/// @return the errors of parseLesson
-geometry::Result<std::vector<std::string>, LessonError> untranslated(const Lesson &lesson, std::string_view texts);
+/// A title or a paragraph as the reader sees it: statements without braces and sources.
+std::string shownText(std::string_view text);
 
-/// The panels that show an answer. They are computed, so that no question can leave one uncovered:
-/// - Pipeline and Comparison show the coordinates of a followed or clickable point.
-/// - Pipeline shows the entries of matrices and of their factors.
-/// - Viewport and Life of the View show pixels as well.
-/// - Depth Precision and Life of the View show depths.
-///
-/// @param answer   an expression of StepNumbers. No panel shows an expression beyond a path, or
-///         another step's number
-/// @param clicked  the step's points that a click can read
-std::vector<Panel> panelsWithAnswer(std::string_view answer, const std::set<std::string> &clicked);
+/// Adds the names of the points that links of these paragraphs click.
+void addClicked(const std::vector<std::string> &paragraphs, std::set<std::string> &names);
 
 /// The names that lessons.json lists.
-geometry::Result<std::vector<std::string>, LessonError> parseLessonNames(std::string_view json);
+base::Expected<std::vector<std::string>, base::Error> parseLessonNames(std::string_view json);
 
 } // namespace unprojector::lessons

@@ -1,7 +1,8 @@
 #include "core/lessons/link.h"
 
+#include "core/base/text_scanner.h"
+
 #include <algorithm>
-#include <charconv>
 
 namespace unprojector::lessons {
 namespace {
@@ -13,22 +14,14 @@ std::optional<Id> named(const std::array<const char *, count> &names, std::strin
     return found == names.end() ? std::nullopt : std::optional(static_cast<Id>(found - names.begin()));
 }
 
-/// Parses a whole number of a view's size, greater than 0.
-std::optional<int> lengthOf(std::string_view text)
-{
-    int length = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), length);
-    const bool isWhole = error == std::errc() && end == text.data() + text.size();
-    return isWhole && length > 0 ? std::optional(length) : std::nullopt;
-}
-
 std::optional<Link> viewSizeOf(std::string_view text)
 {
     const std::size_t between = text.find('x');
     if (between == std::string_view::npos)
         return std::nullopt;
-    const auto width = lengthOf(text.substr(0, between)), height = lengthOf(text.substr(between + 1));
-    return width && height ? std::optional<Link>(ViewSizeLink{{*width, *height}}) : std::nullopt;
+    const auto width = base::numberIn<int>(text.substr(0, between)),
+               height = base::numberIn<int>(text.substr(between + 1));
+    return width > 0 && height > 0 ? std::optional<Link>(ViewSizeLink{{*width, *height}}) : std::nullopt;
 }
 
 std::optional<Link> matrixOf(std::string_view text)

@@ -21,12 +21,12 @@ std::string firstPath(const nlohmann::ordered_json &object)
 
 } // namespace
 
-Result<SceneSettings, LessonError> settingsWith(const Scene &scene, const Setup &setup, const base::JsonValue &change)
+base::Expected<SceneSettings, base::Error> settingsWith(const Scene &scene, const Setup &setup,
+                                                        const base::JsonValue &change)
 {
-    using namespace scene_file;
     const auto failed = [](base::Error error) {
         error.file = "set";
-        return LessonError{error.message()};
+        return error;
     };
     SceneFile file = sceneFileFrom(scene, setup, {});
     file.extra = {}; // so that the change's extra keys show
@@ -36,7 +36,7 @@ Result<SceneSettings, LessonError> settingsWith(const Scene &scene, const Setup 
     if (!next)
         return failed(next.error());
     if (!next->extra.json().empty())
-        return LessonError{"set: there is no " + firstPath(next->extra.json())};
+        return failed({"there is no " + firstPath(next->extra.json())});
     const base::Expected<Scene, base::Error> made = sceneFromFile(*next, {}, scene.objects);
     if (!made)
         return failed(made.error());

@@ -19,11 +19,7 @@ struct Candidate {
     double value;
 };
 using Candidates = std::vector<Candidate>;
-
-bool endsWith(std::string_view text, std::string_view end)
-{
-    return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
-}
+using enum SlipKind;
 
 bool isPixelCoordinate(AskedKind kind)
 {
@@ -37,33 +33,33 @@ void addPixels(const Asked &asked, Candidates &all)
     switch (asked.kind) {
     case AskedKind::WindowX:
     case AskedKind::DeviceX:
-        all.push_back({SlipKind::LeftEdge, a - kHalfPixel});
-        all.push_back({SlipKind::RightEdge, a + kHalfPixel});
+        all.push_back({LeftEdge, a - kHalfPixel});
+        all.push_back({RightEdge, a + kHalfPixel});
         break;
     case AskedKind::WindowY:
-        all.push_back({SlipKind::UpperEdge, a + kHalfPixel});
-        all.push_back({SlipKind::LowerEdge, a - kHalfPixel});
+        all.push_back({UpperEdge, a + kHalfPixel});
+        all.push_back({LowerEdge, a - kHalfPixel});
         break;
     case AskedKind::DeviceY:
-        all.push_back({SlipKind::UpperEdge, a - kHalfPixel});
-        all.push_back({SlipKind::LowerEdge, a + kHalfPixel});
+        all.push_back({UpperEdge, a - kHalfPixel});
+        all.push_back({LowerEdge, a + kHalfPixel});
         break;
     case AskedKind::Row:
-        all.push_back({SlipKind::RowAbove, a + 1.0});
-        all.push_back({SlipKind::RowCentre, a + kHalfPixel});
-        all.push_back({SlipKind::NotFlipped, asked.height - 1.0 - a});
+        all.push_back({RowAbove, a + 1.0});
+        all.push_back({RowCentre, a + kHalfPixel});
+        all.push_back({NotFlipped, asked.height - 1.0 - a});
         break;
     default: break;
     }
     if (asked.kind == AskedKind::WindowY || asked.kind == AskedKind::DeviceY) {
-        const SlipKind kind = asked.kind == AskedKind::WindowY ? SlipKind::NotFlipped : SlipKind::Flipped;
+        const SlipKind kind = asked.kind == AskedKind::WindowY ? NotFlipped : Flipped;
         const double other = asked.height - a;
         for (const double way : {0.0, -kHalfPixel, kHalfPixel, -1.0})
             all.push_back({kind, other + way});
     }
     if (isPixelCoordinate(asked.kind)) {
-        all.push_back({SlipKind::TimesRatio, a * asked.ratio});
-        all.push_back({SlipKind::OverRatio, a / asked.ratio});
+        all.push_back({TimesRatio, a * asked.ratio});
+        all.push_back({OverRatio, a / asked.ratio});
     }
 }
 
@@ -89,24 +85,23 @@ void addDepths(const Asked &asked, Candidates &all)
     const bool hasPlanes = asked.nearDistance && asked.farDistance && *asked.nearDistance != *asked.farDistance;
     if (asked.kind == AskedKind::WindowDepth && span != 0.0) {
         const double t = (a - asked.depthAtNear) / span;
-        all.push_back({SlipKind::NearFarSwapped, asked.depthAtFar - t * span});
-        all.push_back({SlipKind::NdcForDepth, ndc(t)});
+        all.push_back({NearFarSwapped, asked.depthAtFar - t * span});
+        all.push_back({NdcForDepth, ndc(t)});
         if (hasPlanes && asked.isPerspective) {
             const double even =
                 (distanceAt(asked, t) - *asked.nearDistance) / (*asked.farDistance - *asked.nearDistance);
-            all.push_back({SlipKind::EvenDepth, asked.depthAtNear + even * span});
+            all.push_back({EvenDepth, asked.depthAtNear + even * span});
         }
     } else if (asked.kind == AskedKind::NdcZ) {
-        all.push_back({SlipKind::DepthForNdc, asked.depthAtNear + (a + 1.0) / 2.0 * span});
+        all.push_back({DepthForNdc, asked.depthAtNear + (a + 1.0) / 2.0 * span});
     } else if ((asked.kind == AskedKind::EyeZ || asked.kind == AskedKind::Distance) && hasPlanes) {
         const double sign = asked.kind == AskedKind::EyeZ ? -1.0 : 1.0;
         const double t = placeOf(asked, sign * a);
-        all.push_back({SlipKind::NearFarSwapped, sign * distanceAt(asked, 1.0 - t)});
-        all.push_back({SlipKind::NdcForDepth, sign * distanceAt(asked, ndc(t))});
-        all.push_back({SlipKind::DepthForNdc, sign * distanceAt(asked, (t + 1.0) / 2.0)});
+        all.push_back({NearFarSwapped, sign * distanceAt(asked, 1.0 - t)});
+        all.push_back({NdcForDepth, sign * distanceAt(asked, ndc(t))});
+        all.push_back({DepthForNdc, sign * distanceAt(asked, (t + 1.0) / 2.0)});
         if (asked.isPerspective)
-            all.push_back(
-                {SlipKind::EvenDepth, sign * (*asked.nearDistance + t * (*asked.farDistance - *asked.nearDistance))});
+            all.push_back({EvenDepth, sign * (*asked.nearDistance + t * (*asked.farDistance - *asked.nearDistance))});
     }
 }
 
@@ -115,11 +110,11 @@ void addAngles(const Asked &asked, Candidates &all)
     const double a = asked.answer;
     for (const double degrees : asked.anglesDegrees) {
         const double right = std::tan(degrees / kDegrees), wrong = std::tan(degrees);
-        all.push_back({SlipKind::DegreesForRadians, a * wrong / right});
-        all.push_back({SlipKind::DegreesForRadians, a * right / wrong});
+        all.push_back({DegreesForRadians, a * wrong / right});
+        all.push_back({DegreesForRadians, a * right / wrong});
     }
-    all.push_back({SlipKind::DegreesForRadians, a * kDegrees});
-    all.push_back({SlipKind::RadiansForDegrees, a / kDegrees});
+    all.push_back({DegreesForRadians, a * kDegrees});
+    all.push_back({RadiansForDegrees, a / kDegrees});
 }
 
 } // namespace
@@ -135,32 +130,30 @@ AskedKind askedKind(std::string_view source)
         source.remove_prefix(1);
     if (source.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_.") != std::string_view::npos)
         return AskedKind::Other;
-    const auto is = [&source](std::string_view path) {
-        return source == path || endsWith(source, "." + std::string(path));
+    struct Coordinate {
+        std::string_view path;
+        AskedKind kind;
     };
-    if (is("eye.z"))
-        return isNegative ? AskedKind::Distance : AskedKind::EyeZ;
-    if (isNegative)
-        return AskedKind::Other;
-    if (is("window.x"))
-        return AskedKind::WindowX;
-    if (is("window.y"))
-        return AskedKind::WindowY;
-    if (is("window.z"))
-        return AskedKind::WindowDepth;
-    if (is("device.x") || is("widget.x"))
-        return AskedKind::DeviceX;
-    if (is("device.y") || is("widget.y"))
-        return AskedKind::DeviceY;
-    return is("ndc.z") ? AskedKind::NdcZ : AskedKind::Other;
+    constexpr Coordinate kCoordinates[] = {
+        {"eye.z", AskedKind::EyeZ},           {"window.x", AskedKind::WindowX}, {"window.y", AskedKind::WindowY},
+        {"window.z", AskedKind::WindowDepth}, {"device.x", AskedKind::DeviceX}, {"widget.x", AskedKind::DeviceX},
+        {"device.y", AskedKind::DeviceY},     {"widget.y", AskedKind::DeviceY}, {"ndc.z", AskedKind::NdcZ}};
+    for (const auto &[path, kind] : kCoordinates) {
+        if (source != path && !source.ends_with('.' + std::string(path)))
+            continue;
+        if (isNegative)
+            return kind == AskedKind::EyeZ ? AskedKind::Distance : AskedKind::Other;
+        return kind;
+    }
+    return AskedKind::Other;
 }
 
 std::optional<Asked> askedIn(const LessonNumbers &numbers, const Step &step)
 {
     if (!step.question)
         return std::nullopt;
-    const auto values = numbers.values(step.id, step.question->answer);
-    if (!values || values->size() != 1)
+    const std::vector<double> values = numbers.values(step.id, step.question->answer);
+    if (values.size() != 1)
         return std::nullopt;
     const auto number = [&](std::string_view path) -> std::optional<double> {
         const std::vector<double> all = numbers.step(step.id).at(path);
@@ -168,7 +161,7 @@ std::optional<Asked> askedIn(const LessonNumbers &numbers, const Step &step)
     };
     Asked asked;
     asked.kind = askedKind(step.question->answer);
-    asked.answer = values->front();
+    asked.answer = values.front();
     asked.tolerance = step.question->tolerance;
     asked.height = number("surface.height").value_or(0.0);
     asked.ratio = number("surface.ratio").value_or(1.0);

@@ -2,10 +2,8 @@
 
 #include "core/base/expression.h"
 #include "core/base/json.h"
-#include "core/base/number_text.h"
 #include "core/base/path_text.h"
 #include "core/geometry/error_text.h"
-#include "core/lessons/statements.h"
 #include "core/matrices/matrix_factors.h"
 #include "core/matrices/pipeline.h"
 #include "core/opening/models.h"
@@ -35,9 +33,12 @@ using unproject::Method;
 
 constexpr std::array kStageNames{"model", "view", "projection", "viewport", "modelview", "whole"};
 
-LessonError failed(const std::string &where, const std::string &reason)
+template <class T>
+using Expected = base::Expected<T, base::Error>;
+
+base::Error failed(const std::string &where, const std::string &reason)
 {
-    return {where + ": " + reason};
+    return {.text = reason, .subject = where};
 }
 
 /// The matrix as JSON, row by row.
@@ -67,18 +68,12 @@ void put(Json &tree, const char *name, const Result<Point<Space>> &point)
         tree[name][kAxes[static_cast<std::size_t>(i)]] = point->coordinates()[i];
 }
 
-Json treeOf(const Pipeline &pipeline)
+/// @pre the pipeline's setup is valid
+Json treeOf(const Pipeline &pipeline, const PipelinePoints &points)
 {
     Json tree = Json::object();
     for (std::size_t i = 0; i < kStageNames.size(); ++i)
         tree[kStageNames[i]] = rowsOf(pipeline.forward[i]);
-    return tree;
-}
-
-/// @pre the pipeline's setup is valid
-Json treeOf(const Pipeline &pipeline, const PipelinePoints &points)
-{
-    Json tree = treeOf(pipeline);
     put(tree, "object", points.object);
     put(tree, "world", points.world);
     put(tree, "eye", points.eye);
@@ -100,8 +95,8 @@ Json treeOf(const Pipeline &pipeline, const PipelinePoints &points)
 
 /// The pipeline of an object of the scene.
 /// @param object  its name; if empty, the model matrix is the identity
-Result<Pipeline, LessonError> pipelineOf(const Scene &scene, const Setup &setup, const std::string &object,
-                                         const std::string &where)
+Expected<Pipeline> pipelineOf(const Scene &scene, const Setup &setup, const std::string &object,
+                              const std::string &where)
 {
     glm::dmat4 worldFromObject(1.0);
     if (!object.empty()) {
@@ -117,18 +112,16 @@ Result<Pipeline, LessonError> pipelineOf(const Scene &scene, const Setup &setup,
     return *made;
 }
 
-Result<Json, LessonError> treeOf(const Scene &scene, const Setup &setup, const GivenPoint &point,
-                                 const std::string &where)
+Expected<Json> treeOf(const Scene &scene, const Setup &setup, const GivenPoint &point, const std::string &where)
 {
-    const Result<Pipeline, LessonError> pipeline = pipelineOf(scene, setup, point.object, where);
+    const Expected<Pipeline> pipeline = pipelineOf(scene, setup, point.object, where);
     if (!pipeline)
         return pipeline.error();
     return treeOf(*pipeline, matrices::pointsFrom(*pipeline, point));
 }
 
 /// The result of a click on a pixel.
-Result<Json, LessonError> treeOf(const Scene &scene, const Setup &setup, const ClickedPixel &clicked,
-                                 const std::string &where)
+Expected<Json> treeOf(const Scene &scene, const Setup &setup, const ClickedPixel &clicked, const std::string &where)
 {
     const Result<unproject::Unprojector> unprojector = unproject::Unprojector::of(setup);
     if (!unprojector)
@@ -142,7 +135,7 @@ Result<Json, LessonError> treeOf(const Scene &scene, const Setup &setup, const C
     const std::optional<WorldPoint> surface = ray::MeshPoint(rays)(center);
     if (!hit || !*hit || (clicked.snap == ray::Snap::Surface && !surface))
         return failed(where, "at the pixel there is no surface");
-    const Result<Pipeline, LessonError> pipeline = pipelineOf(scene, setup, scene.objects[(*hit)->object].name, where);
+    const Expected<Pipeline> pipeline = pipelineOf(scene, setup, scene.objects[(*hit)->object].name, where);
     if (!pipeline)
         return pipeline.error();
     if (clicked.snap == ray::Snap::Surface) {
@@ -186,29 +179,14 @@ const Json *follow(const Json *node, std::string_view &path)
     return found == node->end() ? nullptr : &*found;
 }
 
-/// Compares a text's numbers with the program's.
-std::optional<std::string> faultOf(const Statement &statement, const std::vector<double> &values)
-{
-    if (values.size() != statement.numbers.size())
-        return "says " + std::to_string(statement.numbers.size()) + " numbers and names "
-               + std::to_string(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const StatedNumber &stated = statement.numbers[i];
-        const double value = stated.isOfSize ? std::fabs(values[i]) : values[i];
-        if (!(std::fabs(value - stated.value) <= stated.tolerance))
-            return "says " + base::shortestText(stated.value) + ", it is " + base::shortestText(values[i]);
-    }
-    return std::nullopt;
-}
-
 } // namespace
 
-Result<Scene, LessonError> sceneOf(const Step &step)
+Expected<Scene> sceneOf(const Step &step)
 {
     const std::string where = step.id + ".scene";
     const scene_file::SceneOrError file = scene_file::parseScene(base::compactJson(step.scene.json()), where);
     if (!file)
-        return LessonError{file.error().message()};
+        return file.error();
     auto objects = opening::objectsOf(*file, {}, [](const std::filesystem::path &model) {
         return opening::ReadModel(
             base::Error{.text = "a lesson has no files except its own", .file = base::utf8FromPath(model)});
@@ -226,9 +204,9 @@ Surface surfaceOf(const Step &step, const Surface &surface)
     return step.view ? Surface{step.view->x, step.view->y, surface.devicePixelRatio} : surface;
 }
 
-Result<StepNumbers, LessonError> StepNumbers::of(const Scene &scene, const Surface &surface,
-                                                 const std::map<std::string, StepPoint> &points,
-                                                 const std::map<std::string, base::JsonValue> &changes)
+Expected<StepNumbers> StepNumbers::of(const Scene &scene, const Surface &surface,
+                                      const std::map<std::string, StepPoint> &points,
+                                      const std::map<std::string, base::JsonValue> &changes)
 {
     const Result<Setup> setup = setupOf(scene, surface, {});
     if (!setup)
@@ -237,7 +215,7 @@ Result<StepNumbers, LessonError> StepNumbers::of(const Scene &scene, const Surfa
     GivenPoint followed = scene.givenPoint.value_or(GivenPoint{});
     if (followed.object.empty() && !scene.objects.empty() && !scene.givenPoint)
         followed.object = scene.objects.front().name;
-    Result<Json, LessonError> tree = treeOf(scene, *setup, followed, "point");
+    Expected<Json> tree = treeOf(scene, *setup, followed, "point");
     if (!tree)
         return tree.error();
     Json &all = numbers.m_tree.edit();
@@ -257,14 +235,14 @@ Result<StepNumbers, LessonError> StepNumbers::of(const Scene &scene, const Surfa
     }
     const auto file = scene_file::sceneText(scene_file::sceneFileFrom(scene, *setup, {}));
     if (!file)
-        return LessonError{file.error().message()};
+        return file.error();
     all["surface"] = {
         {"width", surface.widthPixels}, {"height", surface.heightPixels}, {"ratio", surface.devicePixelRatio}};
     all["scene"] = Json::parse(*file);
     for (const auto &[name, change] : changes)
         all["set"][name] = change.json();
     for (const auto &[name, point] : points) {
-        Result<Json, LessonError> one = std::visit(
+        Expected<Json> one = std::visit(
             [&, where = "points." + name](const auto &given) { return treeOf(scene, *setup, given, where); }, point);
         if (!one)
             return one.error();
@@ -297,18 +275,16 @@ std::optional<DevicePixel> StepNumbers::pixelOf(const std::string &point) const
     return DevicePixel{static_cast<int>(pixel[0]), static_cast<int>(pixel[1])};
 }
 
-Result<LessonNumbers, LessonError> LessonNumbers::of(const Lesson &lesson, const Surface &surface)
+Expected<LessonNumbers> LessonNumbers::of(const Lesson &lesson, const Surface &surface)
 {
     LessonNumbers numbers;
     for (const Step &step : lesson.steps) {
-        const std::string where = lesson.name + ".json: " + step.id;
-        const Result<Scene, LessonError> scene = sceneOf(step);
+        const Expected<Scene> scene = sceneOf(step);
         if (!scene)
-            return failed(lesson.name + ".json", scene.error().text);
-        Result<StepNumbers, LessonError> made =
-            StepNumbers::of(*scene, surfaceOf(step, surface), step.points, step.changes);
+            return scene.error();
+        Expected<StepNumbers> made = StepNumbers::of(*scene, surfaceOf(step, surface), step.points, step.changes);
         if (!made)
-            return failed(where, made.error().text);
+            return failed(lesson.name + ".json: " + step.id, made.error().message());
         numbers.m_steps.emplace(step.id, std::move(made).value());
     }
     return numbers;
@@ -323,68 +299,21 @@ std::vector<double> LessonNumbers::at(const std::string &step, std::string_view 
                                   : found->second.at(colon == std::string_view::npos ? path : path.substr(colon + 1));
 }
 
-Result<std::vector<double>, LessonError> LessonNumbers::values(const std::string &step, std::string_view source) const
+std::vector<double> LessonNumbers::values(const std::string &step, std::string_view source) const
 {
     if (std::vector<double> list = at(step, source); !list.empty())
         return list;
     constexpr std::string_view kQuoted = "quoted ";
-    const bool isQuoted = source.substr(0, kQuoted.size()) == kQuoted;
-    const std::string_view expression = isQuoted ? source.substr(kQuoted.size()) : source;
-    bool hasPath = isQuoted;
+    bool hasPath = source.starts_with(kQuoted);
+    if (hasPath)
+        source.remove_prefix(kQuoted.size());
     const auto named = [&](std::string_view path) -> std::optional<double> {
         hasPath = true;
         const std::vector<double> numbers = at(step, path);
         return numbers.size() == 1 ? std::optional(numbers.front()) : std::nullopt;
     };
-    const base::Expected<double, base::ExpressionError> value = base::evaluate(expression, named);
-    if (!value)
-        return failed(step, "\"" + std::string(expression.substr(value.error().place, value.error().length))
-                                + "\" in \"" + std::string(source) + "\" is not a number of this step");
-    if (!hasPath)
-        return failed(step, "\"" + std::string(source) + "\" is nothing that the program computes");
-    return std::vector<double>{*value};
-}
-
-std::vector<std::string> LessonNumbers::faults(const Step &step) const
-{
-    std::vector<std::string> found;
-    const auto look = [&](const std::string &key, const std::string &written) {
-        const std::string where = step.id + "." + key + ": ";
-        const StatedText text = statedText(written);
-        for (const std::string &fault : text.faults)
-            found.push_back(where + fault);
-        for (const Statement &statement : text.statements) {
-            if (statement.isQuoted)
-                continue;
-            std::vector<double> all;
-            std::optional<std::string> fault;
-            for (const std::string &source : statement.sources) {
-                const auto some = values(step.id, source);
-                if (some)
-                    all.insert(all.end(), some->begin(), some->end());
-                else if (!fault)
-                    fault = some.error().text;
-            }
-            if (!fault)
-                fault = faultOf(statement, all);
-            if (fault)
-                found.push_back(where + "\"" + statement.shown + "\" " + *fault);
-        }
-    };
-    look("title", step.title);
-    for (const std::string &paragraph : step.text)
-        look("text", paragraph);
-    if (step.question) {
-        look("question.text", step.question->text);
-        for (const std::string &paragraph : step.question->reveal)
-            look("question.reveal", paragraph);
-        const auto answer = values(step.id, step.question->answer);
-        if (!answer)
-            found.push_back(step.id + ".question.answer: " + answer.error().text);
-        else if (answer->size() != 1)
-            found.push_back(step.id + ".question.answer: \"" + step.question->answer + "\" is more than one number");
-    }
-    return found;
+    const auto value = base::evaluate(source, named);
+    return value && hasPath ? std::vector{*value} : std::vector<double>();
 }
 
 } // namespace unprojector::lessons

@@ -14,7 +14,7 @@ namespace unprojector::lessons {
 
 /// The scene of a step.
 /// @return an error that names the key
-geometry::Result<scene::Scene, LessonError> sceneOf(const Step &step);
+base::Expected<scene::Scene, base::Error> sceneOf(const Step &step);
 
 /// The view in which a step's numbers hold: of its own size, if the step gives one.
 /// @param surface  of the view that shows it
@@ -49,9 +49,9 @@ public:
     /// @param surface  of the view that shows it
     /// @return an error if the scene has no valid setup, or if a point's object is missing, or if
     ///         nothing is visible at its pixel
-    static geometry::Result<StepNumbers, LessonError> of(const scene::Scene &scene, const geometry::Surface &surface,
-                                                         const std::map<std::string, StepPoint> &points,
-                                                         const std::map<std::string, base::JsonValue> &changes = {});
+    static base::Expected<StepNumbers, base::Error> of(const scene::Scene &scene, const geometry::Surface &surface,
+                                                       const std::map<std::string, StepPoint> &points,
+                                                       const std::map<std::string, base::JsonValue> &changes = {});
 
     /// @return empty if there is no such number
     std::vector<double> at(std::string_view path) const;
@@ -69,20 +69,16 @@ class LessonNumbers {
 public:
     /// @param surface  of a view; a step with its own view size uses that, with the same pixel
     ///         ratio
-    static geometry::Result<LessonNumbers, LessonError> of(const Lesson &lesson, const geometry::Surface &surface);
+    static base::Expected<LessonNumbers, base::Error> of(const Lesson &lesson, const geometry::Surface &surface);
 
     const StepNumbers &step(const std::string &id) const { return m_steps.at(id); }
 
     /// The numbers of a source: a path with several, an expression of single ones, "ndc.x * 2", or
     /// a number of the text's source, "quoted 4".
     /// @param step  id of the step
-    /// @return an error if a path is unknown, or if the expression contains no path: a bare "2"
-    ///         would test nothing
-    geometry::Result<std::vector<double>, LessonError> values(const std::string &step, std::string_view source) const;
-
-    /// The errors in the statements of a step, including its question's. Each names the step, the
-    /// stated and the computed number.
-    std::vector<std::string> faults(const Step &step) const;
+    /// @return empty if a path is unknown, or if the expression contains no path: a bare "2" would
+    ///         test nothing
+    std::vector<double> values(const std::string &step, std::string_view source) const;
 
 private:
     std::vector<double> at(const std::string &step, std::string_view path) const;

@@ -60,7 +60,7 @@ const std::vector<Lesson> &LessonPlayer::lessons()
     const QString fileName = tr("%1.json");
     const auto names = lessons::parseLessonNames(resource(QStringLiteral("lessons.json")).value_or(std::string()));
     if (!names)
-        emit failed(QString::fromStdString(names.error().text));
+        emit failed(QString::fromStdString(names.error().message()));
     for (const std::string &name : names ? *names : std::vector<std::string>()) {
         const QString english = QString::fromStdString(name) + QStringLiteral(".json"),
                       own = fileName.arg(QString::fromStdString(name));
@@ -69,7 +69,7 @@ const std::vector<Lesson> &LessonPlayer::lessons()
         if (lesson)
             m_lessons.push_back(std::move(lesson).value());
         else
-            emit failed(QString::fromStdString(lesson.error().text));
+            emit failed(QString::fromStdString(lesson.error().message()));
     }
     return m_lessons;
 }
@@ -131,7 +131,7 @@ bool LessonPlayer::open(const Lesson &lesson, const lessons::Step &step)
 {
     auto scene = lessons::sceneOf(step);
     if (!scene) {
-        emit failed(QString::fromStdString(scene.error().text));
+        emit failed(QString::fromStdString(scene.error().message()));
         return false;
     }
     if (!m_session.mayLeaveStep())
@@ -277,7 +277,7 @@ bool LessonPlayer::change(const std::string &name)
     };
     const auto settings = lessons::settingsWith(m_document.scene(), m_document.setup(), found->second);
     if (!settings)
-        return refuse(QString::fromStdString(settings.error().text));
+        return refuse(QString::fromStdString(settings.error().message()));
     const Check done = m_document.edit({tr("Change by the Lesson")},
                                        [&](Scene &scene) { static_cast<SceneSettings &>(scene) = *settings; });
     return done ? true : refuse(errorText(done.error()));

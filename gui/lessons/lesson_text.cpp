@@ -1,12 +1,12 @@
 #include "gui/lessons/lesson_text.h"
 
-#include "core/lessons/statements.h"
+#include "core/lessons/lesson.h"
 
 namespace unprojector::gui {
 
 QString lessonTitle(const std::string &title)
 {
-    return QString::fromStdString(lessons::statedText(title).shown);
+    return QString::fromStdString(lessons::shownText(title));
 }
 
 QString lessonHtml(const std::vector<std::string> &paragraphs)

@@ -1,4 +1,6 @@
-#include "core/lessons/statements.h"
+#include "tests/core/lessons/statements.h"
+
+#include "core/base/number_text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -6,8 +8,10 @@
 #include <optional>
 #include <utility>
 
-namespace unprojector::lessons {
+namespace lessontexts {
 namespace {
+
+using namespace unprojector;
 
 // Written in UTF-8 bytes, so that they do not depend on the compiler's character set.
 constexpr std::string_view kMinus = "\xe2\x88\x92";
@@ -161,6 +165,21 @@ std::optional<Statement> statement(std::string_view inside)
     return made;
 }
 
+/// Compares a text's numbers with the program's.
+std::optional<std::string> faultOf(const Statement &statement, const std::vector<double> &values)
+{
+    if (values.size() != statement.numbers.size())
+        return "says " + std::to_string(statement.numbers.size()) + " numbers and names "
+               + std::to_string(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const StatedNumber &stated = statement.numbers[i];
+        const double value = stated.isOfSize ? std::fabs(values[i]) : values[i];
+        if (!(std::fabs(value - stated.value) <= stated.tolerance))
+            return "says " + base::shortestText(stated.value) + ", it is " + base::shortestText(values[i]);
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 StatedText statedText(std::string_view text)
@@ -170,7 +189,6 @@ StatedText statedText(std::string_view text)
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t open = text.find_first_of("{}", at);
         const std::string_view plain = text.substr(at, open - at);
-        result.shown += plain;
         outside += plain;
         if (open == std::string_view::npos)
             break;
@@ -182,7 +200,6 @@ StatedText statedText(std::string_view text)
         }
         const std::string_view inside = text.substr(open + 1, close - open - 1);
         if (std::optional<Statement> made = statement(inside)) {
-            result.shown += made->shown;
             result.statements.push_back(std::move(*made));
         } else {
             result.faults.push_back("{" + std::string(inside) + "} has no \" = \" with where its numbers come from");
@@ -196,4 +213,42 @@ StatedText statedText(std::string_view text)
     return result;
 }
 
-} // namespace unprojector::lessons
+std::vector<std::string> faultsOf(const lessons::LessonNumbers &numbers, const lessons::Step &step)
+{
+    std::vector<std::string> found;
+    const auto look = [&](const std::string &key, const std::string &written) {
+        const std::string where = step.id + "." + key + ": ";
+        const StatedText text = statedText(written);
+        for (const std::string &fault : text.faults)
+            found.push_back(where + fault);
+        for (const Statement &statement : text.statements) {
+            if (statement.isQuoted)
+                continue;
+            std::vector<double> all;
+            std::optional<std::string> fault;
+            for (const std::string &source : statement.sources) {
+                const std::vector<double> some = numbers.values(step.id, source);
+                all.insert(all.end(), some.begin(), some.end());
+                if (some.empty())
+                    fault = "names \"" + source + "\", which the program does not compute";
+            }
+            if (!fault)
+                fault = faultOf(statement, all);
+            if (fault)
+                found.push_back(where + "\"" + statement.shown + "\" " + *fault);
+        }
+    };
+    look("title", step.title);
+    for (const std::string &paragraph : step.text)
+        look("text", paragraph);
+    if (step.question) {
+        look("question.text", step.question->text);
+        for (const std::string &paragraph : step.question->reveal)
+            look("question.reveal", paragraph);
+        if (numbers.values(step.id, step.question->answer).size() != 1)
+            found.push_back(step.id + ".question.answer: \"" + step.question->answer + "\" is not one number");
+    }
+    return found;
+}
+
+} // namespace lessontexts

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/lessons/step_numbers.h"
+
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace unprojector::lessons {
+namespace lessontexts {
 
 /// A number in a text.
 struct StatedNumber {
@@ -23,7 +25,6 @@ struct Statement {
 
 /// A text with its statements.
 struct StatedText {
-    std::string shown; ///< without braces and sources
     std::vector<Statement> statements;
     std::vector<std::string> faults; ///< descriptions of errors: mismatched braces, numbers outside of statements
 };
@@ -33,4 +34,9 @@ struct StatedText {
 /// @param text  UTF-8 with a little HTML
 StatedText statedText(std::string_view text);
 
-} // namespace unprojector::lessons
+/// The errors in the statements of a step, including its question's. Each names the step, the
+/// stated and the computed number.
+std::vector<std::string> faultsOf(const unprojector::lessons::LessonNumbers &numbers,
+                                  const unprojector::lessons::Step &step);
+
+} // namespace lessontexts

@@ -5,9 +5,9 @@
 
 #include "core/lessons/lesson.h"
 #include "core/lessons/set_link.h"
-#include "core/lessons/statements.h"
 #include "core/lessons/step_numbers.h"
 #include "tests/core/lessons/lesson_texts.h"
+#include "tests/core/lessons/statements.h"
 
 #include <nlohmann/json.hpp>
 
@@ -100,7 +100,7 @@ private slots:
          "question": {"text": "?", "answer": "%", "tolerance": 0.1, "hides": ["inspector"],
                       "reveal": ["<a href='click:own'>x</a>"]}}]})";
         const auto lesson = parseLesson("t", QByteArray(json).replace('%', answer).toStdString());
-        QVERIFY2(lesson, lesson ? "" : lesson.error().text.c_str());
+        QVERIFY2(lesson, lesson ? "" : lesson.error().message().c_str());
         QStringList found;
         for (const Panel panel : lesson->steps[1].question->hides)
             found << QString::fromLatin1(nameOf(panel));
@@ -120,24 +120,23 @@ private slots:
         row("another sign", "{8 = modelview[2][3]}", "a.text: \"8\" says 8, it is -8");
         row("its last digit", "{0.11 = projection[0][0]}", "a.text: \"0.11\" says 0.11, it is 0.1");
         row("a whole number is meant exactly", "{2 = -0.3 * eye.z}", "a.text: \"2\" says 2, it is 2.4");
-        row("with itself", "{2 = 2}", "a.text: \"2\" a: \"2\" is nothing that the program computes");
+        row("with itself", "{2 = 2}", "a.text: \"2\" names \"2\", which the program does not compute");
         row("of the source", "{2 = quoted}", "");
         row("one of the source", "{4 = quoted 4}", "");
         row("another of the source", "{5 = quoted 4}", "a.text: \"5\" says 5, it is 4");
         row("none of the source", "{5 = quoted four}",
-            "a.text: \"5\" a: \"four\" in \"quoted four\" is not a number of this step");
+            "a.text: \"5\" names \"quoted four\", which the program does not compute");
         row("too many", "{(1, 1) = eye.z}", "a.text: \"(1, 1)\" says 2 numbers and names 1");
-        row("no such path", "{1 = eye.q}", "a.text: \"1\" a: \"eye.q\" in \"eye.q\" is not a number of this step");
-        row("half a place", "{1 = view[}", "a.text: \"1\" a: \"view[\" in \"view[\" is not a number of this step");
+        row("no such path", "{1 = eye.q}", "a.text: \"1\" names \"eye.q\", which the program does not compute");
+        row("half a place", "{1 = view[}", "a.text: \"1\" names \"view[\", which the program does not compute");
         row("beyond the last", "{1 = view[0][4]}",
-            "a.text: \"1\" a: \"view[0][4]\" in \"view[0][4]\" is not a number of this step");
+            "a.text: \"1\" names \"view[0][4]\", which the program does not compute");
         row("of no source", "It is 5.", "a.text: 1 numbers outside of braces in \"It is 5.\"");
         row("an index is a name", "m[14] = {−8 = modelview[2][3]}", "");
         row("a step of a matrix",
             "{10 = projectionSteps[0][2][3] + 10}, {−5 = viewSteps[0][2][3]}, {0.1 = projectionSteps[1][0][0]}", "");
         row("no such step", "{1 = projectionSteps[3][0][0]}",
-            "a.text: \"1\" a: \"projectionSteps[3][0][0]\" in \"projectionSteps[3][0][0]\" is not a number of this "
-            "step");
+            "a.text: \"1\" names \"projectionSteps[3][0][0]\", which the program does not compute");
         row("an expression", "{16 = -2 * eye.z}, {4/5 = eye.z / -10}", "");
     }
 
@@ -146,12 +145,12 @@ private slots:
         QFETCH(QByteArray, text);
         QFETCH(QByteArray, fault);
         auto lesson = parseLesson("t", oneStep(R"(, "scene": "zhangci-model-view")"));
-        QVERIFY2(lesson, lesson ? "" : lesson.error().text.c_str());
+        QVERIFY2(lesson, lesson ? "" : lesson.error().message().c_str());
         Lesson made = *lesson;
         made.steps[0].text = {text.toStdString()};
         const auto numbers = LessonNumbers::of(made, {800, 600, 1.0});
         QVERIFY(numbers);
-        QCOMPARE(written(numbers->faults(made.steps[0])).trimmed(), QString::fromUtf8(fault));
+        QCOMPARE(written(faultsOf(*numbers, made.steps[0])).trimmed(), QString::fromUtf8(fault));
     }
 
     void statementsAreTakenApart_data()
@@ -175,9 +174,9 @@ private slots:
         row("other numbers in them", "<a href='formulas:x'>(9) to (12): +0.143</a>",
             "<a href='formulas:x'>(9) to (12): +0.143</a>", {}, 1);
         row("loose", "7 {8 = a}", "7 8", {8}, 1);
-        row("no source", "{8}", "", {}, 1);
+        row("no source", "{8}", "8", {}, 1);
         row("unclosed", "a {8 = b", "a ", {}, 1);
-        row("unopened", "8} = b", "8", {}, 2);
+        row("unopened", "8} = b", "8} = b", {}, 2);
     }
 
     void statementsAreTakenApart()
@@ -187,7 +186,7 @@ private slots:
         QFETCH(QList<double>, numbers);
         QFETCH(int, faults);
         const StatedText made = statedText(text.toStdString());
-        QCOMPARE(QByteArray::fromStdString(made.shown), shown);
+        QCOMPARE(QByteArray::fromStdString(shownText(text.toStdString())), shown);
         QList<double> found;
         for (const Statement &statement : made.statements) {
             for (const StatedNumber &number : statement.numbers)
@@ -205,9 +204,9 @@ private slots:
         "vertex": {"pixel": [431, 431], "snap": "vertex"},
         "edge": {"pixel": [431, 300], "snap": "edge"},
         "beside": {"pixel": [434, 300], "snap": "face"}})"));
-        QVERIFY2(lesson, lesson ? "" : lesson.error().text.c_str());
+        QVERIFY2(lesson, lesson ? "" : lesson.error().message().c_str());
         const auto numbers = LessonNumbers::of(*lesson, {600, 600, 1.0});
-        QVERIFY2(numbers, numbers ? "" : numbers.error().text.c_str());
+        QVERIFY2(numbers, numbers ? "" : numbers.error().message().c_str());
         const auto at = [&](const char *path) { return numbers->step("a").at(path); };
         QVERIFY(std::fabs(at("clicked.world")[0] - 3.945) < 1e-9 && std::fabs(at("clicked.world")[1] + 3.945) < 1e-9);
         QCOMPARE(at("vertex.world"), (std::vector<double>{4.0, -4.0, -4.0}));
@@ -221,7 +220,7 @@ private slots:
         "middle": {"space": "eye", "coordinates": [0, 0, -5]},
         "beside": {"space": "eye", "coordinates": [0, -1e13, -5]},
         "in_the_eye": {"space": "eye", "coordinates": [0, 0, 0]}})"));
-        QVERIFY2(lesson, lesson ? "" : lesson.error().text.c_str());
+        QVERIFY2(lesson, lesson ? "" : lesson.error().message().c_str());
         const auto numbers = LessonNumbers::of(*lesson, {300, 300, 1.0});
         QVERIFY(numbers);
         QVERIFY(numbers->step("a").pixelOf("middle") == (DevicePixel{150, 150}));
@@ -236,7 +235,7 @@ private slots:
          "points": {"p": {"space": "world", "coordinates": [1, 2, 3]}}},
         {"id": "b", "title": "B", "text": ["x"], "change": {"projection": {"near": 2}}, "highlights": ["cube", "axes"]},
         {"id": "c", "title": "C", "text": ["x"], "scene": "zhangci-2d"}]})");
-        QVERIFY2(lesson, lesson ? "" : lesson.error().text.c_str());
+        QVERIFY2(lesson, lesson ? "" : lesson.error().message().c_str());
         QCOMPARE(lesson->steps[1].scene.json()["projection"]["near"].get<double>(), 2.0);
         QCOMPARE(lesson->steps[1].scene.json()["projection"]["far"].get<double>(), 100.0);
         QVERIFY(lesson->steps[1].view == glm::ivec2(30, 20));
@@ -246,8 +245,8 @@ private slots:
         QVERIFY(lesson->steps[2].highlights.empty()); // each step has its own
         const auto numbers = LessonNumbers::of(*lesson, {800, 600, 1.0});
         QVERIFY(numbers);
-        QCOMPARE(numbers->values("a", "b:scene.projection.near").value().front(), 2.0);
-        QCOMPARE(numbers->values("b", "p.world").value().size(), std::size_t(3));
+        QCOMPARE(numbers->values("a", "b:scene.projection.near"), std::vector<double>{2.0});
+        QCOMPARE(numbers->values("b", "p.world").size(), std::size_t(3));
     }
 
     void aFaultNamesItsPlace_data()
@@ -266,11 +265,6 @@ private slots:
             "t.json: steps[0].scene: the program brings along no scene \"kettle\"");
         row("both", oneStep(R"(, "scene": "zhangci-2d", "change": {})"),
             "t.json: steps[0]: has a \"scene\" and a \"change\"");
-        row("a point with the name of the changes",
-            oneStep(R"(, "scene": "zhangci-2d", "points": {"set": {"pixel": [1, 1]}})"),
-            "t.json: steps[0].points: \"set\" ");
-        row("a taken name", oneStep(R"(, "scene": "zhangci-2d", "points": {"eye": {"pixel": [1, 1]}})"),
-            "t.json: steps[0].points: \"eye\" is no free name");
         row("a point without coordinates", oneStep(R"(, "scene": "zhangci-2d", "points": {"p": {"space": "eye"}})"),
             "t.json: steps[0].points.p.coordinates: is missing");
         row("no tolerance", oneStep(R"(, "scene": "zhangci-2d", "question": {"answer": "eye.z"})"),
@@ -278,25 +272,15 @@ private slots:
         row("an unknown snap",
             oneStep(R"(, "scene": "zhangci-2d", "points": {"p": {"pixel": [1, 1], "snap": "corner"}})"),
             "t.json: steps[0].points.p.snap: ");
-        row("half a view", oneStep(R"(, "scene": "zhangci-2d", "view": [1.5, 2])"),
-            "t.json: steps[0]: \"view\" must be two whole numbers from 1 to 16384");
-        row("an unknown change", oneStep(R"(, "scene": "zhangci-2d", "set": {"a": {"objects": []}})"),
-            "t.json: steps[0].set.a: a link cannot change \"objects\", only \"projection\", \"view\", \"depthRange\", "
-            "\"clipPlanes\", \"point\", \"ui\"");
-        row("a change without a name", oneStep(R"(, "scene": "zhangci-2d", "set": {"A b": {"point": null}})"),
-            "t.json: steps[0].set: \"A b\" is no name");
+        row("half a view", oneStep(R"(, "scene": "zhangci-2d", "view": [1.5, 2])"), "t.json: steps[0].view[0]: ");
         row("an unknown highlight", oneStep(R"(, "scene": "zhangci-2d", "highlights": ["axes", "stars"])"),
             "t.json: steps[0].highlights[1]: ");
         row("an unknown panel", oneStep(R"(, "scene": "zhangci-2d", "panels": ["pipeline", "kitchen"])"),
             "t.json: steps[0].panels[1]: ");
         row("an unknown workspace", oneStep(R"(, "scene": "zhangci-2d", "place": "garden")"),
             "t.json: steps[0].place: ");
-        row("a link that leads nowhere",
-            R"({"title": "T", "steps": [{"id": "a", "title": "A", "text": ["<a href='panel:kitchen'>x</a>"],
-            "scene": "zhangci-2d"}]})",
-            "t.json: steps[0]: the link \"panel:kitchen\" leads nowhere");
         row("a view beyond all numbers", oneStep(R"(, "scene": "zhangci-2d", "view": [1e12, 2])"),
-            "t.json: steps[0]: \"view\" must be two whole numbers from 1 to 16384");
+            "t.json: steps[0].view[0]: ");
     }
 
     void aFaultNamesItsPlace()
@@ -305,7 +289,7 @@ private slots:
         QFETCH(QByteArray, error);
         const auto lesson = parseLesson("t", json.toStdString());
         QVERIFY(!lesson);
-        QString text = QString::fromStdString(lesson.error().text);
+        QString text = QString::fromStdString(lesson.error().message());
         static const QRegularExpression place(QStringLiteral("^t\\.json:\\d+:\\d+: "));
         QVERIFY2(text.contains(place), qPrintable(text));
         QVERIFY2(text.replace(place, QStringLiteral("t.json: ")).startsWith(error), qPrintable(text));
@@ -315,14 +299,14 @@ private slots:
     {
         const std::string lesson = oneStep(R"(, "source": "S", "scene": "zhangci-2d")");
         const auto translated = parseLesson("t", lesson, R"({"steps": [{"id": "a", "title": "甲"}]})");
-        QVERIFY2(translated, translated ? "" : translated.error().text.c_str());
+        QVERIFY2(translated, translated ? "" : translated.error().message().c_str());
         QCOMPARE(translated->steps[0].title, std::string("甲"));
         QCOMPARE(translated->steps[0].text, std::vector<std::string>{"x"});
-        QCOMPARE(*untranslated(*parseLesson("t", lesson), R"({"steps": [{"id": "a", "title": "甲"}]})"),
+        QCOMPARE(untranslated(lesson, R"({"steps": [{"id": "a", "title": "甲"}]})"),
                  (std::vector<std::string>{"title", "a.text", "a.source"}));
         const auto other = parseLesson("t", lesson, R"({"steps": [{"id": "b"}]})");
         QVERIFY(!other);
-        QCOMPARE(other.error().text, std::string("t, translated:1:12: steps[0]: the lesson has no step \"b\""));
+        QCOMPARE(other.error().message(), std::string("t, translated:1:12: steps[0]: the lesson has no step \"b\""));
     }
 
     /// More digits than a double holds are kept as they are written.
@@ -333,9 +317,9 @@ private slots:
         "projection": {"type": "perspective", "fovy": 45, "near": 1, "far": 100},
         "view": {"eye": [0.70710678118654757, 0.10000000000000000555, 5], "center": [0, 0, 0], "up": [0, 1, 0]},
         "objects": []})"));
-        QVERIFY2(lesson, lesson ? "" : lesson.error().text.c_str());
+        QVERIFY2(lesson, lesson ? "" : lesson.error().message().c_str());
         const auto scene = sceneOf(lesson->steps.front());
-        QVERIFY2(scene, scene ? "" : scene.error().text.c_str());
+        QVERIFY2(scene, scene ? "" : scene.error().message().c_str());
         const Setup setup = *setupOf(*scene, {800, 600, 1.0}, {});
         QVERIFY(setup.camera().eye == WorldPoint(std::sqrt(0.5), 0.1, 5.0));
     }
@@ -346,7 +330,7 @@ private slots:
         "other": {"point": {"space": "eye", "coordinates": [0.1, 0, -5]}},
         "nearer": {"projection": {"near": 0.3}, "ui": {"clipDistancesFitObjects": false}},
         "wrong": {"projection": {"near": -2}}})"));
-        QVERIFY2(lesson, lesson ? "" : lesson.error().text.c_str());
+        QVERIFY2(lesson, lesson ? "" : lesson.error().message().c_str());
         const Step &step = lesson->steps.front();
         Scene scene = *sceneOf(step);
         LookAt camera = scene.camera;
@@ -369,13 +353,13 @@ private slots:
 
         const auto wrong = settingsWith(scene, setup, step.changes.at("wrong"));
         QVERIFY(!wrong);
-        const QByteArray why = QByteArray::fromStdString(wrong.error().text);
+        const QByteArray why = QByteArray::fromStdString(wrong.error().message());
         QVERIFY2(why.contains("projection.near"), why.constData());
         // A missing member cannot be set: a result without a change must not pass for the answer.
         const auto unknown = settingsWith(
             scene, setup, base::JsonValue(nlohmann::ordered_json::parse(R"({"projection": {"left": 1}})")));
         QVERIFY(!unknown);
-        QCOMPARE(QByteArray::fromStdString(unknown.error().text), QByteArray("set: there is no projection.left"));
+        QCOMPARE(QByteArray::fromStdString(unknown.error().message()), QByteArray("set: there is no projection.left"));
     }
 
     void linksAreRead_data()

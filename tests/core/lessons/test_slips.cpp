@@ -24,7 +24,7 @@ Lesson lessonOf(const QString &name)
         qFatal("%s cannot be read.", qPrintable(file.fileName()));
     const auto lesson = parseLesson(name.toStdString(), file.readAll().toStdString());
     if (!lesson)
-        qFatal("%s", lesson.error().text.c_str());
+        qFatal("%s", lesson.error().message().c_str());
     return *lesson;
 }
 
