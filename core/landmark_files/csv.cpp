@@ -16,6 +16,7 @@
 namespace unprojector::landmark_files {
 using namespace landmarks;
 using namespace csv;
+using base::marked;
 using Json = nlohmann::ordered_json;
 namespace {
 
@@ -115,7 +116,7 @@ void forEachRow(std::span<const LandmarkSet> sets, const std::string &absent, No
         cells[Mesh] = set.mesh;
         cells[Unit] = set.unit;
         if (set.landmarks.empty() && set.curves.empty() && (sets.size() > 1 || !set.name.empty()))
-            notes.add(LandmarkNote::Kind::EmptySpecimenLeftOut, 1, cells[Specimen]);
+            notes.add({marked("the specimen \"%1\" has no points and is left out")}, 1, {cells[Specimen]});
         for (const Landmark &landmark : set.landmarks)
             take(rowOf(cells, landmark, absent), &landmark);
         PlainNames curves("", true, notes); // rows of one name belong to one curve
@@ -124,7 +125,7 @@ void forEachRow(std::span<const LandmarkSet> sets, const std::string &absent, No
             for (const Row &row : rowsOf(cells, set, curve, curves.of(nameOf(curve, k))))
                 take(row, static_cast<const Landmark *>(nullptr));
             for (auto it = curve.extra.json().begin(); it != curve.extra.json().end(); ++it)
-                notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, it.key());
+                notes.addSpecimenKeys(it.key());
         }
     }
 }
@@ -138,11 +139,6 @@ bool hasSeveralPlacings(std::span<const LandmarkSet> sets)
 
 std::string csvText(std::span<const LandmarkSet> sets, base::CellTexts texts, Notes &notes, const std::string &absent)
 {
-    FormatCapabilities all;
-    all.names = all.objects = all.anchors = all.uncertainties = all.notes = all.colors = all.hidden = all.keys = true;
-    all.absences = all.specimenName = all.placings = all.mesh = all.unit = true;
-    addLosses(notes, sets, all);
-
     std::array<bool, kWrittenCount> isUsed{};
     std::vector<std::string> others;
     std::set<std::string> known;
@@ -155,7 +151,7 @@ std::string csvText(std::span<const LandmarkSet> sets, base::CellTexts texts, No
             return;
         for (auto it = landmark->extra.json().begin(); it != landmark->extra.json().end(); ++it) {
             if (it.key().empty() || columnOf(it.key()) < kWrittenCount) // it would be read as this program's
-                notes.add(LandmarkNote::Kind::KeysLeftOut, 1, it.key());
+                notes.addKeys(it.key());
             else if (known.insert(it.key()).second)
                 others.push_back(it.key());
         }

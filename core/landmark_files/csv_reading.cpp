@@ -23,6 +23,7 @@ using namespace landmarks;
 using namespace csv;
 using base::CsvCell;
 using base::CsvRow;
+using base::marked;
 using base::tr;
 namespace {
 
@@ -78,11 +79,11 @@ public:
         glm::dvec3 v(0.0);
         for (int i = 0; i < kCount; ++i) {
             if (isMissing(i))
-                throw Failure{line(), cell(i).empty()
-                                          ? tr("%1 is empty and its neighbours are not; give all three, or none",
-                                               titleOf(column(i)))
-                                          : tr("%1 is \"%2\" and its neighbours are numbers; give all three, or none",
-                                               titleOf(column(i)), cell(i))};
+                fail(line(),
+                     cell(i).empty()
+                         ? tr("%1 is empty and its neighbours are not; give all three, or none", titleOf(column(i)))
+                         : tr("%1 is \"%2\" and its neighbours are numbers; give all three, or none",
+                              titleOf(column(i)), cell(i)));
             v[i] = number(column(i));
         }
         return v;
@@ -96,7 +97,11 @@ public:
         const std::optional<glm::dvec3> v = numbers(X);
         if (!v || glm::abs(*v) != glm::dvec3(kMissing) || v->x != v->y || v->y != v->z || isOurs(header()))
             return v;
-        notes.add(LandmarkNote::Kind::CodeIsMissing);
+        notes.add(
+            {marked("%1 point has only coordinates of 9999 or -9999, the mark of a missing point; it has no position "
+                    "here"),
+             marked("%1 points have only coordinates of 9999 or -9999, the mark of missing points; they have no "
+                    "position here")});
         return std::nullopt;
     }
 
@@ -108,7 +113,7 @@ public:
             return usual;
         const bool isTrue = word == "1" || word == "true";
         if (!isTrue && word != "0" && word != "false")
-            throw Failure{line(), tr("%1 is \"%2\"; write 1 or 0", titleOf(column), (*this)[column])};
+            fail(line(), tr("%1 is \"%2\"; write 1 or 0", titleOf(column), (*this)[column]));
         return isTrue;
     }
 
@@ -129,14 +134,14 @@ Anchor anchorOf(const Cells &cells)
 {
     const bool isFace = !cells[Face].empty(), isVertex = !cells[Vertex].empty(), isEdge = !cells[EdgeFrom].empty();
     if (isFace + isVertex + isEdge > 1)
-        throw Failure{cells.line(), tr("a point is held by one of face, vertex and edge; leave the others empty")};
+        fail(cells.line(), tr("a point is held by one of face, vertex and edge; leave the others empty"));
     const std::optional<glm::dvec3> barycentric = cells.numbers(U);
     if (isFace != barycentric.has_value())
-        throw Failure{cells.line(), tr("face and u, v, w belong together; give all of them, or none")};
+        fail(cells.line(), tr("face and u, v, w belong together; give all of them, or none"));
     if (isFace) {
         const double sum = barycentric->x + barycentric->y + barycentric->z;
         if (!(std::abs(sum - 1.0) <= kBarycentricSum))
-            throw Failure{cells.line(), tr("the sum of u, v and w is %1; it must be 1", base::shortestText(sum))};
+            fail(cells.line(), tr("the sum of u, v and w is %1; it must be 1", base::shortestText(sum)));
         OnTriangle held; // GCC 12 reports uninitialized padding if it is built in one expression
         held.triangle = countOf(cells[Face], cells.line(), "face");
         held.barycentric = *barycentric;
@@ -161,7 +166,7 @@ std::optional<glm::u8vec3> colorOf(std::string_view text, std::size_t line)
     const bool isHex =
         text.size() == 7 && text.front() == '#' && std::from_chars(text.data() + 1, end, value, 16).ptr == end;
     if (!isHex)
-        throw Failure{line, tr("color is \"%1\"; write it as #rrggbb", text)};
+        fail(line, tr("color is \"%1\"; write it as #rrggbb", text));
     return glm::u8vec3(value >> 16, (value >> 8) & 0xff, value & 0xff);
 }
 
@@ -170,11 +175,10 @@ Absence absenceOf(const Cells &cells, bool isPlaced)
     const std::string word = lowerCase(cells[AbsenceWord]);
     const auto found = std::find(kAbsences.begin(), kAbsences.end(), word);
     if (found == kAbsences.end())
-        throw Failure{cells.line(),
-                      tr("absence is \"%1\"; write skipped or missing, or leave the cell empty", cells[AbsenceWord])};
+        fail(cells.line(),
+             tr("absence is \"%1\"; write skipped or missing, or leave the cell empty", cells[AbsenceWord]));
     if (isPlaced && !word.empty())
-        throw Failure{cells.line(),
-                      tr("this landmark is marked as %1 and has coordinates; empty the one or the other", word)};
+        fail(cells.line(), tr("this landmark is marked as %1 and has coordinates; empty the one or the other", word));
     return static_cast<Absence>(found - kAbsences.begin());
 }
 
@@ -195,7 +199,7 @@ Landmark landmarkOf(const Cells &cells, Notes &notes)
     if (world && isDefined)
         landmark.world = turned(WorldPoint(*world), cells.header().axes);
     else if (world && *world != glm::dvec3(0.0))
-        notes.add(LandmarkNote::Kind::MissingHadPosition);
+        notes.add(kHadPosition);
     landmark.absence = absenceOf(cells, world.has_value());
     landmark.object = cells[Object];
     landmark.anchor = anchorOf(cells);
@@ -213,9 +217,8 @@ Landmark landmarkOf(const Cells &cells, Notes &notes)
         if (isNothing(cell))
             continue;
         if (name.empty())
-            throw Failure{
-                cells.line(),
-                tr("the cell \"%1\" is in a column without a name; give it one in the first line", cell.text)};
+            fail(cells.line(),
+                 tr("the cell \"%1\" is in a column without a name; give it one in the first line", cell.text));
         landmark.extra.edit()[name] = jsonOf(std::string(cell.text));
     }
     return landmark;
@@ -230,7 +233,7 @@ std::vector<std::string> namesOf(std::string_view text, std::size_t line)
     const bool isList = json && json->is_array()
                         && std::all_of(json->begin(), json->end(), [](const Json &j) { return j.is_string(); });
     if (!isList)
-        throw Failure{line, tr("curvePoints is %1; write the names as %2", text, R"(["A","B"])")};
+        fail(line, tr("curvePoints is %1; write the names as %2", text, R"(["A","B"])"));
     for (const Json &name : *json)
         names.push_back(name.get<std::string>());
     return names;
@@ -248,7 +251,7 @@ struct CurveRows {
     std::vector<Row> rows;
 };
 
-/// The number in "NAME:03"; 0 for an empty name and for the curve's own. Throws Failure.
+/// The number in "NAME:03"; 0 for an empty name and for the curve's own.
 std::size_t semilandmarkNumber(std::string_view name, const std::string &curve, std::size_t line)
 {
     if (name.empty() || name == curve)
@@ -261,19 +264,17 @@ std::size_t semilandmarkNumber(std::string_view name, const std::string &curve, 
             number = 0;
     }
     if (number == 0)
-        throw Failure{line,
-                      tr("\"%1\" is not a semilandmark of the curve \"%2\"; their names are \"%3\", \"%4\" and so on",
-                         name, curve, semilandmarkName(curve, 0, 2), semilandmarkName(curve, 1, 2))};
+        fail(line, tr("\"%1\" is not a semilandmark of the curve \"%2\"; their names are \"%3\", \"%4\" and so on",
+                      name, curve, semilandmarkName(curve, 0, 2), semilandmarkName(curve, 1, 2)));
     return number;
 }
 
-/// Throws Failure if a row of a curve contradicts the rows before it.
+/// Fails if a row of a curve contradicts the rows before it.
 void checkSame(bool isSame, std::size_t line, const char *column, const std::string &curve)
 {
     if (!isSame)
-        throw Failure{line,
-                      tr("%1 of the curve \"%2\" is not that of the rows before; give it once, or the same in each row",
-                         column, curve)};
+        fail(line, tr("%1 of the curve \"%2\" is not that of the rows before; give it once, or the same in each row",
+                      column, curve));
 }
 
 /// Adds a row with the properties of a curve and the position of one of its semilandmarks.
@@ -287,7 +288,7 @@ void addToCurve(CurveRows &known, const Cells &cells, Notes &notes)
     if (!cells[CurveWay].empty()) {
         const auto found = std::find(kCurveKinds.begin(), kCurveKinds.end(), cells[CurveWay]);
         if (found == kCurveKinds.end())
-            throw Failure{cells.line(), tr("curveKind is \"%1\"; write geodesic or planeSection", cells[CurveWay])};
+            fail(cells.line(), tr("curveKind is \"%1\"; write geodesic or planeSection", cells[CurveWay]));
         const auto kind = static_cast<CurveKind>(found - kCurveKinds.begin());
         checkSame(!known.hasKind || curve.kind == kind, cells.line(), "curveKind", curve.name);
         curve.kind = kind;
@@ -296,7 +297,7 @@ void addToCurve(CurveRows &known, const Cells &cells, Notes &notes)
     if (!cells[CurveCount].empty()) {
         const std::uint32_t count = countOf(cells[CurveCount], cells.line(), "curveCount");
         if (count < 2 || count > kMostSemilandmarks)
-            throw Failure{cells.line(), tr("curveCount is %1; write 2 to %2", cells[CurveCount], kMostSemilandmarks)};
+            fail(cells.line(), tr("curveCount is %1; write 2 to %2", cells[CurveCount], kMostSemilandmarks));
         checkSame(curve.count == 0 || curve.count == count, cells.line(), "curveCount", curve.name);
         curve.count = count;
     }
@@ -326,8 +327,7 @@ void addEnds(CurveRows &known, const LandmarkSet &set)
     }
 }
 
-/// Sorts the rows of a curve by number. If none has a number, they keep the table's order. Throws
-/// Failure.
+/// Sorts the rows of a curve by number. If none has a number, they keep the table's order.
 void sortRows(CurveRows &known)
 {
     std::vector<CurveRows::Row> &rows = known.rows;
@@ -335,22 +335,21 @@ void sortRows(CurveRows &known)
     const bool isNumbered = rows.front().number > 0;
     for (const CurveRows::Row &row : rows) {
         if ((row.number > 0) != isNumbered)
-            throw Failure{row.line, tr("the curve \"%1\" has rows with a number in their names and rows without; name "
-                                       "them \"%2\", \"%3\" and so on",
-                                       curve, semilandmarkName(curve, 0, 2), semilandmarkName(curve, 1, 2))};
+            fail(row.line, tr("the curve \"%1\" has rows with a number in their names and rows without; name "
+                              "them \"%2\", \"%3\" and so on",
+                              curve, semilandmarkName(curve, 0, 2), semilandmarkName(curve, 1, 2)));
     }
     if (!isNumbered)
         return;
     std::stable_sort(rows.begin(), rows.end(), [](const auto &a, const auto &b) { return a.number < b.number; });
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (rows[i].number == i)
-            throw Failure{rows[i].line, tr("the semilandmark \"%1\" is already in line %2; remove one of them",
-                                           semilandmarkName(curve, i - 1, rows.size()), rows[i - 1].line)};
+            fail(rows[i].line, tr("the semilandmark \"%1\" is already in line %2; remove one of them",
+                                  semilandmarkName(curve, i - 1, rows.size()), rows[i - 1].line));
         if (rows[i].number > i + 1)
-            throw Failure{
-                rows[i].line,
-                tr("the semilandmark \"%2\" of the curve \"%1\" is missing; give each of its semilandmarks a row",
-                   curve, semilandmarkName(curve, i, rows.size()))};
+            fail(rows[i].line,
+                 tr("the semilandmark \"%2\" of the curve \"%1\" is missing; give each of its semilandmarks a row",
+                    curve, semilandmarkName(curve, i, rows.size())));
     }
 }
 
@@ -371,7 +370,7 @@ void fitEnds(Curve &curve, const LandmarkSet &set)
         curve.semilandmarks.back() = *set.landmarks[*part.behind].world;
 }
 
-/// A curve with all its semilandmarks, or none. Throws Failure.
+/// A curve with all its semilandmarks, or none.
 /// @param set  the landmarks of its specimen
 Curve curveOf(CurveRows known, const LandmarkSet &set)
 {
@@ -382,24 +381,22 @@ Curve curveOf(CurveRows known, const LandmarkSet &set)
     const std::vector<CurveRows::Row> &rows = known.rows;
     const bool hasPlaces = std::any_of(rows.begin(), rows.end(), isGiven);
     if (const auto missing = std::find_if_not(rows.begin(), rows.end(), isGiven); hasPlaces && missing != rows.end())
-        throw Failure{missing->line,
-                      tr("this semilandmark has no coordinates, and others of the curve \"%1\" have; give "
-                         "all of them, or none",
-                         curve.name)};
+        fail(missing->line, tr("this semilandmark has no coordinates, and others of the curve \"%1\" have; give "
+                               "all of them, or none",
+                               curve.name));
     const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(rows.size(), kMostSemilandmarks));
     const bool isCounted = hasPlaces || rows.front().number > 0; // otherwise one row holds the curve's properties
     if (isCounted && count != (curve.count > 0 ? curve.count : std::max(count, std::uint32_t{2})))
-        throw Failure{
-            rows.back().line,
-            curve.count > 0
-                ? tr("the curve \"%1\" has %2 semilandmarks here, and curveCount is %3; give all of them, or one "
-                     "row without coordinates",
-                     curve.name, rows.size(), curve.count)
-                : tr("the curve \"%1\" has one semilandmark; a curve needs at least 2", curve.name)};
+        fail(rows.back().line,
+             curve.count > 0
+                 ? tr("the curve \"%1\" has %2 semilandmarks here, and curveCount is %3; give all of them, or one "
+                      "row without coordinates",
+                      curve.name, rows.size(), curve.count)
+                 : tr("the curve \"%1\" has one semilandmark; a curve needs at least 2", curve.name));
     if (!isCounted && rows.size() > 1)
-        throw Failure{rows[1].line, tr("the curve \"%1\" has a second row without coordinates; remove it, or give the "
-                                       "coordinates of its semilandmarks",
-                                       curve.name)};
+        fail(rows[1].line, tr("the curve \"%1\" has a second row without coordinates; remove it, or give the "
+                              "coordinates of its semilandmarks",
+                              curve.name));
     if (curve.count == 0)
         curve.count = std::max(count, std::uint32_t{2});
     for (const CurveRows::Row &row : rows) {
@@ -445,13 +442,15 @@ std::size_t trimmedTexts(const Cells &cells)
 void addTableNotes(Notes &notes, const Table &table)
 {
     if (table.header().isGuessed)
-        notes.add(LandmarkNote::Kind::HeaderMissing, 1, table.header().has(Name) ? "name,x,y,z" : "x,y,z");
+        notes.add({marked("the table has no first line that names its columns; they are read as %1")}, 1,
+                  {table.header().has(Name) ? "name,x,y,z" : "x,y,z"});
     if (table.mark().isComma())
-        notes.add(LandmarkNote::Kind::DecimalCommas);
-    if (table.paddingCount() > 0)
-        notes.add(LandmarkNote::Kind::EmptyRowsLeftOut, table.paddingCount());
+        notes.add(kDecimalCommas);
+    notes.add({marked("%1 empty row at the end of the table is left out"),
+               marked("%1 empty rows at the end of the table are left out")},
+              table.paddingCount());
     if (table.header().axes == Axes::Ras)
-        notes.add(LandmarkNote::Kind::AxesTurned);
+        notes.add(kTurned);
 }
 
 } // namespace
@@ -469,12 +468,11 @@ ReadLandmarks readCsv(std::string_view text)
     std::size_t rowNames = 0;
     while (cells.next()) {
         const CsvRow &row = cells.row();
-        if (const std::size_t count = trimmedTexts(cells); count > 0)
-            notes.add(LandmarkNote::Kind::BlanksLeftOut, count);
+        notes.add(kBlanksLeftOut, trimmedTexts(cells));
         const std::uint32_t placing =
             cells[Placing].empty() ? 1 : countOf(cells[Placing], row.line, kColumnNames[Placing]);
         if (placing == 0 || placing > kMostPlacings)
-            throw Failure{row.line, tr("placing is %1; write a whole number from 1 to %2", placing, kMostPlacings)};
+            fail(row.line, tr("placing is %1; write a whole number from 1 to %2", placing, kMostPlacings));
         const auto [place, isNew] = places.try_emplace({std::string(cells[Specimen]), placing}, read.sets.size());
         if (isNew) {
             LandmarkSet set;
@@ -488,9 +486,9 @@ ReadLandmarks readCsv(std::string_view text)
         LandmarkSet &set = read.sets[place->second];
         for (const auto &[column, known] : {std::pair(Mesh, &set.mesh), std::pair(Unit, &set.unit)}) {
             if (cells[column] != *known)
-                throw Failure{row.line, tr("%1 is \"%2\", and that of the rows before is \"%3\"; a specimen has one, "
-                                           "so give it in each of its rows",
-                                           kColumnNames[column], cells[column], *known)};
+                fail(row.line, tr("%1 is \"%2\", and that of the rows before is \"%3\"; a specimen has one, "
+                                  "so give it in each of its rows",
+                                  kColumnNames[column], cells[column], *known));
         }
         if (header.rowNames) { // row numbers have no meaning
             const std::string_view name = row.text(*header.rowNames);
@@ -509,13 +507,18 @@ ReadLandmarks readCsv(std::string_view text)
             }
             addToCurve(curves[known->second], cells, notes);
             if (saysMore(cells))
-                notes.add(LandmarkNote::Kind::CurveCellsLeftOut);
+                notes.add(kCurveCellsLeftOut);
         }
     }
-    if (cells.apostropheCount() > 0 && !isOurs(header))
-        notes.add(LandmarkNote::Kind::ApostrophesLeftOut, cells.apostropheCount());
-    if (rowNames > 0)
-        notes.add(LandmarkNote::Kind::RowNamesLeftOut, rowNames);
+    if (!isOurs(header))
+        notes.add(
+            {marked("the apostrophe before %1 text is left out; it keeps spreadsheets from computing what follows"),
+             marked("the apostrophes before %1 texts are left out; they keep spreadsheets from computing what "
+                    "follows")},
+            cells.apostropheCount());
+    notes.add({marked("%1 row name beside the names of the points is left out"),
+               marked("%1 row names beside the names of the points are left out")},
+              rowNames);
     read.notes = notes.take();
     for (CurveRows &rowsOfCurve : curves) {
         LandmarkSet &set = read.sets[rowsOfCurve.set];

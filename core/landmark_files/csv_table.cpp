@@ -70,7 +70,7 @@ Header headerOf(const CsvRow &row)
         const std::string text(row.cells[i].text);
         const std::size_t known = columnOf(text);
         if (!trimmed(text).empty() && !names.insert(known < kWrittenCount ? kColumnNames[known] : text).second)
-            throw Failure{row.line, tr("the column \"%1\" is there twice; rename one of them", text)};
+            fail(row.line, tr("the column \"%1\" is there twice; rename one of them", text));
         if (known < kWrittenCount)
             header.places[known] = i;
     }
@@ -193,7 +193,7 @@ void Table::readHeader(std::optional<char> separator)
         }
     }
     if (!first && !error)
-        throw Failure{1, tr("the file is empty; the first line names the columns, name,x,y,z at least")};
+        fail(1, tr("the file is empty; the first line names the columns, name,x,y,z at least"));
     for (std::size_t i = 0; first && i < candidates.size(); ++i) {
         if (std::optional<Header> guessed = guessedHeader(m_text, candidates[i])) {
             m_separator = candidates[i];
@@ -202,13 +202,13 @@ void Table::readHeader(std::optional<char> separator)
         }
     }
     if (error)
-        throw Failure{error->line, error->text};
+        fail(error->line, error->text);
     m_reader = CsvReader(m_text, separator.value_or(base::csvSeparatorOf(*first)));
     static_cast<void>(m_reader.next());
     for (const char *name : kPlain) {
         if (m_reader.row().column(name) == m_reader.row().cells.size())
-            throw Failure{m_reader.row().line,
-                          tr("there is no column %1; the first line names the columns, name,x,y,z at least", name)};
+            fail(m_reader.row().line,
+                 tr("there is no column %1; the first line names the columns, name,x,y,z at least", name));
     }
 }
 
@@ -237,7 +237,7 @@ void Table::survey()
         areFirstsWhole = areFirstsWhole && isWholeNumber(row.text(0));
     }
     if (m_reader.error())
-        throw Failure{m_reader.error()->line, m_reader.error()->text};
+        fail(m_reader.error()->line, m_reader.error()->text);
     m_paddingCount = count - m_rowCount;
     // A surplus comma in a table with commas, as in "Smith, John", would shift the names.
     const bool mayShift = m_separator == '\t' || m_separator == ' ';
@@ -286,13 +286,12 @@ bool Table::next()
     m_apostrophes += takeApostrophesOff(row);
     const std::size_t cells = row.cells.size();
     if (cells != m_header.count)
-        throw Failure{row.line,
-                      tr(cells > m_header.count
-                             ? "this row has %1 cells, and the first line names %2 columns; put a cell that has the "
-                               "separator in it in quotes"
-                             : "this row has fewer cells (%1) than the first line names columns (%2); leave cells "
-                               "without a value empty",
-                         cells, m_header.count)};
+        fail(row.line, tr(cells > m_header.count
+                              ? "this row has %1 cells, and the first line names %2 columns; put a cell that has the "
+                                "separator in it in quotes"
+                              : "this row has fewer cells (%1) than the first line names columns (%2); leave cells "
+                                "without a value empty",
+                          cells, m_header.count));
     return true;
 }
 

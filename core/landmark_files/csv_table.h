@@ -30,11 +30,11 @@ struct Header {
 /// A table: its rows after the header, each with as many cells as the header.
 class Table {
 public:
-    /// Finds the separator, the header, the last row and the decimal mark. Throws Failure.
+    /// Finds the separator, the header, the last row and the decimal mark.
     explicit Table(std::string_view text);
 
     /// Moves to the next row.
-    /// @return false after the last row. Throws Failure.
+    /// @return false after the last row.
     bool next();
     const base::CsvRow &row() const { return m_reader.row(); }
     const Header &header() const { return m_header; }

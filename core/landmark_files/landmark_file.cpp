@@ -16,23 +16,115 @@
 namespace unprojector::landmark_files {
 using namespace landmarks;
 using namespace base;
-using geometry::Result;
+namespace {
+
+struct FormatRow {
+    const char *suffix;
+    ReadLandmarks (*read)(std::string_view);
+    std::string (*write)(std::span<const LandmarkSet>, Notes &); ///< null for csvText
+    bool holdsSpecimens, holdsCurves;
+    FormatCapabilities holds;
+};
+
+const FormatRow &rowOf(Format format)
+{
+    static const std::array<FormatRow, kFormats.size()> kRows{{
+        {"csv",
+         readCsv,
+         nullptr,
+         true,
+         true,
+         {.names = true,
+          .objects = true,
+          .anchors = true,
+          .uncertainties = true,
+          .notes = true,
+          .colors = true,
+          .hidden = true,
+          .keys = true,
+          .absences = true,
+          .specimenName = true,
+          .placings = true,
+          .mesh = true,
+          .unit = true}},
+        {"pp", readMeshLab, meshLabText, false, false, {.names = true, .specimenKeys = true, .mesh = true}},
+        {"pptpl",
+         readMeshLabTemplate,
+         meshLabTemplateText,
+         false,
+         false,
+         {.names = true, .positions = false, .absences = true}},
+        {"mrk.json",
+         readSlicerJson,
+         slicerJsonText,
+         true,
+         true,
+         {.names = true,
+          .notes = true,
+          .hidden = true,
+          .keys = true,
+          .absences = true,
+          .specimenKeys = true,
+          .specimenName = true,
+          .unit = true}},
+        {"fcsv",
+         readSlicerCsv,
+         slicerCsvText,
+         false,
+         false,
+         {.names = true,
+          .notes = true,
+          .hidden = true,
+          .absences = true,
+          .ownKeys = {"id", "ow", "ox", "oy", "oz", "selected", "locked", "associatedNodeID", "autoCreated"}}},
+        {"pts", readIdav, idavText, false, false, {.names = true}},
+        {"tps",
+         readTps,
+         tpsText,
+         true,
+         true,
+         {.specimenKeys = true, .specimenName = true, .placings = true, .mesh = true}},
+        {"nts", readNts, ntsText, true, false, {.specimenName = true}},
+        {"landmarkAscii", readAmira, nullptr, false, false, {}},
+        {"ljson", readLandmarker, nullptr, false, false, {}},
+    }};
+    return kRows[static_cast<std::size_t>(format)];
+}
+
+std::string wordsWhere(bool (*is)(Format))
+{
+    std::string words;
+    for (const Format format : kFormats) {
+        if (is(format))
+            words += (words.empty() ? "" : ", ") + std::string(suffixOf(format));
+    }
+    return words;
+}
+
+/// The error for another suffix than those of formats: ".csv, .pp or .tps".
+Error wrongSuffix(bool (*is)(Format))
+{
+    std::string list, last;
+    for (const Format format : kFormats) {
+        if (!is(format))
+            continue;
+        if (!last.empty())
+            list += (list.empty() ? "" : ", ") + last;
+        last = '.' + std::string(suffixOf(format));
+    }
+    return {tr("the name must end in %1", tr("%1 or %2", list, last))};
+}
+
+bool isRead(Format)
+{
+    return true;
+}
+
+} // namespace
 
 const char *suffixOf(Format format)
 {
-    switch (format) {
-    case Format::Csv: return "csv";
-    case Format::MeshLab: return "pp";
-    case Format::MeshLabTemplate: return "pptpl";
-    case Format::SlicerJson: return "mrk.json";
-    case Format::SlicerCsv: return "fcsv";
-    case Format::Idav: return "pts";
-    case Format::Tps: return "tps";
-    case Format::Nts: return "nts";
-    case Format::LandmarkAscii: return "landmarkAscii";
-    case Format::Landmarker: return "ljson";
-    }
-    return "";
+    return rowOf(format).suffix;
 }
 
 std::optional<Format> formatOfSuffix(std::string_view suffix)
@@ -59,24 +151,17 @@ std::optional<Format> readFormatOf(const std::filesystem::path &file)
     return suffix == ".txt" || suffix == ".tsv" ? std::optional(Format::Csv) : formatOf(file);
 }
 
-namespace {
-
-template <class Is>
-std::string wordsWhere(const Is &is)
+Expected<Format, Error> writtenFormatOf(const std::filesystem::path &file)
 {
-    std::string words;
-    for (const Format format : kFormats) {
-        if (is(format))
-            words += (words.empty() ? "" : ", ") + std::string(suffixOf(format));
-    }
-    return words;
+    const std::optional<Format> format = formatOf(file);
+    if (format && isWritten(*format))
+        return *format;
+    return wrongSuffix(isWritten);
 }
-
-} // namespace
 
 std::string readWords()
 {
-    return wordsWhere([](Format) { return true; });
+    return wordsWhere(isRead);
 }
 
 std::string writtenWords()
@@ -84,129 +169,83 @@ std::string writtenWords()
     return wordsWhere(isWritten);
 }
 
-Result<ReadLandmarks, LandmarkFileError> parseLandmarks(std::string_view text, Format format, const std::string &name)
+void checkText(std::string_view &text)
 {
-    try {
-        if (text.size() > kMostLandmarkBytes)
-            throw Failure{0, {}, LandmarkFileError::Code::TooLarge};
-        if (text.find('\0') != text.npos || text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
-            throw Failure{0, tr("this is not a text in UTF-8; save it as UTF-8")};
-        // A name in Latin-1, if written unchanged, would make an XML or JSON file that other
-        // programs reject.
-        if (const std::size_t end = base::firstNotUtf8(text); end != text.npos)
-            throw Failure{static_cast<std::size_t>(std::count(text.begin(), text.begin() + end, '\n')) + 1,
-                          tr("this is not UTF-8; save the file as UTF-8")};
-        if (text.starts_with("\xef\xbb\xbf"))
-            text.remove_prefix(3);
-        switch (format) {
-        case Format::Csv: return readCsv(text);
-        case Format::MeshLab: return readMeshLab(text, false);
-        case Format::MeshLabTemplate: return readMeshLab(text, true);
-        case Format::SlicerJson: return readSlicerJson(text);
-        case Format::SlicerCsv: return readSlicerCsv(text);
-        case Format::Idav: return readIdav(text);
-        case Format::Tps: return readTps(text);
-        case Format::Nts: return readNts(text);
-        case Format::LandmarkAscii: return readAmira(text);
-        case Format::Landmarker: return readLandmarker(text);
-        }
-        return LandmarkFileError{LandmarkFileError::Code::UnknownFormat, name, 0, {}};
-    } catch (const Failure &failure) {
-        return failure.in(name);
-    }
+    if (text.size() > kMostLandmarkBytes)
+        fail(0, tr("a file of landmarks may have at most %1 MiB", kMostLandmarkBytes >> 20));
+    if (text.find('\0') != text.npos || text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+        fail(0, tr("this is not a text in UTF-8; save it as UTF-8"));
+    // A name in Latin-1, if written unchanged, would make an XML or JSON file that other
+    // programs reject.
+    if (const std::size_t end = firstNotUtf8(text); end != text.npos)
+        fail(static_cast<std::size_t>(std::count(text.begin(), text.begin() + end, '\n')) + 1,
+             tr("this is not UTF-8; save the file as UTF-8"));
+    if (text.starts_with("\xef\xbb\xbf"))
+        text.remove_prefix(3);
 }
 
-namespace {
-
-/// The only set; throws Failure if there are several.
-const LandmarkSet &onlyOf(std::span<const LandmarkSet> sets, Format format)
+Expected<ReadLandmarks, Error> parseLandmarks(std::string_view text, Format format, const std::string &name)
 {
-    if (sets.size() == 1)
-        return sets.front();
-    throw Failure{0,
-                  tr(".%1 holds one specimen, and there are %2; take .csv, .tps, .nts or .mrk.json", suffixOf(format),
-                     sets.size()),
-                  LandmarkFileError::Code::CannotHold};
+    const auto parse = [&] {
+        checkText(text);
+        return rowOf(format).read(text);
+    };
+    return caught(parse, name);
 }
 
-std::string textOf(std::span<const LandmarkSet> sets, Format format, base::CellTexts texts, Notes &notes)
+std::string textOf(std::span<const LandmarkSet> sets, Format format, CellTexts texts, Notes &notes,
+                   const std::string &absent)
 {
-    switch (format) {
-    case Format::Csv: return csvText(sets, texts, notes);
-    case Format::MeshLab: return meshLabText(onlyOf(sets, format), notes);
-    case Format::MeshLabTemplate: return meshLabTemplateText(onlyOf(sets, format), notes);
-    case Format::SlicerJson: return slicerJsonText(sets, notes);
-    case Format::SlicerCsv: return slicerCsvText(onlyOf(sets, format), notes);
-    case Format::Idav: return idavText(onlyOf(sets, format), notes);
-    case Format::Tps: return tpsText(sets, notes);
-    case Format::Nts: return ntsText(sets, notes);
-    case Format::LandmarkAscii:
-    case Format::Landmarker: throw Failure{0, {}, LandmarkFileError::Code::NotWritten};
-    }
-    return {};
+    const FormatRow &row = rowOf(format);
+    if (!isWritten(format))
+        throw wrongSuffix(isWritten);
+    if (sets.size() != 1 && !row.holdsSpecimens)
+        fail(0, tr(".%1 holds one specimen, and there are %2; take .csv, .tps, .nts or .mrk.json", row.suffix,
+                   sets.size()));
+    addLosses(notes, sets, row.holds);
+    return row.write ? row.write(sets, notes) : csvText(sets, texts, notes, absent);
 }
-
-/// The least number of bytes of a point in .mrk.json.
-constexpr std::size_t kLeastJsonBytes = 200;
-
-} // namespace
 
 void checkSize(std::size_t bytes)
 {
     if (bytes > kMostLandmarkBytes)
-        throw Failure{0,
-                      tr("the file would have %1 MiB or more, and a file of landmarks may have at most %2 MiB; write "
-                         "fewer points, or a format that takes less",
-                         (bytes >> 20) + 1, kMostLandmarkBytes >> 20),
-                      LandmarkFileError::Code::CannotHold};
+        fail(0, tr("the file would have %1 MiB or more, and a file of landmarks may have at most %2 MiB; write "
+                   "fewer points, or a format that takes less",
+                   (bytes >> 20) + 1, kMostLandmarkBytes >> 20));
 }
 
-Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const LandmarkSet> sets, Format format,
-                                                          base::CellTexts texts)
+Expected<WrittenLandmarks, Error> landmarksText(std::span<const LandmarkSet> sets, Format format, CellTexts texts)
 {
-    Notes notes;
-    try {
-        const bool hasCurves =
-            std::any_of(sets.begin(), sets.end(), [](const LandmarkSet &set) { return !set.curves.empty(); });
-        std::vector<LandmarkSet> plain;
-        const bool holdsCurves = format == Format::Csv || format == Format::Tps || format == Format::SlicerJson;
-        if (hasCurves && !holdsCurves) {
-            plain = withCurvesAsPoints(sets, notes);
-            sets = plain;
-        }
-        if (format == Format::SlicerJson) { // check before gigabytes are built
-            std::size_t points = 0;
-            for (const LandmarkSet &set : sets) {
-                points += set.landmarks.size();
-                for (const Curve &curve : set.curves)
-                    points += curve.semilandmarks.size();
-            }
-            checkSize(points * kLeastJsonBytes);
-        }
-        std::string text = textOf(sets, format, texts, notes);
-        checkSize(text.size());
-        return WrittenLandmarks{std::move(text), notes.take()};
-    } catch (const Failure &failure) {
-        return failure.in({});
-    }
+    return caught([&] {
+        Notes notes;
+        const std::vector<LandmarkSet> plain =
+            rowOf(format).holdsCurves ? std::vector<LandmarkSet>() : withCurvesAsPoints(sets, notes);
+        WrittenLandmarks written{textOf(rowOf(format).holdsCurves ? sets : std::span(plain), format, texts, notes), {}};
+        checkSize(written.text.size());
+        written.notes = notes.take();
+        return written;
+    });
 }
 
-Result<std::string, LandmarkFileError> readText(const std::filesystem::path &file)
+Expected<std::string, Error> readText(const std::filesystem::path &file)
 {
-    const auto failed = [&file](LandmarkFileError::Code code) {
-        return LandmarkFileError{code, utf8FromPath(file), 0, {}};
+    const auto failed = [&file](Error::Kind kind, std::string text) {
+        return Error{.text = std::move(text), .file = utf8FromPath(file), .kind = kind};
+    };
+    const auto notReadable = [&] {
+        return failed(Error::Kind::File, tr("the file cannot be read; check its permissions"));
     };
     std::error_code system;
     const std::filesystem::file_status status = std::filesystem::status(file, system);
     if (status.type() == std::filesystem::file_type::not_found)
-        return failed(LandmarkFileError::Code::NotFound);
+        return failed(Error::Kind::NoFile, tr("there is no such file"));
     if (std::filesystem::is_directory(status))
-        return failed(LandmarkFileError::Code::IsDirectory);
+        return failed(Error::Kind::File, tr("this is a folder, not a file of landmarks"));
     std::ifstream stream;
     if (std::filesystem::is_regular_file(status)) // opening a named pipe may block forever
         stream.open(file, std::ios::binary);
     if (!stream.is_open())
-        return failed(LandmarkFileError::Code::NotReadable);
+        return notReadable();
     std::string text;
     std::array<char, 65536> block;
     do {
@@ -214,38 +253,39 @@ Result<std::string, LandmarkFileError> readText(const std::filesystem::path &fil
         text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
     } while (stream && text.size() <= kMostLandmarkBytes);
     if (stream.bad())
-        return failed(LandmarkFileError::Code::NotReadable);
+        return notReadable();
     return text;
 }
 
-Result<ReadLandmarks, LandmarkFileError> readLandmarkFile(const std::filesystem::path &file)
+Expected<ReadLandmarks, Error> readLandmarkFile(const std::filesystem::path &file)
 {
-    const std::string name = utf8FromPath(file);
     const std::optional<Format> format = readFormatOf(file);
-    if (!format)
-        return LandmarkFileError{LandmarkFileError::Code::UnknownFormat, name, 0, {}};
-    const Result<std::string, LandmarkFileError> text = readText(file);
-    if (!text)
-        return text.error();
-    return parseLandmarks(*text, *format, name);
-}
-
-Result<std::vector<LandmarkNote>, LandmarkFileError> writeLandmarkFile(const std::filesystem::path &file,
-                                                                       std::span<const LandmarkSet> sets)
-{
-    const std::string name = utf8FromPath(file);
-    const std::optional<Format> format = formatOf(file);
-    if (!format)
-        return LandmarkFileError{LandmarkFileError::Code::NotWritten, name, 0, {}};
-    const Result<WrittenLandmarks, LandmarkFileError> text = landmarksText(sets, *format);
-    if (!text) {
-        LandmarkFileError error = text.error();
-        error.file = name;
+    if (!format) {
+        Error error = wrongSuffix(isRead);
+        error.file = utf8FromPath(file);
         return error;
     }
-    if (const Done written = replaceFile(file, text->text); !written)
-        return LandmarkFileError{LandmarkFileError::Code::NotWritable, name, 0, written.error().text};
-    return text->notes;
+    const Expected<std::string, Error> text = readText(file);
+    if (!text)
+        return text.error();
+    return parseLandmarks(*text, *format, utf8FromPath(file));
+}
+
+Expected<std::vector<Note>, Error> writeLandmarkFile(const std::filesystem::path &file,
+                                                     std::span<const LandmarkSet> sets)
+{
+    const auto write = [&] {
+        const Expected<Format, Error> format = writtenFormatOf(file);
+        if (!format)
+            throw format.error();
+        const Expected<WrittenLandmarks, Error> text = landmarksText(sets, *format);
+        if (!text)
+            throw text.error();
+        if (const Done written = replaceFile(file, text->text); !written)
+            throw written.error();
+        return text->notes;
+    };
+    return caught(write, utf8FromPath(file));
 }
 
 } // namespace unprojector::landmark_files

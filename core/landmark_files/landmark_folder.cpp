@@ -210,7 +210,7 @@ LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, std::span
         }
         auto result = readLandmarkFile(file);
         if (!result) {
-            read.reports.push_back(errorText(result.error()));
+            read.reports.push_back(result.error().message());
             read.badFiles.push_back(name);
             continue;
         }
@@ -222,7 +222,7 @@ LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, std::span
             continue;
         }
         tellSamePlacing(read, file);
-        for (const LandmarkNote &note : landmarks.notes)
+        for (const Note &note : landmarks.notes)
             notes.push_back({name, note});
         for (std::size_t i = 0; i < landmarks.sets.size(); ++i) {
             LandmarkSet &set = landmarks.sets[i];

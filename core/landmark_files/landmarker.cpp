@@ -11,17 +11,11 @@
 #include <cmath>
 
 namespace unprojector::landmark_files {
-using namespace geometry;
 using namespace landmarks;
+using base::Json;
+using base::marked;
 using base::tr;
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-[[noreturn]] void fail(const std::string &what)
-{
-    throw Failure{0, what};
-}
 
 /// @param key  key of the point, for the message
 Landmark landmarkOf(const Json &point, const std::string &key)
@@ -30,32 +24,32 @@ Landmark landmarkOf(const Json &point, const std::string &key)
     if (point.is_null())
         return landmark;
     if (point.is_array() && point.size() == 2)
-        fail(tr("%1 has two coordinates: these are points in an image, not in space", key));
+        fail(0, tr("%1 has two coordinates: these are points in an image, not in space", key));
     if (!point.is_array() || point.size() != 3)
-        fail(tr("%1 is not a point; write three numbers, or null for a missing one", key));
+        fail(0, tr("%1 is not a point; write three numbers, or null for a missing one", key));
     if (std::all_of(point.begin(), point.end(), [](const Json &value) { return value.is_null(); }))
         return landmark;
     glm::dvec3 v(0.0);
     for (std::size_t i = 0; i < 3; ++i) {
         if (!base::isJsonNumber(point[i]))
-            fail(tr("%1 is not a point; write three numbers, or null for a missing one", key));
+            fail(0, tr("%1 is not a point; write three numbers, or null for a missing one", key));
         v[static_cast<int>(i)] = base::valueOfJsonNumber(point[i]);
     }
-    landmark.world = WorldPoint(v);
+    landmark.world = geometry::WorldPoint(v);
     return landmark;
 }
 
 const Json &listOf(const Json &object, const char *name, const std::string &key)
 {
     if (!object.is_object() || !object.contains(name) || !object[name].is_array())
-        fail(tr("%1 has no list \"%2\"", key, name));
+        fail(0, tr("%1 has no list \"%2\"", key, name));
     return object[name];
 }
 
 std::string labelOf(const Json &object, const std::string &key)
 {
     if (!object.is_object() || !object.contains("label") || !object["label"].is_string())
-        fail(tr("%1 has no text \"%2\"", key, "label"));
+        fail(0, tr("%1 has no text \"%2\"", key, "label"));
     return object["label"].get<std::string>();
 }
 
@@ -68,8 +62,9 @@ std::string nameOf(const std::string &label, std::size_t index, std::size_t coun
 
 void noteLinks(const Json &object, Notes &notes)
 {
-    if (object.contains("connectivity") && object["connectivity"].is_array() && !object["connectivity"].empty())
-        notes.add(LandmarkNote::Kind::LinksLeftOut, object["connectivity"].size());
+    if (object.contains("connectivity") && object["connectivity"].is_array())
+        notes.add({marked("%1 line between two points is left out"), marked("%1 lines between points are left out")},
+                  object["connectivity"].size());
 }
 
 /// Parses {"labels": [{"label": "eye", "mask": [0, 1]}], "landmarks": {"points": [[x, y, z]],
@@ -78,7 +73,7 @@ LandmarkSet setOf(const Json &group, const std::string &key, Notes &notes)
 {
     LandmarkSet set;
     if (!group.is_object() || !group.contains("landmarks"))
-        fail(tr("%1 has no \"landmarks\"; is it another file?", key));
+        fail(0, tr("%1 has no \"landmarks\"; is it another file?", key));
     const Json &points = listOf(group["landmarks"], "points", key + "landmarks");
     noteLinks(group["landmarks"], notes);
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -97,8 +92,8 @@ LandmarkSet setOf(const Json &group, const std::string &key, Notes &notes)
             const std::size_t point =
                 mask[k].is_number_unsigned() ? mask[k].get<std::size_t>() : std::size_t(points.size());
             if (point >= points.size())
-                fail(tr("%1.mask names point %2, and there are %3, counted from 0", place, base::compactJson(mask[k]),
-                        points.size()));
+                fail(0, tr("%1.mask names point %2, and there are %3, counted from 0", place,
+                           base::compactJson(mask[k]), points.size()));
             if (mask.size() < fewest[point]) {
                 fewest[point] = mask.size();
                 set.landmarks[point].name = nameOf(label, k, mask.size());
@@ -120,7 +115,7 @@ LandmarkSet firstVersion(const Json &groups, Notes &notes)
         for (std::size_t k = 0; k < points.size(); ++k) {
             const std::string place = key + ".landmarks[" + std::to_string(k) + ']';
             if (!points[k].is_object() || !points[k].contains("point"))
-                fail(tr("%1 has no \"point\"", place));
+                fail(0, tr("%1 has no \"point\"", place));
             Landmark landmark = landmarkOf(points[k]["point"], place + ".point");
             landmark.name = nameOf(label, k, points.size());
             set.landmarks.push_back(std::move(landmark));
@@ -135,7 +130,7 @@ ReadLandmarks readLandmarker(std::string_view text)
 {
     const auto json = base::parseJson(text);
     if (!json)
-        throw failureOf(json.error());
+        throw json.error();
     ReadLandmarks read;
     Notes notes;
     if (json->is_object() && json->contains("groups") && (*json)["groups"].is_object()) {
@@ -151,7 +146,8 @@ ReadLandmarks readLandmarker(std::string_view text)
         read.sets.push_back(setOf(*json, {}, notes));
     }
     if (read.sets.empty())
-        fail(tr("there are neither \"landmarks\" nor \"groups\", which hold the points of landmarker.io; is it another "
+        fail(0,
+             tr("there are neither \"landmarks\" nor \"groups\", which hold the points of landmarker.io; is it another "
                 "file?"));
     read.notes = notes.take();
     return read;

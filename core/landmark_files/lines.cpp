@@ -17,65 +17,91 @@
 namespace unprojector::landmark_files {
 using namespace geometry;
 using namespace landmarks;
+using base::marked;
 using base::quoted;
 using base::tr;
 
+void fail(std::size_t line, std::string text)
+{
+    throw base::Error{.text = std::move(text), .line = static_cast<int>(line)};
+}
+
 bool Lines::next()
 {
-    if (m_rest.empty())
+    m_scanner.skipBlankLines();
+    if (m_scanner.isAtEnd())
         return false;
-    const std::size_t end = std::min(m_rest.find_first_of("\r\n"), m_rest.size());
-    m_line = trimmed(m_rest.substr(0, end));
-    const bool isCrLf = end + 1 < m_rest.size() && m_rest[end] == '\r' && m_rest[end + 1] == '\n';
-    m_rest.remove_prefix(std::min(end + (isCrLf ? 2 : 1), m_rest.size()));
-    ++m_number;
+    m_number = m_scanner.line();
+    m_line = m_scanner.restOfLine();
     return true;
 }
 
-bool Lines::nextFilled()
+std::string upperCase(std::string_view text)
 {
-    while (next()) {
-        if (!m_line.empty())
-            return true;
-    }
-    return false;
+    std::string upper(text);
+    for (char &c : upper)
+        c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    return upper;
 }
 
 std::vector<std::string_view> wordsOf(std::string_view line)
 {
     std::vector<std::string_view> words;
-    for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
-        const std::size_t end = std::min(line.find_first_of(" \t\v\f"), line.size());
-        words.push_back(line.substr(0, end));
-        line.remove_prefix(end);
-    }
+    base::TextScanner scanner(line);
+    for (std::string_view word = scanner.nextWord(); !word.empty(); word = scanner.nextWord())
+        words.push_back(word);
     return words;
 }
 
 double numberOf(std::string_view word, std::size_t line, std::string_view what)
 {
     const std::optional<double> value = base::doubleFromWord(trimmed(word));
-    if (value && std::isfinite(*value))
-        return *value;
-    throw Failure{line, tr(word.find(',') == word.npos ? "%1 is %2; write a number"
-                                                       : "%1 is %2; write a number with a decimal point",
-                           tr(what), quoted(word))};
+    if (!value || !std::isfinite(*value))
+        fail(line, tr(word.find(',') == word.npos ? "%1 is %2; write a number"
+                                                  : "%1 is %2; write a number with a decimal point",
+                      tr(what), quoted(word)));
+    return *value;
 }
 
 std::uint32_t countOf(std::string_view word, std::size_t line, std::string_view what)
 {
     const std::optional<long long> value = base::integerFromWord(trimmed(word));
-    if (value && *value >= 0 && *value <= std::numeric_limits<std::uint32_t>::max())
-        return static_cast<std::uint32_t>(*value);
-    throw Failure{line, tr("%1 is %2; write a whole number, 0 or more", tr(what), quoted(word))};
+    if (!value || *value < 0 || *value > std::numeric_limits<std::uint32_t>::max())
+        fail(line, tr("%1 is %2; write a whole number, 0 or more", tr(what), quoted(word)));
+    return static_cast<std::uint32_t>(*value);
 }
 
-void appendNumbers(std::string &text, const glm::dvec3 &v, char separator)
+bool isMissingWord(std::string_view word)
 {
+    constexpr std::array<std::string_view, 6> kWords{"na", "nan", "n/a", "#n/a", "null", "none"};
+    return std::find(kWords.begin(), kWords.end(), lowerCase(word)) != kWords.end();
+}
+
+Landmark landmarkAt(std::span<const std::string_view> words, std::size_t line,
+                    const std::function<bool(std::string_view)> &isMissing)
+{
+    Landmark landmark;
+    const auto missing = static_cast<std::size_t>(std::count_if(words.begin(), words.end(), isMissing));
+    if (missing == words.size())
+        return landmark;
+    if (missing > 0)
+        fail(line, tr("some coordinates of a point are missing and some are not; a point is missing as a whole"));
+    glm::dvec3 v(0.0);
+    for (std::size_t i = 0; i < words.size(); ++i)
+        v[static_cast<int>(i)] = numberOf(words[i], line, kAxes[i]);
+    landmark.world = WorldPoint(v);
+    return landmark;
+}
+
+std::string numbersText(const glm::dvec3 &v, char separator)
+{
+    std::string text;
     for (int i = 0; i < 3; ++i) {
-        text += separator;
+        if (i > 0)
+            text += separator;
         base::appendNumber(text, v[i]);
     }
+    return text;
 }
 
 WorldPoint turned(const WorldPoint &point, Axes axes)
@@ -83,45 +109,93 @@ WorldPoint turned(const WorldPoint &point, Axes axes)
     return axes == Axes::Ras ? WorldPoint(0.0 - point.x, 0.0 - point.y, point.z) : point; // no -0
 }
 
-void Notes::add(LandmarkNote::Kind kind, std::size_t count, const std::string &detail)
+base::Json takenFrom(base::JsonValue &object, const char *key)
 {
-    const auto [place, isNew] = m_places.try_emplace({kind, detail}, m_notes.size());
-    if (isNew)
-        m_notes.push_back({kind, count, detail});
-    else
-        m_notes[place->second].count += count;
+    base::Json value;
+    if (object.json().contains(key)) {
+        base::Json &json = object.edit();
+        value = std::move(json[key]);
+        json.erase(key);
+        if (json.empty())
+            json = nullptr;
+    }
+    return value;
 }
 
 namespace {
 
-/// Collects the keys of several objects, each once.
-class Keys {
-    // The program's own: the edge that a placed landmark's pixel touches is a part of its anchor.
-    static constexpr const char *kEdgeKey = "pixelEdge";
+constexpr NoteText kNameTwice{marked("%1 has several landmarks named \"%2\"; the table numbers them")},
+    kSpellingsKept{marked("%1 has both \"%2\" and \"%3\", so they are two landmarks in all specimens; rename one if "
+                          "they are the same")};
+constexpr NoteText kKeysLeftOut{marked("the other values of %1 landmark are left out: %2"),
+                                marked("the other values of %1 landmarks are left out: %2")},
+    kSpecimenKeysLeftOut{marked("other values of %1 specimen are left out: %2"),
+                         marked("other values of %1 specimens are left out: %2")},
+    kMeshLeftOut{marked("the name of the mesh, \"%1\", is left out")};
 
+/// A property of landmarks that a format may lack.
+struct Loss {
+    bool FormatCapabilities::*isHeld;
+    NoteText text;
+    bool (*has)(const Landmark &);
+    bool isOfEveryTable = true;
+};
+constexpr std::array kLosses{
+    Loss{&FormatCapabilities::names,
+         {marked("the names of %1 landmark are left out; only their order is kept"),
+          marked("the names of %1 landmarks are left out; only their order is kept")},
+         [](const Landmark &l) { return !l.name.empty(); },
+         false},
+    Loss{
+        &FormatCapabilities::positions,
+        {marked("the coordinates of %1 landmark are left out"), marked("the coordinates of %1 landmarks are left out")},
+        [](const Landmark &l) { return l.isPlaced(); },
+        false},
+    Loss{&FormatCapabilities::objects,
+         {marked("the objects of %1 landmark are left out"), marked("the objects of %1 landmarks are left out")},
+         [](const Landmark &l) { return !l.object.empty(); }},
+    Loss{&FormatCapabilities::anchors,
+         {marked("the anchor of %1 landmark (triangle, vertex or edge) is left out"),
+          marked("the anchors of %1 landmarks (triangles, vertices or edges) are left out")},
+         [](const Landmark &l) { return !std::holds_alternative<Free>(l.anchor); }},
+    Loss{&FormatCapabilities::uncertainties,
+         {marked("the uncertainties of %1 landmark are left out"),
+          marked("the uncertainties of %1 landmarks are left out")},
+         [](const Landmark &l) { return l.uncertainty.has_value(); }},
+    Loss{&FormatCapabilities::notes,
+         {marked("the notes of %1 landmark are left out"), marked("the notes of %1 landmarks are left out")},
+         [](const Landmark &l) { return !l.note.empty(); }},
+    Loss{&FormatCapabilities::colors,
+         {marked("the colours of %1 landmark are left out"), marked("the colours of %1 landmarks are left out")},
+         [](const Landmark &l) { return l.color.has_value(); }},
+    Loss{&FormatCapabilities::hidden,
+         {marked("%1 hidden landmark is written as any other"), marked("%1 hidden landmarks are written as any other")},
+         [](const Landmark &l) { return l.isHidden; }},
+};
+
+/// The keys of several objects, each once, and the number of objects.
+class Keys {
 public:
-    void add(const nlohmann::ordered_json &extra)
+    /// @param held  keys that are not lost
+    void add(const base::Json &extra, std::span<const std::string_view> held = {})
     {
-        if (!extra.is_object() || extra.empty() || (extra.size() == 1 && extra.contains(kEdgeKey)))
-            return;
-        ++m_count;
-        for (auto it = extra.begin(); it != extra.end(); ++it) {
-            if (it.key() != kEdgeKey && std::find(m_names.begin(), m_names.end(), it.key()) == m_names.end())
-                m_names.push_back(it.key());
+        bool isAny = false;
+        for (const auto &[key, value] : extra.items()) {
+            // The program's own: the edge that a placed landmark's pixel touches is a part of its anchor.
+            if (key == "pixelEdge" || std::find(held.begin(), held.end(), key) != held.end())
+                continue;
+            isAny = true;
+            if (m_known.insert(key).second)
+                list += (list.empty() ? "" : ", ") + key;
         }
+        count += isAny ? 1 : 0;
     }
-    void tell(Notes &notes, LandmarkNote::Kind kind) const
-    {
-        std::string list;
-        for (const std::string &name : m_names)
-            list += (list.empty() ? "" : ", ") + name;
-        if (m_count > 0)
-            notes.add(kind, m_count, list);
-    }
+
+    std::string list;
+    std::size_t count = 0;
 
 private:
-    std::size_t m_count = 0;
-    std::vector<std::string> m_names;
+    std::set<std::string> m_known;
 };
 
 /// Adds a note where landmarks have no position for different reasons, which then look alike.
@@ -134,58 +208,76 @@ void noteAbsences(Notes &notes, std::span<const LandmarkSet> sets)
                 ++counts[static_cast<std::size_t>(landmark.absence)];
         }
     }
-    if (std::count(counts.begin(), counts.end(), std::size_t{0}) > 1)
-        return;
-    notes.add(LandmarkNote::Kind::AbsencesLeftOut, counts[0] + counts[1] + counts[2],
-              tr("not placed: %1, skipped: %2, missing: %3", counts[0], counts[1], counts[2]));
+    if (std::count(counts.begin(), counts.end(), std::size_t{0}) < 2)
+        notes.add({marked("%1 points have no position, for different reasons (not placed: %2, skipped: %3, missing: "
+                          "%4); the reasons are left out")},
+                  1,
+                  {std::to_string(counts[0] + counts[1] + counts[2]), std::to_string(counts[0]),
+                   std::to_string(counts[1]), std::to_string(counts[2])});
 }
 
 } // namespace
 
+void Notes::add(const NoteText &text, std::size_t count, std::vector<std::string> values)
+{
+    if (count == 0)
+        return;
+    const auto [known, isNew] = m_indices.try_emplace({text.one, values}, m_notes.size());
+    if (isNew)
+        m_notes.push_back({text.one, std::move(values), text.many, count});
+    else
+        m_notes[known->second].count += count;
+}
+
+void Notes::addKeys(const std::string &names, std::size_t count)
+{
+    add(kKeysLeftOut, count, {names});
+}
+
+void Notes::addSpecimenKeys(const std::string &names, std::size_t count)
+{
+    add(kSpecimenKeysLeftOut, count, {names});
+}
+
+bool isOfEveryTable(const base::Note &note)
+{
+    return note.one == kKeysLeftOut.one || note.one == kSpecimenKeysLeftOut.one || note.one == kMeshLeftOut.one
+           || std::any_of(kLosses.begin(), kLosses.end(),
+                          [&](const Loss &loss) { return loss.isOfEveryTable && loss.text.one == note.one; });
+}
+
 void addLosses(Notes &notes, std::span<const LandmarkSet> sets, const FormatCapabilities &format)
 {
-    using Kind = LandmarkNote::Kind;
-    const auto count = [&](bool isHeld, Kind kind, const auto &has) {
-        std::size_t sum = 0;
-        for (const LandmarkSet &set : sets)
-            sum +=
-                isHeld ? 0 : static_cast<std::size_t>(std::count_if(set.landmarks.begin(), set.landmarks.end(), has));
-        if (sum > 0)
-            notes.add(kind, sum);
-    };
-    count(format.names, Kind::NamesLeftOut, [](const Landmark &l) { return !l.name.empty(); });
-    count(format.positions, Kind::PositionsLeftOut, [](const Landmark &l) { return l.isPlaced(); });
-    count(format.objects, Kind::ObjectsLeftOut, [](const Landmark &l) { return !l.object.empty(); });
-    count(format.anchors, Kind::HoldsLeftOut,
-          [](const Landmark &l) { return !std::holds_alternative<Free>(l.anchor); });
-    count(format.uncertainties, Kind::UncertaintiesLeftOut,
-          [](const Landmark &l) { return l.uncertainty.has_value(); });
-    count(format.notes, Kind::NotesLeftOut, [](const Landmark &l) { return !l.note.empty(); });
-    count(format.colors, Kind::ColorsLeftOut, [](const Landmark &l) { return l.color.has_value(); });
-    count(format.hidden, Kind::HiddenLeftOut, [](const Landmark &l) { return l.isHidden; });
+    for (const Loss &loss : kLosses) {
+        for (const LandmarkSet &set : sets) {
+            if (!(format.*loss.isHeld))
+                notes.add(loss.text, static_cast<std::size_t>(
+                                         std::count_if(set.landmarks.begin(), set.landmarks.end(), loss.has)));
+        }
+    }
     if (!format.absences)
         noteAbsences(notes, sets);
     Keys keys, specimenKeys;
     for (const LandmarkSet &set : sets) {
         for (const Landmark &landmark : set.landmarks) {
             if (!format.keys)
-                keys.add(landmark.extra.json());
+                keys.add(landmark.extra.json(), format.ownKeys);
         }
         if (!format.specimenKeys)
             specimenKeys.add(set.extra.json());
         if (!format.specimenName && !set.name.empty())
-            notes.add(Kind::SpecimenNameLeftOut, 1, set.name);
+            notes.add({marked("the name of the specimen, \"%1\", is left out")}, 1, {set.name});
         if (!format.placings && set.placing > 1)
-            notes.add(Kind::PlacingsLeftOut);
-        if (!set.measures.empty()) // they have a file of their own
-            notes.add(Kind::MeasuresLeftOut, set.measures.size());
+            notes.add({marked("the placing of %1 specimen, which is not its first, is left out"),
+                       marked("the placings of %1 specimens, which are not their first, are left out")});
+        notes.add(kMeasuresLeftOut, set.measures.size()); // they have a file of their own
         if (!format.mesh && !set.mesh.empty())
-            notes.add(Kind::MeshLeftOut, 1, set.mesh);
+            notes.add(kMeshLeftOut, 1, {set.mesh});
         if (!format.unit && !set.unit.empty())
-            notes.add(Kind::UnitLeftOut, 1, set.unit);
+            notes.add({marked("the unit, %1, is left out")}, 1, {set.unit});
     }
-    keys.tell(notes, Kind::KeysLeftOut);
-    specimenKeys.tell(notes, Kind::SpecimenKeysLeftOut);
+    notes.addKeys(keys.list, keys.count);
+    notes.addSpecimenKeys(specimenKeys.list, specimenKeys.count);
 }
 
 std::string nameOf(const Curve &curve, std::size_t index)
@@ -250,11 +342,13 @@ std::vector<LandmarkSet> withCurvesAsPoints(std::span<const LandmarkSet> sets, N
             const std::string name = nameOf(curve, i);
             const CurvePart part = partOf(curve, set);
             if (curve.semilandmarks.empty())
-                notes.add(LandmarkNote::Kind::CurveUnknown, 1, name);
-            else if (part.size() > 0)
-                notes.add(LandmarkNote::Kind::CurvesAsPoints, part.size());
-            if (part.sharedCount() > 0)
-                notes.add(LandmarkNote::Kind::CurveEndsShared, part.sharedCount());
+                notes.add(kCurveUnknown, 1, {name});
+            notes.add({marked("%1 semilandmark is written as points behind the others, named by their curve; what the "
+                              "curves go through is left out"),
+                       marked("%1 semilandmarks are written as points behind the others, named by their curve; what "
+                              "the curves go through is left out")},
+                      part.size());
+            notes.add(kCurveEndsShared, part.sharedCount());
             for (std::size_t k = part.begin; k < part.end; ++k) {
                 Landmark &landmark = semilandmarks.emplace_back();
                 landmark.name = semilandmarkName(name, k, curve.semilandmarks.size());
@@ -316,7 +410,8 @@ std::string PlainNames::of(const std::string &name, const std::string &instead)
 {
     std::string plain = name.empty() ? instead : name;
     for (char &c : plain) {
-        if (static_cast<unsigned char>(c) < ' ' || c == '\x7f' || m_bad.find(c) != m_bad.npos)
+        const bool isControl = static_cast<unsigned char>(c) < ' ' || c == '\x7f';
+        if ((isControl && m_good.find(c) == m_good.npos) || m_bad.find(c) != m_bad.npos)
             c = '_';
     }
     if (m_isUnique) {
@@ -325,14 +420,8 @@ std::string PlainNames::of(const std::string &name, const std::string &instead)
             plain = stem + '_' + std::to_string(number);
     }
     if (plain != name)
-        m_notes.add(LandmarkNote::Kind::NameChanged, 1, tr("\"%1\" as \"%2\"", name, plain));
+        m_notes.add(kNameChanged, 1, {name, plain});
     return plain;
-}
-
-bool isMissingWord(std::string_view word)
-{
-    constexpr std::array<std::string_view, 6> kWords{"na", "nan", "n/a", "#n/a", "null", "none"};
-    return std::find(kWords.begin(), kWords.end(), lowerCase(word)) != kWords.end();
 }
 
 void checkUnits(std::span<const LandmarkSet> sets, std::span<const std::string> names, Notes &notes)
@@ -343,34 +432,66 @@ void checkUnits(std::span<const LandmarkSet> sets, std::span<const std::string> 
         std::optional<std::size_t> &first = unit.empty() ? without : with;
         first = first.value_or(i);
         if (!unit.empty() && lowerCase(trimmed(unit)) != lowerCase(trimmed(sets[*with].unit)))
-            throw Failure{0,
-                          tr("%1 is in %2 and %3 in %4; write both in the same unit first", names[*with],
-                             sets[*with].unit, names[i], unit),
-                          LandmarkFileError::Code::CannotHold};
+            fail(0, tr("%1 is in %2 and %3 in %4; write both in the same unit first", names[*with], sets[*with].unit,
+                       names[i], unit));
     }
     if (with && without)
-        notes.add(LandmarkNote::Kind::UnitUnknown, 1,
-                  tr("%1 is in %2, and %3 does not say its unit", names[*with], sets[*with].unit, names[*without]));
+        notes.add({marked("%1 is in %2, and %3 does not say its unit; its coordinates are read in that unit")}, 1,
+                  {names[*with], sets[*with].unit, names[*without]});
 }
 
 void addNameNotes(Notes &notes, const DistinctNames &distinct, std::span<const LandmarkSet> sets,
                   std::span<const std::string> names)
 {
     for (const auto &[name, other] : distinct.respelled)
-        notes.add(LandmarkNote::Kind::NameChanged, 1, tr("\"%1\" as \"%2\"", name, other));
+        notes.add(kNameChanged, 1, {name, other});
     for (const KeptSpellings &kept : distinct.kept) {
         if (!names[kept.set].empty())
-            notes.add(LandmarkNote::Kind::SpellingsKept, 1,
-                      tr("%1 has both \"%2\" and \"%3\"", names[kept.set], kept.first, kept.second));
+            notes.add(kSpellingsKept, 1, {names[kept.set], kept.first, kept.second});
     }
     for (std::size_t i = 0; i < sets.size(); ++i) {
         std::map<std::string, int> counts;
         for (const Landmark &landmark : sets[i].landmarks) {
             if (!names[i].empty() && !landmark.name.empty() && ++counts[landmark.name] == 2)
-                notes.add(LandmarkNote::Kind::NameTwice, 1,
-                          tr("%1 has several landmarks named \"%2\"", names[i], landmark.name));
+                notes.add(kNameTwice, 1, {names[i], landmark.name});
         }
     }
+}
+
+std::vector<std::string> noteLines(const std::vector<FileNote> &notes)
+{
+    constexpr std::size_t kMostLines = 3;
+    const auto isListed = [](std::string_view text) { // each names another landmark
+        return text == kNameChanged.one || text == kNameTwice.one || text == kSpellingsKept.one;
+    };
+    std::vector<std::vector<FileNote>> groups; ///< of one text
+    std::map<std::string_view, std::size_t> indices;
+    for (const FileNote &note : notes) {
+        const auto [known, isNew] = indices.try_emplace(note.note.one, groups.size());
+        if (isNew)
+            groups.emplace_back();
+        groups[known->second].push_back(note);
+    }
+    std::vector<std::string> lines;
+    for (const std::vector<FileNote> &group : groups) {
+        const auto &[file, first] = group.front();
+        base::Note sum = first;
+        sum.count = 0;
+        bool areEqual = true;
+        for (const FileNote &each : group) {
+            sum.count += each.note.count;
+            areEqual = areEqual && each.note.values == sum.values;
+        }
+        if (group.size() <= kMostLines || isListed(first.one)) {
+            for (const FileNote &each : group)
+                lines.push_back(each.file + ": " + each.note.text());
+        } else if (areEqual) {
+            lines.push_back(tr("%1 files: %2", group.size(), sum.text()));
+        } else {
+            lines.push_back(tr("%1: %2 (and %3 more notes like this one)", file, first.text(), group.size() - 1));
+        }
+    }
+    return lines;
 }
 
 } // namespace unprojector::landmark_files

@@ -2,11 +2,14 @@
 
 #include "core/base/csv.h"
 #include "core/base/text_scanner.h"
+#include "core/base/translation.h"
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmarks/distinct_names.h"
 #include "core/landmarks/landmark.h"
 
+#include <array>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -18,63 +21,104 @@
 
 namespace unprojector::landmark_files {
 
-// Shared parts of the readers and writers of all formats.
+// Shared parts of the readers and writers of all formats. They throw a base::Error where they cannot
+// continue.
 
-/// Thrown by a reader where it cannot continue.
-struct Failure {
-    std::size_t line; ///< counted from 1; 0: no line
-    std::string text; ///< the error and its remedy
-    LandmarkFileError::Code code = LandmarkFileError::Code::Malformed;
+/// @param line  counted from 1; 0: no line
+[[noreturn]] void fail(std::size_t line, std::string text);
 
-    LandmarkFileError in(const std::string &file) const { return {code, file, line, text}; }
-};
-
-/// The lines of a text, ended by LF, CRLF or CR.
+/// The lines of a text that are not blank.
 class Lines {
 public:
-    explicit Lines(std::string_view text) : m_rest(text) {}
+    explicit Lines(std::string_view text) : m_scanner(text) {}
 
     /// Moves to the next line.
     /// @return false at the end of the text
     bool next();
-    /// Moves to the next line that is not blank.
-    bool nextFilled();
     /// The line without blanks around it.
     std::string_view text() const { return m_line; }
     std::size_t number() const { return m_number; }
+    [[noreturn]] void fail(std::string text) const { landmark_files::fail(m_number, std::move(text)); }
 
 private:
-    std::string_view m_rest, m_line;
+    base::TextScanner m_scanner;
+    std::string_view m_line;
     std::size_t m_number = 0;
 };
 
 using base::lowerCase;
 using base::trimmed;
+std::string upperCase(std::string_view text);
 /// The words of a line.
 std::vector<std::string_view> wordsOf(std::string_view line);
 
-/// Parses a finite number. Throws Failure.
+inline constexpr std::array kAxes{"x", "y", "z"};
+
+/// Parses a finite number.
 /// @param what  name of the number, for the message
 double numberOf(std::string_view word, std::size_t line, std::string_view what);
-/// Parses a whole number from 0 to 4294967295. Throws Failure.
+/// Parses a whole number from 0 to 4294967295.
 std::uint32_t countOf(std::string_view word, std::size_t line, std::string_view what);
+/// True if a word means "no number": NA, NaN, N/A, #N/A, null or none, in any case.
+bool isMissingWord(std::string_view word);
+/// Parses two or three coordinates: a landmark without a position if all are missing.
+landmarks::Landmark landmarkAt(std::span<const std::string_view> words, std::size_t line,
+                               const std::function<bool(std::string_view)> &isMissing = isMissingWord);
 
-/// Appends numbers, each after a separator.
-void appendNumbers(std::string &text, const glm::dvec3 &v, char separator);
+/// Three numbers, each after the separator but the first.
+std::string numbersText(const glm::dvec3 &v, char separator = ' ');
 
 /// Converts to or from the axes of the file: in RAS x and y have the opposite sign.
 geometry::WorldPoint turned(const geometry::WorldPoint &point, landmarks::Axes axes);
 
-/// Collects notes: each kind and detail once, with the sum of its counts.
+/// Removes a value from an object; null if it is missing.
+base::Json takenFrom(base::JsonValue &object, const char *key);
+
+/// The texts of a base::Note.
+struct NoteText {
+    std::string_view one, many = {};
+};
+
+/// Collects notes: each text with its values once, with the sum of its counts.
 class Notes {
 public:
-    void add(LandmarkNote::Kind kind, std::size_t count = 1, const std::string &detail = {});
-    std::vector<LandmarkNote> take() { return std::move(m_notes); }
+    void add(const NoteText &text, std::size_t count = 1, std::vector<std::string> values = {});
+    void addKeys(const std::string &names, std::size_t count = 1);         ///< of landmarks
+    void addSpecimenKeys(const std::string &names, std::size_t count = 1); ///< of specimens
+    std::vector<base::Note> take() { return std::move(m_notes); }
 
 private:
-    std::vector<LandmarkNote> m_notes;
-    std::map<std::pair<LandmarkNote::Kind, std::string>, std::size_t> m_places;
+    std::vector<base::Note> m_notes;
+    std::map<std::pair<std::string_view, std::vector<std::string>>, std::size_t> m_indices;
 };
+
+// Notes of several formats.
+inline constexpr NoteText kNameChanged{base::marked("the name \"%1\" as \"%2\"")},
+    kCurveUnknown{base::marked("the curve \"%1\" has no semilandmarks and is left out: its path is computed when its "
+                               "mesh is open")},
+    kDecimalCommas{base::marked("the numbers have a decimal comma: 1,5 is one and a half")},
+    kTurned{base::marked("the file is in RAS; x and y are negated, so that the points lie on a mesh as 3D Slicer reads "
+                         "one (LPS)")},
+    kBlanksLeftOut{base::marked("the blanks around %1 cell text are removed; put the text in quotes to keep them"),
+                   base::marked("the blanks around %1 cell texts are removed; put the texts in quotes to keep them")},
+    kCommentsLeftOut{base::marked("%1 comment is left out"), base::marked("%1 comments are left out")},
+    kCurveCellsLeftOut{base::marked("%1 semilandmark has more than a name and a position, which is left out"),
+                       base::marked("%1 semilandmarks have more than a name and a position, which is left out")},
+    kCurveEndsShared{base::marked("%1 end of a curve is a landmark and is not written again"),
+                     base::marked("%1 ends of curves are landmarks and are not written again")},
+    kFlatPoints{base::marked("%1 point has two coordinates; z is 0"),
+                base::marked("%1 points have two coordinates; z is 0")},
+    kHadPosition{base::marked("%1 point is marked as not placed and had coordinates, which are left out"),
+                 base::marked("%1 points are marked as not placed and had coordinates, which are left out")},
+    kMeasuresLeftOut{base::marked("%1 measure of the protocol is left out; save the protocol in a file of its own"),
+                     base::marked("%1 measures of the protocol are left out; save the protocol in a file of its own")},
+    kPreviewsLeftOut{
+        base::marked("%1 point is a preview, which was not placed in 3D Slicer; it has no position here"),
+        base::marked("%1 points are previews, which were not placed in 3D Slicer; they have no position here")},
+    kSkippedLeftOut{base::marked("%1 skipped point is written as not placed"),
+                    base::marked("%1 skipped points are written as not placed")};
+/// Returns whether the note is about a property that tables of coordinates never have.
+bool isOfEveryTable(const base::Note &note);
 
 /// The properties that a format can hold.
 struct FormatCapabilities {
@@ -82,6 +126,7 @@ struct FormatCapabilities {
          colors = false, hidden = false, keys = false;
     bool absences = false; ///< the reasons why landmarks have no position
     bool specimenKeys = false, specimenName = false, placings = false, mesh = false, unit = false;
+    std::vector<std::string_view> ownKeys = {}; ///< keys of landmarks that have a place of their own
 };
 /// Adds notes about properties of the sets that the format cannot hold.
 void addLosses(Notes &notes, std::span<const landmarks::LandmarkSet> sets, const FormatCapabilities &format);
@@ -110,31 +155,34 @@ std::string semilandmarkName(const std::string &curve, std::size_t index, std::s
 /// Converts names to a format's limits: without certain characters, and unique if requested.
 class PlainNames {
 public:
-    /// @param bad  characters replaced by '_', as are all below the blank
-    PlainNames(std::string_view bad, bool isUnique, Notes &notes) : m_bad(bad), m_isUnique(isUnique), m_notes(notes) {}
+    /// @param bad   characters replaced by '_', as are control characters
+    /// @param good  those that are not
+    PlainNames(std::string_view bad, bool isUnique, Notes &notes, std::string_view good = {})
+        : m_bad(bad), m_good(good), m_isUnique(isUnique), m_notes(notes)
+    {
+    }
 
     /// @param instead  replaces an empty name
     std::string of(const std::string &name, const std::string &instead = {});
 
 private:
-    std::string_view m_bad;
+    std::string_view m_bad, m_good;
     bool m_isUnique;
     Notes &m_notes;
     std::set<std::string> m_given;
     std::map<std::string, std::size_t> m_next; ///< next number for a name that was used before
 };
 
-/// True if a word means "no number": NA, NaN, N/A, #N/A, null or none, in any case.
-bool isMissingWord(std::string_view word);
-
 /// Reads a file, at most a byte more than kMostLandmarkBytes and a block.
-/// @return NotFound, IsDirectory, NotReadable
-geometry::Result<std::string, LandmarkFileError> readText(const std::filesystem::path &file);
-/// Throws Failure if a file of that size could not be read again.
+/// @return errors of kinds NoFile and File
+base::Expected<std::string, base::Error> readText(const std::filesystem::path &file);
+/// Fails for a text that is too large or not UTF-8. Removes a byte order mark.
+void checkText(std::string_view &text);
+/// Fails if a file of that size could not be read again.
 void checkSize(std::size_t bytes);
 
 /// Checks that sets have one unit, because numbers of several units can be neither averaged nor
-/// compared. Throws Failure. Sets without a unit beside others get a note.
+/// compared. Sets without a unit beside others get a note.
 /// @param names  of the sets, for messages
 void checkUnits(std::span<const landmarks::LandmarkSet> sets, std::span<const std::string> names, Notes &notes);
 
@@ -144,12 +192,21 @@ void checkUnits(std::span<const landmarks::LandmarkSet> sets, std::span<const st
 void addNameNotes(Notes &notes, const landmarks::DistinctNames &distinct, std::span<const landmarks::LandmarkSet> sets,
                   std::span<const std::string> names);
 
-/// The failure for an error of a JSON document: its position is the key, or line and column.
-Failure failureOf(const base::Error &error);
+/// The result of a function that throws errors.
+template <class Make>
+auto caught(const Make &make, const std::string &file = {}) -> base::Expected<decltype(make()), base::Error>
+{
+    try {
+        return make();
+    } catch (base::Error &error) {
+        error.file = file;
+        return error;
+    }
+}
 
-// One pair per format. Readers throw Failure.
 ReadLandmarks readCsv(std::string_view text);
-ReadLandmarks readMeshLab(std::string_view text, bool isTemplate);
+ReadLandmarks readMeshLab(std::string_view text);
+ReadLandmarks readMeshLabTemplate(std::string_view text);
 ReadLandmarks readSlicerJson(std::string_view text);
 ReadLandmarks readSlicerCsv(std::string_view text);
 ReadLandmarks readIdav(std::string_view text);
@@ -160,14 +217,18 @@ ReadLandmarks readLandmarker(std::string_view text);
 
 /// Returns whether a set is a second or later placing.
 bool hasSeveralPlacings(std::span<const landmarks::LandmarkSet> sets);
-/// @param absent  stands for each coordinate of a landmark without a position
+/// The text of a file, with notes about what the format cannot hold.
+/// @param absent  stands in .csv for each coordinate of a landmark without a position
+std::string textOf(std::span<const landmarks::LandmarkSet> sets, Format format, base::CellTexts texts, Notes &notes,
+                   const std::string &absent = {});
+// The writers of textOf.
 std::string csvText(std::span<const landmarks::LandmarkSet> sets, base::CellTexts texts, Notes &notes,
-                    const std::string &absent = {});
-std::string meshLabText(const landmarks::LandmarkSet &set, Notes &notes);
-std::string meshLabTemplateText(const landmarks::LandmarkSet &set, Notes &notes);
+                    const std::string &absent);
+std::string meshLabText(std::span<const landmarks::LandmarkSet> sets, Notes &notes);
+std::string meshLabTemplateText(std::span<const landmarks::LandmarkSet> sets, Notes &notes);
 std::string slicerJsonText(std::span<const landmarks::LandmarkSet> sets, Notes &notes);
-std::string slicerCsvText(const landmarks::LandmarkSet &set, Notes &notes);
-std::string idavText(const landmarks::LandmarkSet &set, Notes &notes);
+std::string slicerCsvText(std::span<const landmarks::LandmarkSet> sets, Notes &notes);
+std::string idavText(std::span<const landmarks::LandmarkSet> sets, Notes &notes);
 std::string tpsText(std::span<const landmarks::LandmarkSet> sets, Notes &notes);
 std::string ntsText(std::span<const landmarks::LandmarkSet> sets, Notes &notes);
 

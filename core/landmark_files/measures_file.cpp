@@ -3,7 +3,6 @@
 #include "core/base/csv.h"
 #include "core/base/path_text.h"
 #include "core/base/translation.h"
-#include "core/base/utf8.h"
 #include "core/landmark_files/lines.h"
 #include "core/landmarks/protocol.h"
 
@@ -15,8 +14,9 @@
 namespace unprojector::landmark_files {
 using namespace landmarks;
 using base::CsvRow;
+using base::Error;
+using base::Expected;
 using base::tr;
-using geometry::Result;
 namespace {
 
 std::string kindWords()
@@ -27,7 +27,7 @@ std::string kindWords()
     return words;
 }
 
-/// The measure of a row. Throws Failure.
+/// The measure of a row.
 KeptMeasure measureOf(CsvRow &row)
 {
     while (!row.cells.empty() && row.cells.back().text.empty()) // padding of a spreadsheet
@@ -35,26 +35,24 @@ KeptMeasure measureOf(CsvRow &row)
     KeptMeasure measure;
     measure.name = row.text(0);
     if (measure.name.empty())
-        throw Failure{row.line, tr("the measure has no name; write one into the first cell")};
+        fail(row.line, tr("the measure has no name; write one into the first cell"));
     const std::string kind = lowerCase(row.text(1));
     const auto known = std::find(kMeasureKinds.begin(), kMeasureKinds.end(), kind);
     if (known == kMeasureKinds.end())
-        throw Failure{row.line, tr("\"%1\" is no kind of measure; write one of %2", kind, kindWords())};
+        fail(row.line, tr("\"%1\" is no kind of measure; write one of %2", kind, kindWords()));
     measure.kind = static_cast<MeasureKind>(known - kMeasureKinds.begin());
     for (std::size_t i = 2; i < row.cells.size(); ++i) {
         if (row.cells[i].text.empty())
-            throw Failure{row.line,
-                          tr("there is an empty cell between the landmarks of \"%1\"; remove it", measure.name)};
+            fail(row.line, tr("there is an empty cell between the landmarks of \"%1\"; remove it", measure.name));
         measure.landmarks.emplace_back(row.cells[i].text);
     }
     const MeasureSize size = sizeOf(measure.kind);
     const std::size_t count = measure.landmarks.size();
     if (count < size.fewest || count > size.most)
-        throw Failure{row.line,
-                      tr(size.most == size.fewest ? "a measure of the kind %1 has %2 landmarks, and \"%3\" has %4"
-                                                  : "a measure of the kind %1 has %2 landmarks or more, and "
-                                                    "\"%3\" has %4",
-                         kind, size.fewest, measure.name, count)};
+        fail(row.line, tr(size.most == size.fewest ? "a measure of the kind %1 has %2 landmarks, and \"%3\" has %4"
+                                                   : "a measure of the kind %1 has %2 landmarks or more, and "
+                                                     "\"%3\" has %4",
+                          kind, size.fewest, measure.name, count));
     return measure;
 }
 
@@ -66,20 +64,17 @@ bool isMeasuresFile(const std::filesystem::path &file)
     return lowerCase(base::utf8FromPath(file.filename())).ends_with(kSuffix);
 }
 
-Result<std::vector<KeptMeasure>, LandmarkFileError> parseMeasures(std::string_view text, const std::string &name)
+Expected<std::vector<KeptMeasure>, Error> parseMeasures(std::string_view text, const std::string &name)
 {
-    try {
-        if (text.starts_with("\xef\xbb\xbf"))
-            text.remove_prefix(3);
-        if (text.find('\0') != text.npos || base::firstNotUtf8(text) != text.npos)
-            throw Failure{0, tr("this is not a text in UTF-8; save it as UTF-8")};
+    const auto parse = [&] {
+        checkText(text);
         const std::optional<char> separator = base::takeSeparatorLine(text);
         const std::string_view first = text.substr(0, text.find_first_of("\r\n"));
         base::CsvReader reader(text, separator.value_or(base::csvSeparatorOf(first)));
         const bool hasHeader =
             reader.next() && lowerCase(reader.row().text(0)) == "name" && lowerCase(reader.row().text(1)) == "kind";
         if (!hasHeader && !reader.error())
-            throw Failure{1, tr("this is no list of measures; its first line is name,kind,landmarks")};
+            fail(1, tr("this is no list of measures; its first line is name,kind,landmarks"));
         std::vector<KeptMeasure> measures;
         std::set<std::string> names;
         while (reader.next()) {
@@ -87,24 +82,21 @@ Result<std::vector<KeptMeasure>, LandmarkFileError> parseMeasures(std::string_vi
                 continue;
             measures.push_back(measureOf(reader.row()));
             if (!names.insert(measures.back().name).second)
-                throw Failure{reader.row().line,
-                              tr("the measure \"%1\" is there twice; rename one of them", measures.back().name)};
+                fail(reader.row().line,
+                     tr("the measure \"%1\" is there twice; rename one of them", measures.back().name));
         }
         if (reader.error())
-            throw Failure{reader.error()->line, reader.error()->text};
+            fail(reader.error()->line, reader.error()->text);
         return measures;
-    } catch (const Failure &failure) {
-        return failure.in(name);
-    }
+    };
+    return caught(parse, name);
 }
 
-Result<std::vector<KeptMeasure>, LandmarkFileError> readMeasures(const std::filesystem::path &file)
+Expected<std::vector<KeptMeasure>, Error> readMeasures(const std::filesystem::path &file)
 {
-    const Result<std::string, LandmarkFileError> text = readText(file);
+    const Expected<std::string, Error> text = readText(file);
     if (!text)
         return text.error();
-    if (text->size() > kMostLandmarkBytes)
-        return LandmarkFileError{LandmarkFileError::Code::TooLarge, base::utf8FromPath(file), 0, {}};
     return parseMeasures(*text, base::utf8FromPath(file));
 }
 

@@ -27,13 +27,11 @@ bool isMeasuresFile(const std::filesystem::path &file);
 
 /// Reads a protocol. Kinds are landmarks::kMeasureKinds.
 /// @param name  of the file, for errors
-/// @return Malformed: a row without a name, with an unknown kind, a wrong number of landmarks, or a
+/// @return an error: a row without a name, with an unknown kind, a wrong number of landmarks, or a
 ///         name of another row
-geometry::Result<std::vector<landmarks::KeptMeasure>, LandmarkFileError> parseMeasures(std::string_view text,
-                                                                                       const std::string &name);
-/// @return NotFound, IsDirectory, NotReadable, TooLarge, and the errors of parseMeasures
-geometry::Result<std::vector<landmarks::KeptMeasure>, LandmarkFileError>
-readMeasures(const std::filesystem::path &file);
+base::Expected<std::vector<landmarks::KeptMeasure>, base::Error> parseMeasures(std::string_view text,
+                                                                               const std::string &name);
+base::Expected<std::vector<landmarks::KeptMeasure>, base::Error> readMeasures(const std::filesystem::path &file);
 
 std::string measuresText(std::span<const landmarks::KeptMeasure> measures);
 

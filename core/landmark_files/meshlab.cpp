@@ -67,9 +67,8 @@ public:
                 if (!tag.ends_with('/'))
                     ++level;
                 if (level > kMostLevels)
-                    throw Failure{
-                        m_line,
-                        tr("elements are nested deeper than %1 levels; a file of picked points has two", kMostLevels)};
+                    fail(m_line,
+                         tr("elements are nested deeper than %1 levels; a file of picked points has two", kMostLevels));
                 i = end;
             }
         }
@@ -124,7 +123,7 @@ Tree treeOf(const std::string &text, std::size_t firstLine)
         boost::property_tree::read_xml(stream, tree, boost::property_tree::xml_parser::trim_whitespace);
         return tree;
     } catch (const boost::property_tree::xml_parser_error &error) {
-        throw Failure{error.line() + firstLine - 1, tr("this is not XML: %1", error.message())};
+        fail(error.line() + firstLine - 1, tr("this is not XML: %1", error.message()));
     }
 }
 
@@ -145,7 +144,7 @@ void forEachPiece(std::string_view text, const std::string &root, const Outline 
         const Tree tree = treeOf(piece, start.line);
         const auto points = tree.get_child_optional(root);
         if (!points)
-            throw Failure{1, tr("there is no <%1>, which holds the points of MeshLab; is it another file?", root)};
+            fail(1, tr("there is no <%1>, which holds the points of MeshLab; is it another file?", root));
         take(*points);
         start = end;
     }
@@ -190,8 +189,7 @@ Landmark pointOf(const Tree &point, std::size_t line, std::size_t number, bool i
     glm::dvec3 v(0.0);
     const std::string active = attributeOf(point, "active").value_or("1");
     if (active != "0" && active != "1")
-        throw Failure{line, tr("active of %1 is %2; write 1, or 0 where it is not placed", who, base::quoted(active))};
-    constexpr std::array kAxes{"x", "y", "z"};
+        fail(line, tr("active of %1 is %2; write 1, or 0 where it is not placed", who, base::quoted(active)));
     const bool isMissing = std::all_of(kAxes.begin(), kAxes.end(), [&point](const char *axis) {
         return isMissingWord(attributeOf(point, axis).value_or(std::string()));
     });
@@ -200,12 +198,12 @@ Landmark pointOf(const Tree &point, std::size_t line, std::size_t number, bool i
         if (value)
             v[static_cast<int>(i)] = numberOf(*value, line, tr("%1 of %2", kAxes[i], who));
         else if (active == "1")
-            throw Failure{line, tr("%1 of %2 is missing; give it, or write active=\"0\"", kAxes[i], who)};
+            fail(line, tr("%1 of %2 is missing; give it, or write active=\"0\"", kAxes[i], who));
     }
     if (active == "1" && !isTemplate && !isMissing)
         landmark.world = WorldPoint(v);
     else if (v != glm::dvec3(0.0))
-        notes.add(LandmarkNote::Kind::MissingHadPosition);
+        notes.add(kHadPosition);
     constexpr std::array kKnown{"x", "y", "z", "active", "name"};
     const Json attributes = attributesOf(point);
     for (auto it = attributes.begin(); it != attributes.end(); ++it) {
@@ -215,15 +213,13 @@ Landmark pointOf(const Tree &point, std::size_t line, std::size_t number, bool i
     return landmark;
 }
 
-} // namespace
-
-ReadLandmarks readMeshLab(std::string_view text, bool isTemplate)
+ReadLandmarks read(std::string_view text, bool isTemplate)
 {
     const char *root = isTemplate ? "PickPointsTemplate" : "PickedPoints";
     const Outline outline(text);
-    ReadLandmarks read;
+    ReadLandmarks found;
     Notes notes;
-    LandmarkSet &set = read.sets.emplace_back();
+    LandmarkSet &set = found.sets.emplace_back();
     forEachPiece(text, root, outline, [&](const Tree &points) {
         for (const auto &[tag, element] : points) {
             const std::size_t number = set.landmarks.size();
@@ -232,18 +228,16 @@ ReadLandmarks readMeshLab(std::string_view text, bool isTemplate)
             else if (tag == kDocumentData)
                 readDocumentData(element, set);
             else if (tag == "<xmlcomment>")
-                notes.add(LandmarkNote::Kind::CommentsLeftOut);
+                notes.add(kCommentsLeftOut);
             else
-                notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, tag);
+                notes.addSpecimenKeys(tag);
         }
     });
-    read.notes = notes.take();
-    return read;
+    found.notes = notes.take();
+    return found;
 }
 
 // ---- writing ------------------------------------------------------------------------------------
-
-namespace {
 
 void appendAttribute(std::string &text, const std::string &name, std::string_view value)
 {
@@ -280,25 +274,7 @@ bool isXmlName(const std::string &name)
               });
 }
 
-/// Replaces characters that XML cannot hold even escaped.
-class XmlNames {
-public:
-    explicit XmlNames(Notes &notes) : m_notes(notes) {}
-    std::string of(const std::string &name)
-    {
-        std::string held = name;
-        for (char &c : held) {
-            if (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\r' && c != '\t')
-                c = '_';
-        }
-        if (held != name)
-            m_notes.add(LandmarkNote::Kind::NameChanged, 1, tr("\"%1\" as \"%2\"", name, held));
-        return held;
-    }
-
-private:
-    Notes &m_notes;
-};
+constexpr std::string_view kEscaped = "\n\r\t\x7f"; ///< control characters that XML can hold
 
 /// The elements of DocumentData other than the mesh's name, as they were read. Elements that do not
 /// fit get a note.
@@ -308,12 +284,12 @@ std::string documentData(const LandmarkSet &set, Notes &notes)
     bool hasTemplate = false;
     for (auto it = set.extra.json().begin(); it != set.extra.json().end(); ++it) {
         if (it.key() != kDocumentData || !it->is_object()) {
-            notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, it.key());
+            notes.addSpecimenKeys(it.key());
             continue;
         }
         for (auto element = it->begin(); element != it->end(); ++element) {
             if (!isXmlName(element.key()) || !element->is_object()) {
-                notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, element.key());
+                notes.addSpecimenKeys(element.key());
                 continue;
             }
             hasTemplate = hasTemplate || element.key() == kTemplateName;
@@ -330,10 +306,20 @@ std::string documentData(const LandmarkSet &set, Notes &notes)
 
 } // namespace
 
-std::string meshLabText(const LandmarkSet &set, Notes &notes)
+ReadLandmarks readMeshLab(std::string_view text)
 {
-    addLosses(notes, {&set, 1}, {.names = true, .specimenKeys = true, .mesh = true});
-    XmlNames names(notes);
+    return read(text, false);
+}
+
+ReadLandmarks readMeshLabTemplate(std::string_view text)
+{
+    return read(text, true);
+}
+
+std::string meshLabText(std::span<const LandmarkSet> sets, Notes &notes)
+{
+    const LandmarkSet &set = sets.front();
+    PlainNames names("", false, notes, kEscaped);
     std::string text = "<!DOCTYPE PickedPoints>\n<PickedPoints>\n <DocumentData>\n  <DataFileName";
     appendAttribute(text, "name", names.of(set.mesh));
     text += "/>\n" + documentData(set, notes) + " </DocumentData>\n";
@@ -347,12 +333,11 @@ std::string meshLabText(const LandmarkSet &set, Notes &notes)
     return text + "</PickedPoints>\n";
 }
 
-std::string meshLabTemplateText(const LandmarkSet &set, Notes &notes)
+std::string meshLabTemplateText(std::span<const LandmarkSet> sets, Notes &notes)
 {
-    addLosses(notes, {&set, 1}, {.names = true, .positions = false, .absences = true});
-    XmlNames names(notes);
+    PlainNames names("", false, notes, kEscaped);
     std::string text = "<!DOCTYPE PickPointsTemplate>\n<PickPointsTemplate>\n";
-    for (const Landmark &landmark : set.landmarks) {
+    for (const Landmark &landmark : sets.front().landmarks) {
         text += " <point";
         appendAttribute(text, "name", names.of(landmark.name));
         text += "/>\n";

@@ -12,36 +12,34 @@ namespace unprojector::landmark_files {
 using base::tr;
 using landmarks::RepeatedLandmark;
 
-geometry::Result<WrittenLandmarks, LandmarkFileError> repeatsTable(std::span<const RepeatedSpecimen> specimens,
-                                                                   base::CellTexts texts)
+base::Expected<WrittenLandmarks, base::Error> repeatsTable(std::span<const RepeatedSpecimen> specimens,
+                                                           base::CellTexts texts)
 {
-    Notes notes;
-    try {
+    return caught([&] {
+        Notes notes;
         for (const RepeatedSpecimen &specimen : specimens) {
             checkUnits(specimen.placings, specimen.files, notes);
             addNameNotes(notes, landmarks::distinctNames(specimen.placings), specimen.placings, specimen.files);
         }
-    } catch (const Failure &failure) {
-        return failure.in({});
-    }
-    std::string text = "specimen,name,placings,x,y,z,error,farthest\n";
-    base::RowWriter row(text, texts);
-    for (const RepeatedSpecimen &specimen : specimens) {
-        for (const RepeatedLandmark &repeated : landmarks::repeatsOf(specimen.placings)) {
-            row.text(specimen.name);
-            row.text(repeated.name);
-            row.plain(std::to_string(repeated.count));
-            for (int axis = 0; axis < 3; ++axis)
-                row.numberOr("", repeated.mean ? std::optional((*repeated.mean)[axis]) : std::nullopt);
-            row.numberOr("", repeated.error);
-            if (repeated.mean)
-                row.numberOrNothing(repeated.farthest);
-            else
-                row.nothing();
-            row.endRow();
+        std::string text = "specimen,name,placings,x,y,z,error,farthest\n";
+        base::RowWriter row(text, texts);
+        for (const RepeatedSpecimen &specimen : specimens) {
+            for (const RepeatedLandmark &repeated : landmarks::repeatsOf(specimen.placings)) {
+                row.text(specimen.name);
+                row.text(repeated.name);
+                row.plain(std::to_string(repeated.count));
+                for (int axis = 0; axis < 3; ++axis)
+                    row.numberOr("", repeated.mean ? std::optional((*repeated.mean)[axis]) : std::nullopt);
+                row.numberOr("", repeated.error);
+                if (repeated.mean)
+                    row.numberOrNothing(repeated.farthest);
+                else
+                    row.nothing();
+                row.endRow();
+            }
         }
-    }
-    return WrittenLandmarks{std::move(text), notes.take()};
+        return WrittenLandmarks{std::move(text), notes.take()};
+    });
 }
 
 landmarks::MeasurementError measurementErrorOf(std::span<const RepeatedSpecimen> specimens)
@@ -67,43 +65,41 @@ std::vector<std::string> errorRemarks(const landmarks::MeasurementError &error)
     return remarks;
 }
 
-geometry::Result<WrittenLandmarks, LandmarkFileError> errorsTable(std::span<const RepeatedSpecimen> specimens,
-                                                                  base::CellTexts texts)
+base::Expected<WrittenLandmarks, base::Error> errorsTable(std::span<const RepeatedSpecimen> specimens,
+                                                          base::CellTexts texts)
 {
-    Notes notes;
-    RepeatedSpecimen all; // an error over all specimens has one unit
-    for (const RepeatedSpecimen &specimen : specimens) {
-        for (const landmarks::LandmarkSet &placing : specimen.placings)
-            all.placings.emplace_back().unit = placing.unit;
-        all.files.insert(all.files.end(), specimen.files.begin(), specimen.files.end());
-    }
-    try {
-        checkUnits(all.placings, all.files, notes);
-    } catch (const Failure &failure) {
-        return failure.in({});
-    }
-    const landmarks::MeasurementError found = measurementErrorOf(specimens);
-    std::string text = "landmark,specimens,placings,error,icc1,icc2";
-    for (const int placing : found.placings)
-        text += ",error_" + std::to_string(placing) + ",bias_" + std::to_string(placing);
-    text += '\n';
-    base::RowWriter row(text, texts);
-    const auto append = [&row](const std::string &name, const landmarks::LandmarkError &error) {
-        row.text(name);
-        row.plain(std::to_string(error.specimens));
-        row.plain(std::to_string(error.placings));
-        for (const std::optional<double> &value : {error.error, error.icc1, error.icc2})
-            row.numberOr("NA", value);
-        for (const landmarks::PlacingError &placing : error.byPlacing) {
-            row.numberOr("NA", placing.error);
-            row.numberOr("NA", placing.bias);
+    return caught([&] {
+        Notes notes;
+        RepeatedSpecimen all; // an error over all specimens has one unit
+        for (const RepeatedSpecimen &specimen : specimens) {
+            for (const landmarks::LandmarkSet &placing : specimen.placings)
+                all.placings.emplace_back().unit = placing.unit;
+            all.files.insert(all.files.end(), specimen.files.begin(), specimen.files.end());
         }
-        row.endRow();
-    };
-    for (const landmarks::LandmarkError &error : found.landmarks)
-        append(error.name, error);
-    append("(all)", found.all);
-    return WrittenLandmarks{std::move(text), notes.take()};
+        checkUnits(all.placings, all.files, notes);
+        const landmarks::MeasurementError found = measurementErrorOf(specimens);
+        std::string text = "landmark,specimens,placings,error,icc1,icc2";
+        for (const int placing : found.placings)
+            text += ",error_" + std::to_string(placing) + ",bias_" + std::to_string(placing);
+        text += '\n';
+        base::RowWriter row(text, texts);
+        const auto append = [&row](const std::string &name, const landmarks::LandmarkError &error) {
+            row.text(name);
+            row.plain(std::to_string(error.specimens));
+            row.plain(std::to_string(error.placings));
+            for (const std::optional<double> &value : {error.error, error.icc1, error.icc2})
+                row.numberOr("NA", value);
+            for (const landmarks::PlacingError &placing : error.byPlacing) {
+                row.numberOr("NA", placing.error);
+                row.numberOr("NA", placing.bias);
+            }
+            row.endRow();
+        };
+        for (const landmarks::LandmarkError &error : found.landmarks)
+            append(error.name, error);
+        append("(all)", found.all);
+        return WrittenLandmarks{std::move(text), notes.take()};
+    });
 }
 
 } // namespace unprojector::landmark_files

@@ -23,16 +23,16 @@ struct RepeatedSpecimen {
 /// deviation of one, and the distance of the farthest from the mean, see landmarks::repeatsOf.
 /// Values that too few placings cannot give stay empty. Placings without a unit get a note, and are
 /// assumed to have the others' unit.
-/// @return CannotHold: placings of one specimen in several units
-geometry::Result<WrittenLandmarks, LandmarkFileError> repeatsTable(std::span<const RepeatedSpecimen> specimens,
-                                                                   base::CellTexts texts = base::CellTexts::ReadBack);
+/// @return an error: placings of one specimen in several units
+base::Expected<WrittenLandmarks, base::Error> repeatsTable(std::span<const RepeatedSpecimen> specimens,
+                                                           base::CellTexts texts = base::CellTexts::ReadBack);
 
 /// A table of the error of measurement over all specimens, one row a landmark and a last one, "(all)":
 /// landmark,specimens,placings,error,icc1,icc2, then error_N and bias_N for each placing. NA: too few
 /// placings or specimens.
-/// @return CannotHold: placings in several units
-geometry::Result<WrittenLandmarks, LandmarkFileError> errorsTable(std::span<const RepeatedSpecimen> specimens,
-                                                                  base::CellTexts texts = base::CellTexts::ReadBack);
+/// @return an error: placings in several units
+base::Expected<WrittenLandmarks, base::Error> errorsTable(std::span<const RepeatedSpecimen> specimens,
+                                                          base::CellTexts texts = base::CellTexts::ReadBack);
 
 /// Warnings about an error of measurement, without a full stop: no repeated placing, or specimens that
 /// cannot be aligned.

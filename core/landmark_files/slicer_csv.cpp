@@ -60,7 +60,7 @@ constexpr std::string_view kColumns = "id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,d
                            kOldColumns = "label,x,y,z,sel,vis";
 
 /// The number of columns that a comment names. It must name the first of the known ones, in their
-/// order; a spreadsheet uses another separator. Throws Failure.
+/// order; a spreadsheet uses another separator.
 std::size_t columnCount(std::string_view names, bool hasVersion, std::size_t line)
 {
     std::string list = lowerCase(names);
@@ -71,7 +71,7 @@ std::size_t columnCount(std::string_view names, bool hasVersion, std::size_t lin
         return (lowerCase(columns) + ',').starts_with(list + ',');
     };
     if (!begins(kColumns) && (hasVersion || !begins(kOldColumns)))
-        throw Failure{line, tr("the columns are %1; put them in the order %2", base::quoted(names), kColumns)};
+        fail(line, tr("the columns are %1; put them in the order %2", base::quoted(names), kColumns));
     return static_cast<std::size_t>(std::count(list.begin(), list.end(), ',')) + 1;
 }
 
@@ -81,32 +81,34 @@ Axes axesOf(std::string_view word, std::size_t line)
         return Axes::Lps;
     if (word == "RAS" || word == "0")
         return Axes::Ras;
-    throw Failure{line, tr("the coordinate system is %1; it must be LPS or RAS (1 or 0)", base::quoted(word))};
+    fail(line, tr("the coordinate system is %1; it must be LPS or RAS (1 or 0)", base::quoted(word)));
+}
+
+bool isMissing(std::string_view cell)
+{
+    return cell.empty() || isMissingWord(cell);
 }
 
 bool flagOf(const CsvCell &cell, bool usual, std::size_t line, const char *what)
 {
-    if (cell.text.empty() || isMissingWord(cell.text))
+    if (isMissing(cell.text))
         return usual;
     if (cell.text == "0" || cell.text == "1")
         return cell.text == "1";
-    throw Failure{line, tr("%1 is %2; it must be 0 or 1. Is there a comma in a label that is not in quotes?", tr(what),
-                           base::quoted(cell.text))};
+    fail(line, tr("%1 is %2; it must be 0 or 1. Is there a comma in a label that is not in quotes?", tr(what),
+                  base::quoted(cell.text)));
 }
 
 /// The position; empty if the row has NA.
 std::optional<WorldPoint> positionOf(const base::CsvRow &row, std::size_t first, Axes axes,
                                      const base::DecimalMark &mark)
 {
-    constexpr std::array kNames{"x", "y", "z"};
-    const auto cell = [&](std::size_t i) { return std::string_view(row.cells[first + i].text); };
-    const auto isMissing = [&](std::size_t i) { return cell(i).empty() || isMissingWord(cell(i)); };
-    if (isMissing(0) && isMissing(1) && isMissing(2))
-        return std::nullopt;
-    glm::dvec3 v(0.0);
-    for (std::size_t i = 0; i < kNames.size(); ++i)
-        v[static_cast<int>(i)] = numberOf(mark.withPoint(cell(i)), row.line, kNames[i]);
-    return turned(WorldPoint(v), axes);
+    std::array<std::string, 3> cells;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        cells[i] = mark.withPoint(row.cells[first + i].text);
+    const std::array<std::string_view, 3> words{cells[0], cells[1], cells[2]};
+    const std::optional<WorldPoint> place = landmarkAt(words, row.line, isMissing).world;
+    return place ? std::optional(turned(*place, axes)) : std::nullopt;
 }
 
 /// A text written by R: empty for NA.
@@ -137,13 +139,13 @@ Landmark landmarkOf(base::CsvRow &row, Axes axes, std::size_t number, const base
     landmark.note = textOf(cells[Description]);
     const std::optional<WorldPoint> position = positionOf(row, X, axes, mark);
     const std::string_view status = cells[Status].text;
-    const bool isDefined = status.empty() || status == kDefined || isMissingWord(status);
+    const bool isDefined = isMissing(status) || status == kDefined;
     if (isDefined)
         landmark.world = position;
     else if (status == kPreview)
-        notes.add(LandmarkNote::Kind::PreviewsLeftOut);
+        notes.add(kPreviewsLeftOut);
     else if (position && !(*position == WorldPoint()))
-        notes.add(LandmarkNote::Kind::MissingHadPosition);
+        notes.add(kHadPosition);
     if (status == kMissing)
         landmark.absence = Absence::Missing;
     landmark.isHidden = !flagOf(cells[Visible], true, row.line, "vis");
@@ -196,7 +198,7 @@ bool hasPlace(std::string_view source, char separator)
     for (std::size_t i = X; i <= Z; ++i)
         mark.see(cells[i].text);
     return std::all_of(cells.begin() + X, cells.begin() + Z + 1, [&mark](const CsvCell &cell) {
-        return cell.text.empty() || isMissingWord(cell.text) || base::doubleFromWord(mark.withPoint(cell.text));
+        return isMissing(cell.text) || base::doubleFromWord(mark.withPoint(cell.text));
     });
 }
 
@@ -254,16 +256,16 @@ ReadLandmarks readSlicerCsv(std::string_view text)
             if (const auto system = valueOf(*comment, "CoordinateSystem")) {
                 const Axes axes = axesOf(*system, row.line);
                 if ((said || !set.landmarks.empty()) && axes != set.axes)
-                    throw Failure{row.line, tr("the coordinate system is %1 here and another one before; keep one such "
-                                               "line, before the points",
-                                               base::quoted(*system))};
+                    fail(row.line, tr("the coordinate system is %1 here and another one before; keep one such line, "
+                                      "before the points",
+                                      base::quoted(*system)));
                 said = set.axes = axes;
             } else if (valueOf(*comment, "Markups fiducial file version"))
                 hasVersion = true;
             else if (const auto columns = valueOf(*comment, "columns"))
                 fewest = columnCount(*columns, hasVersion, row.line);
             else
-                notes.add(LandmarkNote::Kind::CommentsLeftOut);
+                notes.add(kCommentsLeftOut);
             continue;
         }
         if (row.isPadding())
@@ -272,53 +274,43 @@ ReadLandmarks readSlicerCsv(std::string_view text)
         const std::size_t whole = hasVersion ? Label + 1 : std::size_t{4};
         if (row.cells.size() < (set.landmarks.empty() ? std::min(fewest, whole) : fewest)
             && isLastLine(row.source, text))
-            throw Failure{row.line, tr("the file ends within this row, which has %1 of %2 cells; is it cut off?",
-                                       row.cells.size(), fewest)};
+            fail(row.line, tr("the file ends within this row, which has %1 of %2 cells; is it cut off?",
+                              row.cells.size(), fewest));
         fewest = set.landmarks.empty() ? row.cells.size() : std::min(fewest, row.cells.size());
         const std::size_t most = hasVersion ? kFieldCount : kOldFieldCount;
         row.trimPadding(most);
         if (row.cells.size() < 4 || row.cells.size() > most)
-            throw Failure{
-                row.line,
-                tr(hasVersion
-                       ? "%1 is not a point; write id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID, with "
-                         "labels that have commas in quotes"
-                       : "%1 is not a point; without a line \"# Markups fiducial file version = 5.8\" points are "
-                         "label,x,y,z,sel,vis",
-                   base::quoted(trimmed(row.source)))};
+            fail(row.line,
+                 tr(hasVersion
+                        ? "%1 is not a point; write id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID, "
+                          "with labels that have commas in quotes"
+                        : "%1 is not a point; without a line \"# Markups fiducial file version = 5.8\" points are "
+                          "label,x,y,z,sel,vis",
+                    base::quoted(trimmed(row.source))));
         for (std::size_t index = 0; index < row.cells.size(); ++index) {
             if (row.cells[index].hadBlanks && (hasVersion ? index == Label || index == Description : index == 0))
-                notes.add(LandmarkNote::Kind::BlanksLeftOut);
+                notes.add(kBlanksLeftOut);
         }
         set.landmarks.push_back(hasVersion ? landmarkOf(row, set.axes, set.landmarks.size(), dialect.mark, notes)
                                            : oldLandmarkOf(row, dialect.mark));
     }
     if (rows.error())
-        throw Failure{rows.error()->line, rows.error()->text};
+        fail(rows.error()->line, rows.error()->text);
     if (!hasVersion && set.landmarks.empty())
-        throw Failure{
-            1, tr("there are no points, and no line \"# Markups fiducial file version = 5.8\"; is it another file?")};
+        fail(1, tr("there are no points, and no line \"# Markups fiducial file version = 5.8\"; is it another file?"));
     if (!hasVersion)
         set.axes = Axes::Ras;
     if (dialect.mark.isComma())
-        notes.add(LandmarkNote::Kind::DecimalCommas);
+        notes.add(kDecimalCommas);
     if (set.axes == Axes::Ras && !set.landmarks.empty())
-        notes.add(LandmarkNote::Kind::AxesTurned);
+        notes.add(kTurned);
     read.notes = notes.take();
     return read;
 }
 
-std::string slicerCsvText(const LandmarkSet &set, Notes &notes)
+std::string slicerCsvText(std::span<const LandmarkSet> sets, Notes &notes)
 {
-    // These keys have fields of their own.
-    LandmarkSet others = set;
-    for (Landmark &landmark : others.landmarks) {
-        if (!landmark.extra.json().is_object())
-            continue;
-        for (const char *key : {"id", "ow", "ox", "oy", "oz", "selected", "locked", "associatedNodeID", "autoCreated"})
-            landmark.extra.edit().erase(key);
-    }
-    addLosses(notes, {&others, 1}, {.names = true, .notes = true, .hidden = true, .absences = true});
+    const LandmarkSet &set = sets.front();
     std::string text = "# Markups fiducial file version = 5.8\n# CoordinateSystem = ";
     text += set.axes == Axes::Ras ? "RAS" : "LPS";
     text += "\n# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n";
@@ -345,18 +337,22 @@ std::string slicerCsvText(const LandmarkSet &set, Notes &notes)
         row.plain(extra("selected", "1"));
         row.plain(extra("locked", "0"));
         row.text(names.of(landmark.name));
-        row.text(plain.of(landmark.note));
-        if (plain.of(landmark.note) != landmark.note)
-            notes.add(LandmarkNote::Kind::NoteChanged, 1, landmark.name);
+        const std::string note = plain.of(landmark.note);
+        row.text(note);
+        if (note != landmark.note)
+            notes.add({marked("the note of \"%1\" is written without line breaks and #")}, 1, {landmark.name});
         row.text(extra("associatedNodeID", ""));
         // All rows have these fields: R takes a longer row among shorter ones for two.
         row.plain(landmark.isPlaced() ? kDefined : landmark.isMissing() ? kMissing : kUndefined);
         row.plain(extra("autoCreated", "0"));
         row.endRow();
         if (!landmark.isPlaced())
-            notes.add(LandmarkNote::Kind::MissingAtOrigin);
-        if (!landmark.isPlaced() && landmark.absence == Absence::Skipped)
-            notes.add(LandmarkNote::Kind::SkippedLeftOut);
+            notes.add({marked("%1 point without a position is written as 0, 0, 0 with a status field, which older "
+                              "readers ignore"),
+                       marked("%1 points without a position are written as 0, 0, 0 with a status field, which older "
+                              "readers ignore")});
+        if (landmark.absence == Absence::Skipped)
+            notes.add(kSkippedLeftOut);
     }
     return text;
 }

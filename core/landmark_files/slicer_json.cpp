@@ -15,6 +15,7 @@
 namespace unprojector::landmark_files {
 using namespace geometry;
 using namespace landmarks;
+using base::marked;
 using base::tr;
 namespace {
 
@@ -22,6 +23,7 @@ using base::Is, base::Json, base::Words;
 
 constexpr const char *kSchema = "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/"
                                 "Resources/Schema/markups-schema-v1.0.3.json#";
+constexpr std::size_t kLeastBytes = 200; ///< of a point
 constexpr const char *kUnits = "coordinateUnits", *kCurve = "Curve";
 /// Keys that 3D Slicer does not know and ignores.
 constexpr const char *kCurvePoints = "curvePoints", *kCurveWay = "curveKind", *kCurveCount = "curveCount";
@@ -48,13 +50,31 @@ struct Document {
     base::JsonValue extra;
 };
 
+/// True if a value is a program's position of a missing point: "", "NA", [] or three times null.
+bool isNoPosition(const Json &value)
+{
+    const auto isNothing = [](const Json &each) {
+        return each.is_null()
+               || (each.is_string()
+                   && (trimmed(each.get_ref<const std::string &>()).empty()
+                       || isMissingWord(trimmed(each.get_ref<const std::string &>()))));
+    };
+    return isNothing(value) || (value.is_array() && std::all_of(value.begin(), value.end(), isNothing));
+}
+
 template <class Fields, Is<Point> T>
 void describe(Fields &json, T &point)
 {
     static constexpr std::array kStatuses{"undefined", "preview", "defined", "missing"};
     json.optional("label", point.label);
     json.optional("description", point.description);
-    json.nullable("position", point.position);
+    json.optionalObject("position", [&point](Fields &position) {
+        if constexpr (Fields::kReads) {
+            if (isNoPosition(position.json()))
+                return;
+        }
+        position.value(point.position);
+    });
     json.optional("visibility", point.visibility);
     json.optional("positionStatus", point.status, Words{kStatuses});
 }
@@ -75,28 +95,24 @@ void describe(Fields &json, T &document)
     json.optional("markups", document.markups);
 }
 
-/// The orientation that 3D Slicer writes for a point that is not rotated.
-Json usualOrientation(Axes axes)
+/// The other values of a point, as 3D Slicer writes them for one that is not rotated.
+Json usualValues(Axes axes, std::size_t number)
 {
-    return axes == Axes::Lps ? Json{-1, 0, 0, 0, -1, 0, 0, 0, 1} : Json{1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const int sign = axes == Axes::Lps ? -1 : 1;
+    return {{"id", std::to_string(number + 1)},
+            {"associatedNodeID", ""},
+            {"orientation", Json{sign, 0, 0, 0, sign, 0, 0, 0, 1}},
+            {"selected", true},
+            {"locked", false}};
 }
 
-/// Removes the keys of a point that have their default values.
-void removeUsual(Json &extra, Axes axes, std::size_t number)
+void removeUsual(base::JsonValue &extra, Axes axes, std::size_t number)
 {
-    if (!extra.is_object())
-        return;
-    const auto removeIf = [&extra](const char *key, const Json &usual) {
-        if (extra.contains(key) && extra[key] == usual)
-            extra.erase(key);
-    };
-    removeIf("id", std::to_string(number + 1));
-    removeIf("associatedNodeID", "");
-    removeIf("orientation", usualOrientation(axes));
-    removeIf("selected", true);
-    removeIf("locked", false);
-    if (extra.empty())
-        extra = nullptr;
+    const Json usual = usualValues(axes, number);
+    for (const auto &[key, value] : usual.items()) {
+        if (extra.json().contains(key) && extra.json()[key] == value)
+            takenFrom(extra, key.c_str());
+    }
 }
 
 Landmark landmarkOf(Point &&point, Axes axes, std::size_t number, Notes &notes)
@@ -106,16 +122,16 @@ Landmark landmarkOf(Point &&point, Axes axes, std::size_t number, Notes &notes)
     landmark.note = std::move(point.description);
     landmark.isHidden = !point.visibility;
     landmark.extra = std::move(point.extra);
-    removeUsual(landmark.extra.edit(), axes, number);
+    removeUsual(landmark.extra, axes, number);
     const bool isDefined = point.status == Point::Status::Defined;
     if (point.status == Point::Status::Missing)
         landmark.absence = Absence::Missing;
     if (isDefined && point.position)
         landmark.world = turned(WorldPoint(*point.position), axes);
     else if (point.status == Point::Status::Preview)
-        notes.add(LandmarkNote::Kind::PreviewsLeftOut);
+        notes.add(kPreviewsLeftOut);
     else if (point.position && *point.position != glm::dvec3(0.0))
-        notes.add(LandmarkNote::Kind::MissingHadPosition);
+        notes.add(kHadPosition);
     return landmark;
 }
 
@@ -136,12 +152,12 @@ std::optional<std::string> unitOf(const Json &value)
 }
 
 /// Removes the unit from a markup's other values, if it is understood.
-std::optional<std::string> takeUnit(Json &extra)
+std::string takeUnit(base::JsonValue &extra)
 {
-    std::optional<std::string> unit = extra.contains(kUnits) ? unitOf(extra[kUnits]) : std::nullopt;
+    std::optional<std::string> unit = extra.json().contains(kUnits) ? unitOf(extra.json()[kUnits]) : std::nullopt;
     if (unit)
-        extra.erase(kUnits);
-    return unit;
+        takenFrom(extra, kUnits);
+    return unit.value_or(std::string());
 }
 
 /// True if each control point is a semilandmark as this program writes them: "NAME:01" and so on.
@@ -149,7 +165,7 @@ std::optional<std::string> takeUnit(Json &extra)
 bool isOurCurve(const Markup &markup)
 {
     const Json &extra = markup.extra.json();
-    if (!extra.is_object() || !extra.contains("type") || extra["type"] != kCurve)
+    if (!extra.contains("type") || extra["type"] != kCurve)
         return false;
     const std::vector<Point> &points = markup.points;
     if (points.empty())
@@ -164,14 +180,6 @@ bool isOurCurve(const Markup &markup)
     return points.size() >= 2 && points.size() <= kMostSemilandmarks;
 }
 
-/// The value of a key of a curve, which is removed from the others; null if it is missing.
-Json takenFrom(Json &extra, const char *key)
-{
-    Json value = extra.contains(key) ? extra[key] : Json();
-    extra.erase(key);
-    return value;
-}
-
 Curve curveOf(Markup &&markup, Notes &notes)
 {
     Curve curve;
@@ -180,11 +188,10 @@ Curve curveOf(Markup &&markup, Notes &notes)
     if (curve.name.empty() && !markup.points.empty() && !markup.extra.json().contains(kCurveCount))
         curve.name = markup.points.front().label.substr(0, markup.points.front().label.rfind(':'));
     curve.extra = std::move(markup.extra);
-    Json &extra = curve.extra.edit();
-    extra.erase("type");
-    static_cast<void>(takeUnit(extra)); // the set's
-    const Json names = takenFrom(extra, kCurvePoints), kind = takenFrom(extra, kCurveWay),
-               count = takenFrom(extra, kCurveCount);
+    takenFrom(curve.extra, "type");
+    takeUnit(curve.extra); // the set's
+    const Json names = takenFrom(curve.extra, kCurvePoints), kind = takenFrom(curve.extra, kCurveWay),
+               count = takenFrom(curve.extra, kCurveCount);
     if (names.is_array()
         && std::all_of(names.begin(), names.end(), [](const Json &name) { return name.is_string(); })) {
         for (const Json &name : names)
@@ -197,14 +204,12 @@ Curve curveOf(Markup &&markup, Notes &notes)
     for (std::size_t i = 0; i < markup.points.size(); ++i) {
         Point &point = markup.points[i];
         curve.semilandmarks.push_back(turned(WorldPoint(*point.position), markup.axes));
-        removeUsual(point.extra.edit(), markup.axes, i);
+        removeUsual(point.extra, markup.axes, i);
         if (!point.description.empty() || !point.visibility || !point.extra.json().is_null())
-            notes.add(LandmarkNote::Kind::CurveCellsLeftOut);
+            notes.add(kCurveCellsLeftOut);
     }
     if (!curve.semilandmarks.empty())
         curve.count = static_cast<std::uint32_t>(curve.semilandmarks.size());
-    if (extra.empty())
-        extra = nullptr;
     return curve;
 }
 
@@ -214,66 +219,28 @@ LandmarkSet setOf(Markup &&markup, Notes &notes)
     set.name = std::move(markup.name);
     set.axes = markup.axes;
     set.extra = std::move(markup.extra);
-    if (Json &extra = set.extra.edit(); extra.is_object()) {
-        set.unit = takeUnit(extra).value_or(std::string()); // others stay unchanged
-        if (extra.contains("type") && extra["type"] == "Fiducial")
-            extra.erase("type");
-        if (extra.empty())
-            extra = nullptr;
-    }
+    set.unit = takeUnit(set.extra); // others stay unchanged
+    if (set.extra.json().contains("type") && set.extra.json()["type"] == "Fiducial")
+        takenFrom(set.extra, "type");
     for (std::size_t i = 0; i < markup.points.size(); ++i)
         set.landmarks.push_back(landmarkOf(std::move(markup.points[i]), set.axes, i, notes));
     if (set.axes == Axes::Ras && !set.landmarks.empty())
-        notes.add(LandmarkNote::Kind::AxesTurned);
+        notes.add(kTurned);
     return set;
-}
-
-/// True if a value is a program's position of a missing point: "", "NA", [] or three times null.
-bool isNoPosition(const Json &value)
-{
-    const auto isNothing = [](const Json &each) {
-        return each.is_null()
-               || (each.is_string()
-                   && (trimmed(each.get_ref<const std::string &>()).empty()
-                       || isMissingWord(trimmed(each.get_ref<const std::string &>()))));
-    };
-    return isNothing(value) || (value.is_array() && std::all_of(value.begin(), value.end(), isNothing));
-}
-
-/// Replaces each such position by null.
-void clearNoPositions(Json &document)
-{
-    if (!document.is_object() || !document.contains("markups") || !document["markups"].is_array())
-        return;
-    for (Json &markup : document["markups"]) {
-        if (!markup.is_object() || !markup.contains("controlPoints") || !markup["controlPoints"].is_array())
-            continue;
-        for (Json &point : markup["controlPoints"]) {
-            if (point.is_object() && point.contains("position") && isNoPosition(point["position"]))
-                point["position"] = nullptr;
-        }
-    }
 }
 
 } // namespace
 
-Failure failureOf(const base::Error &error)
-{
-    return {static_cast<std::size_t>(error.line), base::Error{error.text, error.subject}.message()};
-}
-
 ReadLandmarks readSlicerJson(std::string_view text)
 {
-    auto parsed = base::parseJson(text);
-    if (!parsed)
-        throw failureOf(parsed.error());
-    Json json = std::move(parsed).value();
-    clearNoPositions(json);
-    if (!json.is_object() || !json.contains("markups"))
-        throw Failure{1, tr("there is no list \"markups\", which holds the points of 3D Slicer; is it another file?")};
-    auto described = base::valueOfJson<Markup, Document>(json, text, {});
+    const auto json = base::parseJson(text);
+    if (!json)
+        throw json.error();
+    if (!json->contains("markups"))
+        fail(1, tr("there is no list \"markups\", which holds the points of 3D Slicer; is it another file?"));
+    auto described = base::valueOfJson<Markup, Document>(*json, text, {});
     if (!described)
-        throw failureOf(described.error());
+        throw described.error();
     Document document = std::move(described).value();
     ReadLandmarks read;
     Notes notes;
@@ -288,14 +255,14 @@ ReadLandmarks readSlicerJson(std::string_view text)
             if (const Json &extra = markup.extra.json(); extra.contains(kUnits) && extra[kUnits].is_string())
                 set.unit = extra[kUnits].get<std::string>();
             if (set.axes == Axes::Ras)
-                notes.add(LandmarkNote::Kind::AxesTurned);
+                notes.add(kTurned);
         }
         read.sets.back().curves.push_back(curveOf(std::move(markup), notes));
     }
     if (read.sets.empty())
-        throw Failure{1, tr("the list \"markups\" is empty; there are no points")};
+        fail(1, tr("the list \"markups\" is empty; there are no points"));
     for (auto it = document.extra.json().begin(); it != document.extra.json().end(); ++it)
-        notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, it.key());
+        notes.addSpecimenKeys(it.key());
     read.notes = notes.take();
     return read;
 }
@@ -308,17 +275,11 @@ Point pointOf(const Landmark &landmark, Axes axes, std::size_t number)
                                  : landmark.isMissing() ? Point::Status::Missing
                                                         : Point::Status::Undefined;
     Point point{landmark.name,      landmark.note, glm::dvec3(0.0),
-                !landmark.isHidden, status,        base::JsonValue(Json::object())};
+                !landmark.isHidden, status,        base::JsonValue(usualValues(axes, number))};
     if (landmark.world)
         point.position = turned(*landmark.world, axes).coordinates();
-    Json &extra = point.extra.edit();
-    extra["id"] = std::to_string(number + 1);
-    extra["associatedNodeID"] = "";
-    extra["orientation"] = usualOrientation(axes);
-    extra["selected"] = true;
-    extra["locked"] = false;
     if (landmark.extra.json().is_object())
-        extra.update(landmark.extra.json());
+        point.extra.edit().update(landmark.extra.json());
     return point;
 }
 
@@ -349,21 +310,19 @@ Markup markupOf(const Curve &curve, std::size_t index, const LandmarkSet &set)
 
 std::string slicerJsonText(std::span<const LandmarkSet> sets, Notes &notes)
 {
-    addLosses(notes, sets,
-              {.names = true,
-               .notes = true,
-               .hidden = true,
-               .keys = true,
-               .absences = true,
-               .specimenKeys = true,
-               .specimenName = true,
-               .unit = true});
+    std::size_t points = 0;
+    for (const LandmarkSet &set : sets) {
+        points += set.landmarks.size();
+        for (const Curve &curve : set.curves)
+            points += curve.semilandmarks.size();
+    }
+    checkSize(points * kLeastBytes); // before gigabytes are built
     Document document;
     for (const LandmarkSet &set : sets) {
         Markup markup{set.name, set.axes, {}, base::JsonValue(Json::object())};
         const Json &kept = set.extra.json();
         Json &extra = markup.extra.edit();
-        if (!kept.is_object() || !kept.contains("type"))
+        if (!kept.contains("type"))
             extra["type"] = "Fiducial";
         if (!set.unit.empty())
             extra[kUnits] = set.unit;
@@ -371,20 +330,20 @@ std::string slicerJsonText(std::span<const LandmarkSet> sets, Notes &notes)
             extra.update(kept);
         for (std::size_t i = 0; i < set.landmarks.size(); ++i) {
             const Landmark &landmark = set.landmarks[i];
-            if (!landmark.isPlaced() && landmark.absence == Absence::Skipped)
-                notes.add(LandmarkNote::Kind::SkippedLeftOut);
+            if (landmark.absence == Absence::Skipped)
+                notes.add(kSkippedLeftOut);
             markup.points.push_back(pointOf(landmark, set.axes, i));
         }
         document.markups.push_back(std::move(markup));
         for (std::size_t i = 0; i < set.curves.size(); ++i)
             document.markups.push_back(markupOf(set.curves[i], i, set));
         if (!set.unit.empty() && set.unit != "mm")
-            notes.add(LandmarkNote::Kind::UnitOfOthers, 1, set.unit);
+            notes.add({marked("3D Slicer takes coordinates for mm, and these are in %1; they are not converted")}, 1,
+                      {set.unit});
     }
     const auto text = base::readableJson(base::jsonOfValue<Markup>(document));
     if (!text)
-        throw Failure{0, tr("%1 is not UTF-8 and cannot be written as JSON; rename it", text.error().subject),
-                      LandmarkFileError::Code::CannotHold};
+        fail(0, tr("%1 is not UTF-8 and cannot be written as JSON; rename it", text.error().subject));
     return *text;
 }
 

@@ -13,7 +13,6 @@
 namespace unprojector::landmark_files {
 using namespace landmarks;
 using namespace base;
-using geometry::Result;
 namespace {
 
 constexpr const char *kSuffix = ".sliders.csv";
@@ -37,16 +36,15 @@ std::vector<std::string> chainOf(const LandmarkSet &set, std::size_t index)
     return chain;
 }
 
-/// Adds the sliders of a specimen. Throws Failure if the table lacks a point, or if an earlier
-/// specimen has other sliders.
+/// Adds the sliders of a specimen. Fails if the table lacks a point, or if an earlier specimen has other
+/// sliders.
 /// @param numbers  of the table's points by their names, from 1
 void addSliders(Neighbours &sliders, const LandmarkSet &set, const std::map<std::string, std::size_t> &numbers)
 {
     const auto numberOf = [&](const std::string &name) {
         const auto found = numbers.find(name);
         if (found == numbers.end())
-            throw Failure{0, tr("\"%1\" of \"%2\" is not in the table, so there are no sliders", name, set.name),
-                          LandmarkFileError::Code::CannotHold};
+            fail(0, tr("\"%1\" of \"%2\" is not in the table, so there are no sliders", name, set.name));
         return found->second;
     };
     for (std::size_t k = 0; k < set.curves.size(); ++k) {
@@ -55,18 +53,11 @@ void addSliders(Neighbours &sliders, const LandmarkSet &set, const std::map<std:
             const std::pair neighbours(numberOf(chain[i - 1]), numberOf(chain[i + 1]));
             const auto known = sliders.emplace(numberOf(chain[i]), neighbours).first;
             if (known->second != neighbours)
-                throw Failure{0,
-                              tr("\"%1\" lies between other points on \"%2\" than on another specimen, so there are no "
-                                 "sliders for both",
-                                 chain[i], set.name),
-                              LandmarkFileError::Code::CannotHold};
+                fail(0, tr("\"%1\" lies between other points on \"%2\" than on another specimen, so there are no "
+                           "sliders for both",
+                           chain[i], set.name));
         }
     }
-}
-
-bool hasCurves(std::span<const LandmarkSet> sets)
-{
-    return std::any_of(sets.begin(), sets.end(), [](const LandmarkSet &set) { return !set.curves.empty(); });
 }
 
 } // namespace
@@ -81,12 +72,12 @@ std::vector<std::string> writtenNames(const LandmarkSet &set)
     return names;
 }
 
-Result<Sliders, LandmarkFileError> slidersOf(std::span<const LandmarkSet> sets, std::span<const std::string> names)
+Expected<Sliders, Error> slidersOf(std::span<const LandmarkSet> sets, std::span<const std::string> names)
 {
-    std::map<std::string, std::size_t> numbers;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        numbers.emplace(names[i], i + 1);
-    try {
+    return caught([&] {
+        std::map<std::string, std::size_t> numbers;
+        for (std::size_t i = 0; i < names.size(); ++i)
+            numbers.emplace(names[i], i + 1);
         Neighbours sliders;
         for (const LandmarkSet &set : sets)
             addSliders(sliders, set, numbers);
@@ -95,24 +86,19 @@ Result<Sliders, LandmarkFileError> slidersOf(std::span<const LandmarkSet> sets, 
             table.text += std::to_string(neighbours.first) + ',' + std::to_string(slide) + ','
                           + std::to_string(neighbours.second) + '\n';
         return table;
-    } catch (const Failure &failure) {
-        return failure.in({});
-    }
+    });
 }
 
-Result<Sliders, LandmarkFileError> slidersOf(std::span<const LandmarkSet> sets)
+Expected<Sliders, Error> slidersOf(std::span<const LandmarkSet> sets)
 {
-    if (!hasCurves(sets))
+    if (std::all_of(sets.begin(), sets.end(), [](const LandmarkSet &set) { return set.curves.empty(); }))
         return slidersOf(sets, {});
     const std::vector<std::string> names = writtenNames(sets.front());
     for (const LandmarkSet &set : sets) {
         if (writtenNames(set) != names)
-            return LandmarkFileError{LandmarkFileError::Code::CannotHold,
-                                     {},
-                                     0,
-                                     tr("\"%1\" and \"%2\" have different points, or the same in another order: their "
-                                        "semilandmarks have different numbers, so there are no sliders for both",
-                                        sets.front().name, set.name)};
+            return Error{tr("\"%1\" and \"%2\" have different points, or the same in another order: their "
+                            "semilandmarks have different numbers, so there are no sliders for both",
+                            sets.front().name, set.name)};
     }
     return slidersOf(sets, names);
 }
@@ -130,20 +116,20 @@ bool isSlidersFile(const std::filesystem::path &file)
     return lowerCase(utf8FromPath(file.filename())).ends_with(kSuffix);
 }
 
-Result<std::optional<std::filesystem::path>, LandmarkFileError>
-writeSlidersBeside(const std::filesystem::path &table, const Result<Sliders, LandmarkFileError> &sliders)
+Expected<std::optional<std::filesystem::path>, Error> writeSlidersBeside(const std::filesystem::path &table,
+                                                                         const Expected<Sliders, Error> &sliders)
 {
     const std::filesystem::path file = slidersBeside(table);
-    if (!sliders) {
-        LandmarkFileError error = sliders.error();
-        error.file = utf8FromPath(file);
-        return error;
-    }
-    if (sliders->count == 0)
-        return std::optional<std::filesystem::path>();
-    if (const Done written = replaceFile(file, sliders->text); !written)
-        return LandmarkFileError{LandmarkFileError::Code::NotWritable, utf8FromPath(file), 0, written.error().text};
-    return std::optional(file);
+    const auto write = [&] {
+        if (!sliders)
+            throw sliders.error();
+        if (sliders->count == 0)
+            return std::optional<std::filesystem::path>();
+        if (const Done written = replaceFile(file, sliders->text); !written)
+            throw written.error();
+        return std::optional(file);
+    };
+    return caught(write, utf8FromPath(file));
 }
 
 } // namespace unprojector::landmark_files

@@ -24,12 +24,12 @@ std::vector<std::string> writtenNames(const landmarks::LandmarkSet &set);
 /// The sliders of a table's points. Each semilandmark slides along the direction from the point
 /// before it to the one after it. The ends of a curve don't slide.
 /// @param names  of the table's points, in their order
-/// @return CannotHold: a point that the table lacks, or a semilandmark between different points
-geometry::Result<Sliders, LandmarkFileError> slidersOf(std::span<const landmarks::LandmarkSet> sets,
-                                                       std::span<const std::string> names);
+/// @return an error: a point that the table lacks, or a semilandmark between different points
+base::Expected<Sliders, base::Error> slidersOf(std::span<const landmarks::LandmarkSet> sets,
+                                               std::span<const std::string> names);
 /// The sliders of points as landmarksText writes them.
-/// @return CannotHold: as above, or specimens with different points
-geometry::Result<Sliders, LandmarkFileError> slidersOf(std::span<const landmarks::LandmarkSet> sets);
+/// @return an error: as above, or specimens with different points
+base::Expected<Sliders, base::Error> slidersOf(std::span<const landmarks::LandmarkSet> sets);
 
 /// The file of the sliders beside a table: "all.sliders.csv" for "all.tps".
 std::filesystem::path slidersBeside(const std::filesystem::path &table);
@@ -37,8 +37,8 @@ std::filesystem::path slidersBeside(const std::filesystem::path &table);
 bool isSlidersFile(const std::filesystem::path &file);
 
 /// Writes the sliders beside a table.
-/// @return the file; empty if no semilandmark slides. NotWritable, and the error of the sliders
-geometry::Result<std::optional<std::filesystem::path>, LandmarkFileError>
-writeSlidersBeside(const std::filesystem::path &table, const geometry::Result<Sliders, LandmarkFileError> &sliders);
+/// @return the file; empty if no semilandmark slides
+base::Expected<std::optional<std::filesystem::path>, base::Error>
+writeSlidersBeside(const std::filesystem::path &table, const base::Expected<Sliders, base::Error> &sliders);
 
 } // namespace unprojector::landmark_files

@@ -16,6 +16,7 @@
 
 namespace unprojector::landmark_files {
 using namespace landmarks;
+using base::marked;
 using base::tr;
 namespace {
 
@@ -42,7 +43,7 @@ bool haveSameCurves(std::span<const LandmarkSet> sets)
 
 /// Names a curve with different numbers of semilandmarks: those of a number are not at the same place of the curve
 /// then. Empty if there is none. Specimens without semilandmarks don't count.
-std::string differentCounts(std::span<const LandmarkSet> sets)
+std::optional<base::Note> differentCounts(std::span<const LandmarkSet> sets)
 {
     constexpr std::size_t kMostNamed = 3;                                             // of a number
     std::map<std::string, std::map<std::size_t, std::vector<std::string>>> specimens; // by curve and number
@@ -64,12 +65,11 @@ std::string differentCounts(std::span<const LandmarkSet> sets)
                 list = tr("%1, … (%2 in all)", list, names.size());
             where += (where.empty() ? "" : "; ") + tr("%1 on %2", count, list);
         }
-        return tr(
-            "the curve \"%1\" has different numbers of semilandmarks, so they are not at the same places: %2; give "
-            "it the same number on all specimens",
-            curve, where);
+        return base::Note{marked("the curve \"%1\" has different numbers of semilandmarks, so they are not at the same "
+                                 "places: %2; give it the same number on all specimens"),
+                          {curve, where}};
     }
-    return {};
+    return std::nullopt;
 }
 
 /// Sorts the curves of each set as in the first one. @pre haveSameCurves
@@ -92,22 +92,22 @@ void removeRepeats(std::vector<LandmarkSet> &sets, Notes &notes)
         int &placing = first.try_emplace(set.name, set.placing).first->second;
         placing = std::min(placing, set.placing);
     }
-    if (const std::size_t count = std::erase_if(
-            sets, [&first](const LandmarkSet &set) { return !set.name.empty() && set.placing > first[set.name]; });
-        count > 0)
-        notes.add(LandmarkNote::Kind::RepeatsLeftOut, count);
+    const std::size_t count = std::erase_if(
+        sets, [&first](const LandmarkSet &set) { return !set.name.empty() && set.placing > first[set.name]; });
+    const base::Note left = repeatsLeftOut(count);
+    notes.add({left.one, left.many}, count);
 }
 
-/// Checks the units, because the table does not keep them. Throws Failure.
-void checkUnitsOf(std::span<const LandmarkSet> sets, Notes &notes)
+/// The names of sets in quotes.
+std::vector<std::string> quotedNames(std::span<const LandmarkSet> sets)
 {
     std::vector<std::string> names;
     for (const LandmarkSet &set : sets)
         names.push_back('"' + set.name + '"');
-    checkUnits(sets, names, notes);
+    return names;
 }
 
-/// Checks that no column of a protocol has the name of another column. Throws Failure.
+/// Checks that no column of a protocol has the name of another column.
 void checkColumns(const LandmarkSet &first, TableForm form, const ProtocolColumns &protocol)
 {
     std::set<std::string> taken{"specimen", "placing", kNoteColumn};
@@ -121,11 +121,10 @@ void checkColumns(const LandmarkSet &first, TableForm form, const ProtocolColumn
         for (const char *part : {"", "_error"}) {
             if (!taken.insert(measure.name + part).second
                 || (form == TableForm::Long && csv::columnOf(measure.name + part) < csv::kWrittenCount))
-                throw Failure{0,
-                              tr("the measure \"%1\" needs a column \"%2\", and there is another one of that name; "
-                                 "rename the measure",
-                                 measure.name, measure.name + part),
-                              LandmarkFileError::Code::CannotHold};
+                fail(0,
+                     tr("the measure \"%1\" needs a column \"%2\", and there is another one of that name; rename the "
+                        "measure",
+                        measure.name, measure.name + part));
         }
     }
 }
@@ -140,9 +139,8 @@ void align(std::vector<LandmarkSet> &sets, std::span<const Landmark> names, Note
     all.insert(all.end(), sets.begin(), sets.end());
     const DistinctNames distinct = distinctNames(all);
     const std::map<std::string, std::string> respelled(distinct.respelled.begin(), distinct.respelled.end());
-    std::vector<std::string> shown{std::string()};
-    for (const LandmarkSet &set : sets)
-        shown.push_back('"' + set.name + '"');
+    std::vector<std::string> shown = quotedNames(all);
+    shown.front().clear();
     addNameNotes(notes, distinct, all, shown);
     for (std::size_t i = 0; i < sets.size(); ++i) {
         std::vector<Landmark> aligned(distinct.names.size());
@@ -210,7 +208,7 @@ void addProtocol(std::vector<LandmarkSet> &sets, const ProtocolColumns &protocol
         for (Landmark &landmark : sets[i].landmarks) {
             for (auto it = columns.begin(); it != columns.end(); ++it) {
                 if (landmark.extra.json().contains(it.key())) // another program's column of that name
-                    notes.add(LandmarkNote::Kind::KeysLeftOut, 1, it.key());
+                    notes.addKeys(it.key());
             }
             landmark.extra.edit().update(columns);
         }
@@ -220,9 +218,21 @@ void addProtocol(std::vector<LandmarkSet> &sets, const ProtocolColumns &protocol
 std::string wideText(std::span<const LandmarkSet> sets, const ProtocolColumns &protocol, base::CellTexts texts,
                      Notes &notes)
 {
-    FormatCapabilities held;
-    held.names = held.specimenName = held.placings = true;
-    addLosses(notes, sets, held);
+    // A row per specimen has names and coordinates by design: there are no notes about the rest.
+    addLosses(notes, sets,
+              {.names = true,
+               .objects = true,
+               .anchors = true,
+               .uncertainties = true,
+               .notes = true,
+               .colors = true,
+               .hidden = true,
+               .keys = true,
+               .absences = true,
+               .specimenKeys = true,
+               .specimenName = true,
+               .placings = true,
+               .mesh = true});
     const bool hasPlacings = hasSeveralPlacings(sets);
     std::string text;
     base::RowWriter row(text, texts);
@@ -258,41 +268,6 @@ std::string wideText(std::span<const LandmarkSet> sets, const ProtocolColumns &p
     return text;
 }
 
-/// Returns whether the note is about a property that tables of coordinates never have.
-bool isOfEveryTable(const LandmarkNote &note)
-{
-    using Kind = LandmarkNote::Kind;
-    constexpr std::array kOfEvery{Kind::ObjectsLeftOut, Kind::HoldsLeftOut,        Kind::UncertaintiesLeftOut,
-                                  Kind::NotesLeftOut,   Kind::ColorsLeftOut,       Kind::HiddenLeftOut,
-                                  Kind::KeysLeftOut,    Kind::SpecimenKeysLeftOut, Kind::MeshLeftOut};
-    return std::find(kOfEvery.begin(), kOfEvery.end(), note.kind) != kOfEvery.end();
-}
-
-/// Puts the notes that matter most first. A row per specimen has names and coordinates by design: its
-/// table has no notes about the rest.
-void sortNotes(std::vector<LandmarkNote> &notes, TableForm form)
-{
-    if (form == TableForm::Wide)
-        std::erase_if(notes, isOfEveryTable);
-    std::stable_partition(notes.begin(), notes.end(), [](const LandmarkNote &note) { return !isOfEveryTable(note); });
-    std::stable_partition(notes.begin(), notes.end(),
-                          [](const LandmarkNote &note) { return note.kind == LandmarkNote::Kind::RepeatsLeftOut; });
-}
-
-std::string textOf(std::vector<LandmarkSet> &sets, TableForm form, const ProtocolColumns &protocol,
-                   base::CellTexts texts, Notes &notes)
-{
-    if (!protocol.measures.empty() && (form == TableForm::Tps || form == TableForm::Nts))
-        notes.add(LandmarkNote::Kind::MeasuresLeftOut, protocol.measures.size());
-    switch (form) {
-    case TableForm::Long: addProtocol(sets, protocol, notes); return csvText(sets, texts, notes, "NA");
-    case TableForm::Wide: return wideText(sets, protocol, texts, notes);
-    case TableForm::Tps: return tpsText(sets, notes);
-    case TableForm::Nts: return ntsText(sets, notes);
-    }
-    return {};
-}
-
 } // namespace
 
 std::string absentText(const AbsentLandmarks &absent)
@@ -318,23 +293,32 @@ std::vector<std::string> unmeasuredTexts(const ProtocolColumns &protocol)
     return texts;
 }
 
-geometry::Result<WrittenTable, LandmarkFileError> specimenTable(std::span<const LandmarkSet> specimens, TableForm form,
-                                                                const ProtocolColumns &protocol,
-                                                                std::span<const Landmark> names, base::CellTexts texts)
+base::Note repeatsLeftOut(std::size_t count)
 {
-    Notes notes;
-    std::vector<LandmarkSet> sets(specimens.begin(), specimens.end());
-    try {
+    return {marked("%1 repeated placing is left out: the format would have it as one more specimen"),
+            {},
+            marked("%1 repeated placings are left out: the format would have them as more specimens"),
+            count};
+}
+
+base::Expected<WrittenTable, base::Error> specimenTable(std::span<const LandmarkSet> specimens, TableForm form,
+                                                        const ProtocolColumns &protocol,
+                                                        std::span<const Landmark> names, base::CellTexts texts)
+{
+    return caught([&] {
+        Notes notes;
+        std::vector<LandmarkSet> sets(specimens.begin(), specimens.end());
+        const bool hasRows = form == TableForm::Long || form == TableForm::Wide;
         if (sets.empty())
-            throw Failure{0, tr("there are no specimens"), LandmarkFileError::Code::CannotHold};
+            fail(0, tr("there are no specimens"));
         for (LandmarkSet &set : sets)
             set.measures.clear(); // `protocol` has them
-        if (form == TableForm::Tps || form == TableForm::Nts)
+        if (!hasRows)
             removeRepeats(sets, notes);
-        if (const std::string differ = differentCounts(sets); !differ.empty()) {
+        if (const auto differ = differentCounts(sets)) {
             if (form != TableForm::Long) // it has the number of each curve
-                throw Failure{0, differ, LandmarkFileError::Code::CannotHold};
-            notes.add(LandmarkNote::Kind::CurveCountsDiffer, 1, differ);
+                fail(0, differ->text());
+            notes.add({differ->one}, 1, differ->values);
         }
         align(sets, names, notes);
         const bool keepsCurves = form == TableForm::Long || (form == TableForm::Tps && haveSameCurves(sets));
@@ -347,21 +331,29 @@ geometry::Result<WrittenTable, LandmarkFileError> specimenTable(std::span<const 
         }
         auto sliders = keepsCurves ? slidersOf(sets) : slidersOf(withCurves, writtenNames(sets.front()));
         if (form != TableForm::Long)
-            checkUnitsOf(sets, notes);
-        if (form == TableForm::Long || form == TableForm::Wide)
+            checkUnits(sets, quotedNames(sets), notes); // the table does not keep them
+        if (hasRows)
             checkColumns(sets.front(), form, protocol);
         const AbsentLandmarks absent = absentIn(sets);
-        std::string text = textOf(sets, form, protocol, texts, notes);
+        std::string text;
+        if (form == TableForm::Wide) {
+            text = wideText(sets, protocol, texts, notes);
+        } else if (form == TableForm::Long) {
+            addProtocol(sets, protocol, notes);
+            text = textOf(sets, Format::Csv, texts, notes, "NA");
+        } else {
+            notes.add(kMeasuresLeftOut, protocol.measures.size());
+            for (LandmarkSet &set : sets) { // `absent` has the reasons
+                for (Landmark &landmark : set.landmarks)
+                    landmark.absence = Absence::NotPlaced;
+            }
+            text = textOf(sets, form == TableForm::Tps ? Format::Tps : Format::Nts, texts, notes);
+        }
         checkSize(text.size());
-        std::vector<LandmarkNote> taken = notes.take();
-        std::erase_if(taken, [](const LandmarkNote &note) { // `absent` has the reasons
-            return note.kind == LandmarkNote::Kind::AbsencesLeftOut;
-        });
-        sortNotes(taken, form);
+        std::vector<base::Note> taken = notes.take(); // those that matter most first
+        std::stable_partition(taken.begin(), taken.end(), [](const base::Note &note) { return !isOfEveryTable(note); });
         return WrittenTable{std::move(text), std::move(taken), absent, std::move(sliders)};
-    } catch (const Failure &failure) {
-        return failure.in({});
-    }
+    });
 }
 
 LandmarkSet inOrderOf(LandmarkSet specimen, std::span<const Landmark> names)
@@ -372,8 +364,8 @@ LandmarkSet inOrderOf(LandmarkSet specimen, std::span<const Landmark> names)
     return std::move(sets.front());
 }
 
-geometry::Result<WrittenTable, LandmarkFileError> convertedText(std::vector<LandmarkSet> sets, Format to,
-                                                                const std::string &source, base::CellTexts texts)
+base::Expected<WrittenTable, base::Error> convertedText(std::vector<LandmarkSet> sets, Format to,
+                                                        const std::string &source, base::CellTexts texts)
 {
     // NTSYS rows are specimens by name.
     if (to == Format::Nts && !source.empty()) {
@@ -388,14 +380,10 @@ geometry::Result<WrittenTable, LandmarkFileError> convertedText(std::vector<Land
     };
     if ((to == Format::Tps || to == Format::Nts) && sets.size() > 1 && std::any_of(sets.begin(), sets.end(), isNamed))
         return specimenTable(sets, to == Format::Tps ? TableForm::Tps : TableForm::Nts);
-    const geometry::Result<WrittenLandmarks, LandmarkFileError> text = landmarksText(sets, to, texts);
+    const base::Expected<WrittenLandmarks, base::Error> text = landmarksText(sets, to, texts);
     if (!text)
         return text.error();
-    WrittenTable table;
-    table.text = text->text;
-    table.notes = text->notes;
-    table.sliders = slidersOf(sets);
-    return table;
+    return WrittenTable{text->text, text->notes, {}, slidersOf(sets)};
 }
 
 } // namespace unprojector::landmark_files

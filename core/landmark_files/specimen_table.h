@@ -41,10 +41,10 @@ std::vector<std::string> unmeasuredTexts(const ProtocolColumns &protocol);
 
 struct WrittenTable {
     std::string text;
-    std::vector<LandmarkNote> notes;
+    std::vector<base::Note> notes;
     AbsentLandmarks absent;
-    /// The sliders of the table's points; CannotHold where the specimens have different curves.
-    geometry::Result<Sliders, LandmarkFileError> sliders = Sliders{};
+    /// The sliders of the table's points; an error where the specimens have different curves.
+    base::Expected<Sliders, base::Error> sliders = Sliders{};
 };
 
 /// A table of several specimens. Landmarks belong together by name, see distinctNames: each specimen
@@ -57,12 +57,12 @@ struct WrittenTable {
 /// The columns of a protocol are "NAME" and "NAME_error", and "measures_note" with the reasons for
 /// NA; TPS and NTSYS have none.
 /// @param names  landmarks whose names come first; may be empty
-/// @return CannotHold, as landmarksText; specimens of several units, or curves with several numbers of
+/// @return an error, as landmarksText; specimens of several units, or curves with several numbers of
 ///         semilandmarks, except in Long; a measure with the name of another column
-geometry::Result<WrittenTable, LandmarkFileError> specimenTable(std::span<const landmarks::LandmarkSet> specimens,
-                                                                TableForm form, const ProtocolColumns &protocol = {},
-                                                                std::span<const landmarks::Landmark> names = {},
-                                                                base::CellTexts texts = base::CellTexts::ReadBack);
+base::Expected<WrittenTable, base::Error> specimenTable(std::span<const landmarks::LandmarkSet> specimens,
+                                                        TableForm form, const ProtocolColumns &protocol = {},
+                                                        std::span<const landmarks::Landmark> names = {},
+                                                        base::CellTexts texts = base::CellTexts::ReadBack);
 
 /// A specimen with the landmarks of a list first, in its order, as in a table of specimens. Those
 /// that it lacks have no position.
@@ -74,8 +74,8 @@ landmarks::LandmarkSet inOrderOf(landmarks::LandmarkSet specimen, std::span<cons
 /// landmarksText.
 /// @param source  name of specimens without a name, in NTSYS; empty: they stay without
 /// @return the errors of specimenTable and landmarksText
-geometry::Result<WrittenTable, LandmarkFileError> convertedText(std::vector<landmarks::LandmarkSet> sets, Format to,
-                                                                const std::string &source,
-                                                                base::CellTexts texts = base::CellTexts::ReadBack);
+base::Expected<WrittenTable, base::Error> convertedText(std::vector<landmarks::LandmarkSet> sets, Format to,
+                                                        const std::string &source,
+                                                        base::CellTexts texts = base::CellTexts::ReadBack);
 
 } // namespace unprojector::landmark_files

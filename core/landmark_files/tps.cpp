@@ -14,6 +14,7 @@
 namespace unprojector::landmark_files {
 using namespace geometry;
 using namespace landmarks;
+using base::marked;
 using base::tr;
 namespace {
 
@@ -30,10 +31,7 @@ std::optional<KeyValue> keyValueOf(std::string_view line)
     const std::size_t equals = line.find('=');
     if (equals == line.npos)
         return std::nullopt;
-    std::string key(trimmed(line.substr(0, equals)));
-    for (char &c : key)
-        c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-    return KeyValue{key, trimmed(line.substr(equals + 1))};
+    return KeyValue{upperCase(trimmed(line.substr(0, equals))), trimmed(line.substr(equals + 1))};
 }
 
 /// True for tpsDig's "-1 -1", a missing point. This program writes a point that really is there
@@ -58,37 +56,23 @@ void takeMinusOnesAsMissing(LandmarkSet &set, const std::vector<std::size_t> &mi
     });
     if (minusOnes.empty() || !isInPixels)
         return;
-    notes.add(LandmarkNote::Kind::NegativeIsMissing, minusOnes.size());
+    notes.add({marked("%1 point has only coordinates of -1, as tpsDig writes a missing point; it has no position here"),
+               marked("%1 points have only coordinates of -1, as tpsDig writes missing points; they have no position "
+                      "here")},
+              minusOnes.size());
     set.landmarks = std::move(others);
 }
 
 /// The words of the next row, which must have `size` numbers.
 std::vector<std::string_view> rowOf(Lines &lines, std::size_t size, const std::string &announced)
 {
-    if (!lines.nextFilled())
-        throw Failure{lines.number(),
-                      tr("the file ends within the points that %1 announces; is it cut off?", announced)};
+    if (!lines.next())
+        lines.fail(tr("the file ends within the points that %1 announces; is it cut off?", announced));
     std::vector<std::string_view> words = wordsOf(lines.text());
     if (words.size() != size || keyValueOf(lines.text()))
-        throw Failure{lines.number(),
-                      tr("%1 is not a row of %2 numbers, which %3 announces; write the right number of points there",
-                         base::quoted(lines.text()), size, announced)};
+        lines.fail(tr("%1 is not a row of %2 numbers, which %3 announces; write the right number of points there",
+                      base::quoted(lines.text()), size, announced));
     return words;
-}
-
-Landmark landmarkOf(const std::vector<std::string_view> &words, std::size_t line)
-{
-    const auto missing = std::count_if(words.begin(), words.end(), isMissingWord);
-    if (missing == static_cast<std::ptrdiff_t>(words.size()))
-        return {};
-    if (missing > 0)
-        throw Failure{line, tr("some coordinates are NA and some are not; a point is missing as a whole")};
-    glm::dvec3 v(0.0);
-    for (std::size_t i = 0; i < words.size(); ++i)
-        v[static_cast<int>(i)] = numberOf(words[i], line, i == 0 ? "x" : i == 1 ? "y" : "z");
-    Landmark landmark;
-    landmark.world = WorldPoint(v);
-    return landmark;
 }
 
 /// The placing in this program's "COMMENT=placing 2"; other programs skip comments.
@@ -109,12 +93,11 @@ ReadLandmarks readTps(std::string_view text)
     Lines lines(text);
     std::set<std::string> keys; ///< keys of the specimen
     double scaleOfSet = 1.0;
-    while (lines.nextFilled()) {
+    while (lines.next()) {
         const std::optional<KeyValue> entry = keyValueOf(lines.text());
         if (!entry)
-            throw Failure{lines.number(),
-                          tr("%1 belongs to nothing; LM3= or LM= and a number come first, then as many rows of numbers",
-                             base::quoted(lines.text()))};
+            lines.fail(tr("%1 belongs to nothing; LM3= or LM= and a number come first, then as many rows of numbers",
+                          base::quoted(lines.text())));
         const std::string announced = tr("line %1", lines.number());
         const auto &[key, value] = *entry;
         if (key == "LM3" || key == "LM") {
@@ -125,22 +108,20 @@ ReadLandmarks readTps(std::string_view text)
             std::vector<std::size_t> minusOnes;
             for (std::uint32_t i = 0; i < count; ++i) {
                 const std::vector<std::string_view> words = rowOf(lines, key == "LM3" ? 3 : 2, announced);
-                set.landmarks.push_back(landmarkOf(words, lines.number()));
+                set.landmarks.push_back(landmarkAt(words, lines.number()));
                 if (isMinusOnes(words))
                     minusOnes.push_back(i);
             }
             takeMinusOnesAsMissing(set, minusOnes, notes);
-            if (key == "LM" && count > 0)
-                notes.add(LandmarkNote::Kind::FlatPoints, count);
+            notes.add(kFlatPoints, key == "LM" ? count : 0);
             continue;
         }
         if (read.sets.empty())
-            throw Failure{lines.number(),
-                          tr("before %1 there must be points: LM3= and their number", base::quoted(lines.text()))};
+            lines.fail(tr("before %1 there must be points: LM3= and their number", base::quoted(lines.text())));
         LandmarkSet &set = read.sets.back();
         const bool isRepeated = key.starts_with("POINTS") || key.starts_with("CURVES");
         if (!isRepeated && !keys.insert(key).second)
-            throw Failure{lines.number(), tr("%1 is here for the second time in a specimen; remove one of them", key)};
+            lines.fail(tr("%1 is here for the second time in a specimen; remove one of them", key));
         if (key == "ID") {
             set.name = value;
         } else if (const auto placing = placingOf(key, value)) {
@@ -148,15 +129,14 @@ ReadLandmarks readTps(std::string_view text)
         } else if (key == "IMAGE") {
             set.mesh = value;
         } else if (key == "SCALE") {
-            const double scale = numberOf(value, lines.number(), "SCALE");
-            if (!(scale > 0.0))
-                throw Failure{lines.number(), tr("SCALE is %1; it must be greater than 0", value)};
+            scaleOfSet = numberOf(value, lines.number(), "SCALE");
+            if (!(scaleOfSet > 0.0))
+                lines.fail(tr("SCALE is %1; it must be greater than 0", value));
             // Captured by name, because Clang 14 cannot capture a structured binding otherwise.
-            const auto enlarge = [&lines, scale, given = value](WorldPoint &point) {
-                point = WorldPoint(point.coordinates() * scale);
+            const auto enlarge = [&lines, scaleOfSet, given = value](WorldPoint &point) {
+                point = WorldPoint(point.coordinates() * scaleOfSet);
                 if (!isFinite(point))
-                    throw Failure{lines.number(),
-                                  tr("SCALE is %1, which makes coordinates too large; write a smaller one", given)};
+                    lines.fail(tr("SCALE is %1, which makes coordinates too large; write a smaller one", given));
             };
             for (Landmark &landmark : set.landmarks) {
                 if (landmark.world)
@@ -164,33 +144,31 @@ ReadLandmarks readTps(std::string_view text)
             }
             for (Curve &curve : set.curves)
                 std::for_each(curve.semilandmarks.begin(), curve.semilandmarks.end(), enlarge);
-            scaleOfSet = scale;
-            if (scale != 1.0)
-                notes.add(LandmarkNote::Kind::Scaled, 1, std::string(value));
+            if (scaleOfSet != 1.0)
+                notes.add({marked("coordinates are multiplied by the SCALE of the file, %1")}, 1, {std::string(value)});
         } else if (key.starts_with("POINTS")) {
             const std::uint32_t count = countOf(value, lines.number(), key);
             Curve curve;
             for (std::uint32_t i = 0; i < count; ++i) {
-                if (!lines.nextFilled() || keyValueOf(lines.text()))
-                    throw Failure{lines.number(),
-                                  tr("there are fewer rows than the %1 that %2 announces; write the right number there",
-                                     count, announced)};
+                if (!lines.next() || keyValueOf(lines.text()))
+                    lines.fail(tr("there are fewer rows than the %1 that %2 announces; write the right number there",
+                                  count, announced));
                 const std::vector<std::string_view> words = wordsOf(lines.text());
                 if (words.size() != 2 && words.size() != 3)
-                    throw Failure{lines.number(), tr("%1 is not a point of a curve; write two or three numbers",
-                                                     base::quoted(lines.text()))};
-                const Landmark place = landmarkOf(words, lines.number());
+                    lines.fail(
+                        tr("%1 is not a point of a curve; write two or three numbers", base::quoted(lines.text())));
+                const Landmark place = landmarkAt(words, lines.number());
                 if (!place.isPlaced() || (words.size() == 2 && isMinusOnes(words)))
-                    throw Failure{lines.number(),
-                                  tr("a point of a curve is %1, which means a missing one; a curve has all its points",
-                                     lines.text())};
+                    lines.fail(tr("a point of a curve is %1, which means a missing one; a curve has all its points",
+                                  lines.text()));
                 curve.semilandmarks.push_back(WorldPoint(place.world->coordinates() * scaleOfSet));
                 if (!isFinite(curve.semilandmarks.back()))
-                    throw Failure{lines.number(),
-                                  tr("SCALE makes this point's coordinates too large; write a smaller one")};
+                    lines.fail(tr("SCALE makes this point's coordinates too large; write a smaller one"));
             }
             if (count < 2) {
-                notes.add(LandmarkNote::Kind::CurvesLeftOut, count);
+                notes.add({marked("%1 point of curves are left out: a curve needs at least two"),
+                           marked("%1 points of curves are left out: a curve needs at least two")},
+                          count);
                 continue;
             }
             curve.name = nameOf(curve, set.curves.size());
@@ -201,7 +179,7 @@ ReadLandmarks readTps(std::string_view text)
         }
     }
     if (read.sets.empty())
-        throw Failure{1, tr("there are no points; in TPS they follow LM3= and their number")};
+        fail(1, tr("there are no points; in TPS they follow LM3= and their number"));
     read.notes = notes.take();
     return read;
 }
@@ -228,25 +206,23 @@ void appendCurves(std::string &text, const LandmarkSet &set, Notes &notes)
     for (std::size_t i = 0; i < set.curves.size(); ++i) {
         const Curve &curve = set.curves[i];
         if (curve.semilandmarks.empty()) {
-            notes.add(LandmarkNote::Kind::CurveUnknown, 1, nameOf(curve, i));
+            notes.add(kCurveUnknown, 1, {nameOf(curve, i)});
             continue;
         }
         const CurvePart part = partOf(curve, set);
-        if (part.sharedCount() > 0)
-            notes.add(LandmarkNote::Kind::CurveEndsShared, part.sharedCount());
+        notes.add(kCurveEndsShared, part.sharedCount());
         if (part.size() == 0)
             continue;
         ++count;
         rows += "POINTS=" + std::to_string(part.size()) + '\n';
-        for (std::size_t k = part.begin; k < part.end; ++k) {
-            std::string row;
-            appendNumbers(row, curve.semilandmarks[k].coordinates(), ' ');
-            rows += row.substr(1) + '\n';
-        }
+        for (std::size_t k = part.begin; k < part.end; ++k)
+            rows += numbersText(curve.semilandmarks[k].coordinates()) + '\n';
     }
     if (count == 0)
         return;
-    notes.add(LandmarkNote::Kind::CurvesUnnamed, count);
+    notes.add({marked("the names of %1 curve and what they go through are left out"),
+               marked("the names of %1 curves and what they go through are left out")},
+              count);
     text += "CURVES=" + std::to_string(count) + '\n' + rows;
 }
 
@@ -254,19 +230,15 @@ void appendCurves(std::string &text, const LandmarkSet &set, Notes &notes)
 
 std::string tpsText(std::span<const LandmarkSet> sets, Notes &notes)
 {
-    addLosses(notes, sets, {.specimenKeys = true, .specimenName = true, .placings = true, .mesh = true});
     std::string text;
-    PlainNames names("\x7f", false, notes);
+    PlainNames names("", false, notes);
     for (const LandmarkSet &set : sets) {
         text += "LM3=" + std::to_string(set.landmarks.size()) + '\n';
         for (const Landmark &landmark : set.landmarks) {
-            std::string row;
-            if (landmark.world)
-                appendNumbers(row, landmark.world->coordinates(), ' ');
             if (landmark.world == WorldPoint(-1.0, -1.0, -1.0))
-                row = " -1e0 -1e0 -1e0"; // "-1 -1 -1" would mean missing
-            text += landmark.world ? row.substr(1) : "NA NA NA";
-            text += '\n';
+                text += "-1e0 -1e0 -1e0\n"; // "-1 -1 -1" would mean missing
+            else
+                text += (landmark.world ? numbersText(landmark.world->coordinates()) : "NA NA NA") + '\n';
         }
         appendCurves(text, set, notes);
         if (!set.mesh.empty())
@@ -275,7 +247,7 @@ std::string tpsText(std::span<const LandmarkSet> sets, Notes &notes)
             if (isTpsEntry(it.key(), *it) && (set.placing == 1 || it.key() != "COMMENT"))
                 text += it.key() + '=' + it->get<std::string>() + '\n';
             else
-                notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, it.key());
+                notes.addSpecimenKeys(it.key());
         }
         if (set.placing > 1)
             text += "COMMENT=" + std::string(kPlacingWord) + std::to_string(set.placing) + '\n';

@@ -11,31 +11,20 @@
 namespace unprojector {
 namespace {
 
-using landmark_files::LandmarkFileError;
-using landmark_files::LandmarkNote;
-
-Error publicError(const LandmarkFileError &error)
+Error publicError(base::Error error, const std::filesystem::path &file)
 {
-    Error::Kind kind = Error::Kind::Value;
-    switch (error.code) {
-    case LandmarkFileError::Code::NotFound: kind = Error::Kind::MissingFile; break;
-    case LandmarkFileError::Code::IsDirectory:
-    case LandmarkFileError::Code::NotReadable:
-    case LandmarkFileError::Code::NotWritable: kind = Error::Kind::File; break;
-    case LandmarkFileError::Code::UnknownFormat:
-    case LandmarkFileError::Code::NotWritten:
-    case LandmarkFileError::Code::TooLarge:
-    case LandmarkFileError::Code::Malformed:
-    case LandmarkFileError::Code::CannotHold: break;
-    }
-    return {kind, landmark_files::errorText(error)};
+    error.file = base::utf8FromPath(file);
+    const Error::Kind kind = error.kind == base::Error::Kind::NoFile ? Error::Kind::MissingFile
+                             : error.kind == base::Error::Kind::File ? Error::Kind::File
+                                                                     : Error::Kind::Value;
+    return {kind, error.message()};
 }
 
-std::vector<std::string> sentences(const std::filesystem::path &file, const std::vector<LandmarkNote> &notes)
+std::vector<std::string> sentences(const std::filesystem::path &file, const std::vector<base::Note> &notes)
 {
     std::vector<landmark_files::FileNote> named;
     named.reserve(notes.size());
-    for (const LandmarkNote &note : notes)
+    for (const base::Note &note : notes)
         named.push_back({base::utf8FromPath(file), note});
     return landmark_files::noteLines(named);
 }
@@ -124,7 +113,7 @@ Result<Landmarks> Landmarks::read(const std::filesystem::path &file)
 {
     auto read = landmark_files::readLandmarkFile(file);
     if (!read)
-        return publicError(read.error());
+        return publicError(read.error(), file);
     Data data{read->sets, {}, sentences(file, read->notes), landmark_files::specimenOf(file)};
     for (const landmarks::LandmarkSet &set : data.sets)
         data.specimens.push_back(publicSpecimen(set));
@@ -151,18 +140,14 @@ const std::vector<std::string> &Landmarks::notes() const
 
 Result<std::vector<std::string>> Landmarks::write(const std::filesystem::path &file) const
 {
-    const std::string name = base::utf8FromPath(file);
-    const auto format = landmark_files::formatOf(file);
+    const auto format = landmark_files::writtenFormatOf(file);
     if (!format)
-        return publicError({LandmarkFileError::Code::NotWritten, name, 0, {}});
+        return publicError(format.error(), file);
     auto text = landmark_files::convertedText(m_data->sets, *format, m_data->source);
-    if (!text) {
-        LandmarkFileError error = text.error();
-        error.file = name;
-        return publicError(error);
-    }
+    if (!text)
+        return publicError(text.error(), file);
     if (const base::Done written = base::replaceFile(file, text->text); !written)
-        return publicError({LandmarkFileError::Code::NotWritable, name, 0, written.error().text});
+        return publicError(written.error(), file);
     return sentences(file, text->notes);
 }
 

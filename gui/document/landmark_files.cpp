@@ -286,7 +286,7 @@ bool LandmarkFiles::importFrom(const std::filesystem::path &file)
 {
     auto result = readLandmarkFile(file);
     if (!result) {
-        emit failed(QString::fromStdString(errorText(result.error())));
+        emit failed(QString::fromStdString(result.error().message()));
         return false;
     }
     ReadLandmarks read = std::move(result).value();
@@ -363,7 +363,7 @@ bool LandmarkFiles::exportTo(const std::filesystem::path &file, std::span<const 
     }
     const auto written = writeLandmarkFile(file, {&set, 1});
     if (!written) {
-        emit failed(QString::fromStdString(errorText(written.error())));
+        emit failed(QString::fromStdString(written.error().message()));
         return false;
     }
     const QString name = pathText(file.filename());
@@ -381,13 +381,12 @@ bool LandmarkFiles::exportTo(const std::filesystem::path &file, std::span<const 
     return true;
 }
 
-SlidersReport writeSliders(const std::filesystem::path &table,
-                           const geometry::Result<Sliders, LandmarkFileError> &sliders)
+SlidersReport writeSliders(const std::filesystem::path &table, const base::Expected<Sliders, base::Error> &sliders)
 {
     SlidersReport report;
     const auto written = writeSlidersBeside(table, sliders);
     if (!written)
-        report.lost << QString::fromStdString(errorText(written.error()));
+        report.lost << QString::fromStdString(written.error().message());
     else if (*written)
         report.said << LandmarkFiles::tr("The sliders of the semilandmarks, for geomorph's gpagen(curves=), are in %1.")
                            .arg(pathText((*written)->filename()));

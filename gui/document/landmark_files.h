@@ -107,6 +107,6 @@ struct SlidersReport {
 };
 /// Writes the sliders of a written table beside it, if there are any.
 SlidersReport writeSliders(const std::filesystem::path &table,
-                           const geometry::Result<landmark_files::Sliders, landmark_files::LandmarkFileError> &sliders);
+                           const base::Expected<landmark_files::Sliders, base::Error> &sliders);
 
 } // namespace unprojector::gui

@@ -222,7 +222,7 @@ void LandmarksPanel::takeTemplate(const std::filesystem::path &file)
 {
     auto read = landmark_files::readLandmarkFile(file);
     if (!read) {
-        emit warned(QString::fromStdString(landmark_files::errorText(read.error())));
+        emit warned(QString::fromStdString(read.error().message()));
         return;
     }
     std::vector<Landmark> landmarks = std::move(read).value().sets.front().landmarks;
@@ -262,7 +262,7 @@ void LandmarksPanel::saveTemplate()
     const landmarks::LandmarkSet set = m_templates.templateOf(m_document.landmarks(), file.parent_path());
     const auto written = landmark_files::writeLandmarkFile(file, {&set, 1});
     if (!written) {
-        emit warned(QString::fromStdString(landmark_files::errorText(written.error())));
+        emit warned(QString::fromStdString(written.error().message()));
         return;
     }
     if (!written->empty())

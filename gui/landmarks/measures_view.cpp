@@ -391,7 +391,7 @@ void MeasuresView::loadProtocol()
         return;
     auto read = landmark_files::readMeasures(file);
     if (!read) {
-        emit warned(QString::fromStdString(landmark_files::errorText(read.error())));
+        emit warned(QString::fromStdString(read.error().message()));
         return;
     }
     m_what->setChoice(OfProtocol);

@@ -83,7 +83,7 @@ void readKept(Scan &scan, int placing)
         return;
     auto read = readLandmarkFile(file);
     if (!read)
-        scan.problem = QString::fromStdString(errorText(read.error()));
+        scan.problem = QString::fromStdString(read.error().message());
     else if (read->sets.size() > 1)
         scan.problem =
             ScanSeries::tr(

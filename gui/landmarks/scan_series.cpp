@@ -530,7 +530,7 @@ std::optional<SeriesRepeats> ScanSeries::repeats()
     readAgain();
     SeriesRepeats found = repeatsIn(m_now.scans);
     if (const auto table = errorsTable(found.specimens); !table) { // placings in several units
-        emit failed(QString::fromStdString(errorText(table.error())));
+        emit failed(QString::fromStdString(table.error().message()));
         return std::nullopt;
     }
     return found;

@@ -27,7 +27,7 @@ LandmarkSet asRead(const LandmarkSet &set)
 {
     const auto text = landmarksText({&set, 1}, Format::Csv);
     auto read = text ? parseLandmarks(text->text, Format::Csv, "template")
-                     : geometry::Result<ReadLandmarks, LandmarkFileError>(text.error());
+                     : base::Expected<ReadLandmarks, base::Error>(text.error());
     return read && !read->sets.empty() ? std::move(read).value().sets.front() : set;
 }
 
@@ -62,7 +62,7 @@ SeriesFiles::readTemplate(const std::filesystem::path &folder)
     auto read = readLandmarkFile(file);
     m_isDamaged = !read || read->sets.size() != 1;
     if (!read)
-        return QString::fromStdString(errorText(read.error()));
+        return QString::fromStdString(read.error().message());
     if (m_isDamaged)
         return Texts::tr("%1: this file is no template: it has the landmarks of several specimens.")
             .arg(pathText(file));
@@ -99,7 +99,7 @@ geometry::Result<bool, QString> SeriesFiles::keepTemplate(const std::filesystem:
     }
     const auto written = writeLandmarkFile(file, {&set, 1});
     if (!written)
-        return QString::fromStdString(errorText(written.error()));
+        return QString::fromStdString(written.error().message());
     m_template = set;
     return true;
 }

@@ -35,7 +35,7 @@ QString SeriesProtocol::open(const std::filesystem::path &folder, const std::vec
     auto read = landmark_files::readMeasures(m_file);
     m_isDamaged = !read;
     if (!read)
-        return QString::fromStdString(landmark_files::errorText(read.error()));
+        return QString::fromStdString(read.error().message());
     m_measures = std::move(read).value();
     return {};
 }

@@ -166,14 +166,14 @@ QString writtenTo(const std::filesystem::path &file, const std::string &text)
                    : QStringLiteral("%1: %2").arg(pathText(file), QString::fromStdString(written.error().text));
 }
 
-QString reasonOf(LandmarkFileError error, const std::filesystem::path &file)
+QString reasonOf(base::Error error, const std::filesystem::path &file)
 {
     error.file = base::utf8FromPath(file);
-    return QString::fromStdString(errorText(error));
+    return QString::fromStdString(error.message());
 }
 
 /// The warning about what a table lacks.
-QString warningOf(const std::filesystem::path &file, QStringList problems, const std::vector<LandmarkNote> &notes)
+QString warningOf(const std::filesystem::path &file, QStringList problems, const std::vector<base::Note> &notes)
 {
     if (!problems.isEmpty())
         problems.prepend(Texts::tr("Missing in %1, because they could not be read:").arg(pathText(file.filename())));
@@ -281,7 +281,7 @@ Result<WrittenSeries, QString> writeSeries(const std::filesystem::path &file, Se
     if (const QString warning = warningOf(file, problems, text->notes); !warning.isEmpty())
         warnings.prepend(warning);
     if (const std::size_t others = hasRows ? 0 : otherPlacings(content); others > 0) // first: a message may be folded
-        warnings.prepend(landmarkNotesText(name, {LandmarkNote{LandmarkNote::Kind::RepeatsLeftOut, others, {}}}));
+        warnings.prepend(landmarkNotesText(name, {repeatsLeftOut(others)}));
     return WrittenSeries{warnings.join(u'\n'), joinSentences(QStringList{written} + remarks + sliders.said)};
 }
 

@@ -159,7 +159,7 @@ ShownScan::Kept ShownScan::write(Scan &scan, const std::filesystem::path &landma
         emit warned(backup.error());
     const auto written = writeLandmarkFile(landmarkFile, {&scan.points, 1});
     if (!written) {
-        emit failed(QString::fromStdString(errorText(written.error())));
+        emit failed(QString::fromStdString(written.error().message()));
         return Kept::Failed;
     }
     scan.isKept = true;

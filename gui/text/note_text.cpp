@@ -27,11 +27,11 @@ QString notesText(const QString &fileName, const std::vector<base::Note> &notes)
     return sentences.isEmpty() ? QString() : ofFile(fileName, joinSentences(sentences));
 }
 
-QString landmarkNotesText(const QString &fileName, const std::vector<landmark_files::LandmarkNote> &notes)
+QString landmarkNotesText(const QString &fileName, const std::vector<base::Note> &notes)
 {
     QStringList lines;
-    for (const landmark_files::LandmarkNote &note : notes)
-        lines << ofFile(fileName, ended(landmark_files::noteText(note)));
+    for (const base::Note &note : notes)
+        lines << ofFile(fileName, ended(note.text()));
     return lines.join(u'\n');
 }
 

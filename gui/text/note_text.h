@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/base/note.h"
-#include "core/landmark_files/landmark_file.h"
 
 #include <QString>
 
@@ -12,6 +11,6 @@ namespace unprojector::gui {
 /// A model's import notes: core's sentences after the file's name; empty without any.
 QString notesText(const QString &fileName, const std::vector<base::Note> &notes);
 /// The import notes of a landmark file: core's words, a line each, after the file's name.
-QString landmarkNotesText(const QString &fileName, const std::vector<landmark_files::LandmarkNote> &notes);
+QString landmarkNotesText(const QString &fileName, const std::vector<base::Note> &notes);
 
 } // namespace unprojector::gui

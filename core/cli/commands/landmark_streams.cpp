@@ -14,16 +14,15 @@ namespace unprojector::cli {
 using namespace landmarks;
 using namespace landmark_files;
 using namespace base;
-using geometry::Result;
 
 namespace {
 
 /// Prints the notes of a file on stderr.
-void tell(const std::string &name, const std::vector<LandmarkNote> &notes)
+void tell(const std::string &name, const std::vector<Note> &notes)
 {
     std::vector<FileNote> ofFile;
     ofFile.reserve(notes.size());
-    for (const LandmarkNote &note : notes)
+    for (const Note &note : notes)
         ofFile.push_back({name, note});
     for (const std::string &line : noteLines(ofFile))
         complain(line);
@@ -37,9 +36,9 @@ ReadLandmarks readFile(const std::string &file, Format format)
     const std::string text = source.readAll(kMostLandmarkBytes);
     if (source.hasFailed())
         refuse(tr("%1: the file cannot be read to its end", source.name()));
-    Result<ReadLandmarks, LandmarkFileError> read = parseLandmarks(text, format, source.name());
+    Expected<ReadLandmarks, Error> read = parseLandmarks(text, format, source.name());
     if (!read)
-        refuse(errorText(read.error()));
+        refuse(read.error().message());
     tell(source.name(), read->notes);
     const auto isEmpty = [](const LandmarkSet &set) { return set.landmarks.empty() && set.curves.empty(); };
     if (std::all_of(read->sets.begin(), read->sets.end(), isEmpty))
@@ -47,14 +46,13 @@ ReadLandmarks readFile(const std::string &file, Format format)
     return std::move(read).value();
 }
 
-ExitCode write(const std::string &file, const Result<WrittenLandmarks, LandmarkFileError> &text,
-               const InputFiles &inputs)
+ExitCode write(const std::string &file, const Expected<WrittenLandmarks, Error> &text, const InputFiles &inputs)
 {
     const std::string name = outputName(file);
     if (!text) {
-        LandmarkFileError error = text.error();
+        Error error = text.error();
         error.file = name;
-        refuse(errorText(error));
+        refuse(error.message());
     }
     ByteSink sink(file, inputs);
     sink.write(text->text);
@@ -64,15 +62,14 @@ ExitCode write(const std::string &file, const Result<WrittenLandmarks, LandmarkF
     return written;
 }
 
-ExitCode writeSliders(const std::string &file, const Result<Sliders, LandmarkFileError> &sliders,
-                      const InputFiles &inputs, ExitCode written)
+ExitCode writeSliders(const std::string &file, const Expected<Sliders, Error> &sliders, const InputFiles &inputs,
+                      ExitCode written)
 {
     if (file.empty() || written == ExitCode::UnusableInput)
         return written;
     if (!sliders || sliders->count == 0) {
-        complain(
-            file + ": "
-            + (sliders ? tr("it is not written, because no curve has semilandmarks") : errorText(sliders.error())));
+        complain(file + ": "
+                 + (sliders ? tr("it is not written, because no curve has semilandmarks") : sliders.error().message()));
         return ExitCode::SomeRowsBad;
     }
     ByteSink sink(file, inputs);

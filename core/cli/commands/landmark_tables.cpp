@@ -234,9 +234,9 @@ ExitCode makeTable(const LandmarksOptions &options)
     std::vector<KeptMeasure> measures;
     MeasuredFolder found;
     if (!options.measures.empty()) {
-        Result<std::vector<KeptMeasure>, LandmarkFileError> read = readMeasures(pathFromUtf8(options.measures));
+        auto read = readMeasures(pathFromUtf8(options.measures));
         if (!read)
-            refuse(errorText(read.error()));
+            refuse(read.error().message());
         measures = std::move(read).value();
         if (measures.empty())
             complain(tr("%1: there are no measures in the file", options.measures));

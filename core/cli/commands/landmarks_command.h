@@ -46,16 +46,14 @@ landmark_files::ReadLandmarks readFile(const std::string &file, landmark_files::
 
 /// Writes a table or a file.
 /// @param inputs  inputs of the run: none of them is overwritten
-ExitCode write(const std::string &file,
-               const geometry::Result<landmark_files::WrittenLandmarks, landmark_files::LandmarkFileError> &text,
+ExitCode write(const std::string &file, const base::Expected<landmark_files::WrittenLandmarks, base::Error> &text,
                const InputFiles &inputs);
 
 /// Writes the sliders of points that were written. Reports on stderr what it wrote, or why it
 /// wrote nothing.
 /// @param file     empty: nothing is asked for
 /// @param written  exit code of the points
-ExitCode writeSliders(const std::string &file,
-                      const geometry::Result<landmark_files::Sliders, landmark_files::LandmarkFileError> &sliders,
+ExitCode writeSliders(const std::string &file, const base::Expected<landmark_files::Sliders, base::Error> &sliders,
                       const InputFiles &inputs, ExitCode written);
 
 /// The given format of a file, else the one of its suffix.

@@ -15,11 +15,11 @@
 /// Readers that share nothing with ours and forgive nothing, for the tests of landmark files.
 namespace strict_landmarks {
 
-inline QStringList noteTexts(const std::vector<unprojector::landmark_files::LandmarkNote> &notes)
+inline QStringList noteTexts(const std::vector<unprojector::base::Note> &notes)
 {
     QStringList texts;
-    for (const unprojector::landmark_files::LandmarkNote &note : notes)
-        texts << QString::fromStdString(noteText(note));
+    for (const unprojector::base::Note &note : notes)
+        texts << QString::fromStdString(note.text());
     return texts;
 }
 

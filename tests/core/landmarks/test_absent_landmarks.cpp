@@ -67,7 +67,7 @@ private slots:
         const auto text = landmarksText({&set, 1}, format);
         QVERIFY(text);
         const auto read = parseLandmarks(text->text, format, "p");
-        QVERIFY2(read, read ? "" : errorText(read.error()).c_str());
+        QVERIFY2(read, read ? "" : read.error().message().c_str());
         const std::vector<Landmark> &back = read->sets.front().landmarks;
         QCOMPARE(back.size(), std::size_t(4));
         QVERIFY(back[0].isPlaced() && back[0].absence == Absence::NotPlaced);

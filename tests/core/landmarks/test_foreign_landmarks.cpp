@@ -69,13 +69,13 @@ private slots:
         if (const QString refused = told(example, "refused").value(0); !refused.isEmpty()) {
             QCOMPARE(example.told.size(), std::size_t(1));
             QVERIFY(!read);
-            const QString said = QString::fromStdString(errorText(read.error()));
+            const QString said = QString::fromStdString(read.error().message());
             const QString shown = refused.endsWith(u'…') ? said.left(refused.size() - 1) + u'…' : said;
             QCOMPARE(shown, refused);
             QVERIFY(said.size() > 10);
             return;
         }
-        QVERIFY2(read, read ? "" : errorText(read.error()).c_str());
+        QVERIFY2(read, read ? "" : read.error().message().c_str());
         QCOMPARE(noteTexts(read->notes), told(example, "note"));
         const auto csv = landmarksText(read->sets, Format::Csv);
         QVERIFY(csv);

@@ -118,7 +118,7 @@ std::string written(std::span<const LandmarkSet> sets, Format format)
 {
     const auto text = landmarksText(sets, format);
     if (!text)
-        qFatal("%s", errorText(text.error()).c_str());
+        qFatal("%s", text.error().message().c_str());
     return text->text;
 }
 
@@ -130,7 +130,7 @@ bool isSameDouble(double a, double b)
 std::string wideText(std::span<const LandmarkSet> sets)
 {
     const auto table = specimenTable(sets, TableForm::Wide);
-    return table ? table->text : errorText(table.error());
+    return table ? table->text : table.error().message();
 }
 
 } // namespace
@@ -161,11 +161,11 @@ LandmarkSet setWithCurves()
     return set;
 }
 
-QStringList textsOf(const std::vector<LandmarkNote> &notes)
+QStringList textsOf(const std::vector<base::Note> &notes)
 {
     QStringList texts;
-    for (const LandmarkNote &note : notes)
-        texts << QString::fromStdString(noteText(note));
+    for (const base::Note &note : notes)
+        texts << QString::fromStdString(note.text());
     return texts;
 }
 
@@ -236,7 +236,7 @@ private slots:
         QCOMPARE(noteTexts(text->notes), QStringList());
 
         const auto read = parseLandmarks(text->text, format, "points");
-        QVERIFY2(read, read ? "" : errorText(read.error()).c_str());
+        QVERIFY2(read, read ? "" : read.error().message().c_str());
         QCOMPARE(read->sets.size(), std::size_t(1));
         for (std::size_t i = 0; i < set.landmarks.size(); ++i) {
             const Landmark &landmark = read->sets[0].landmarks.at(i), &expected = set.landmarks[i];
@@ -293,7 +293,7 @@ private slots:
         set.landmarks[0].name += '!';
         set.landmarks[0].world = WorldPoint(3, 1, 1);
         const auto read = parseLandmarks(written({&set, 1}, format), format, "points");
-        QVERIFY2(read, read ? "" : errorText(read.error()).c_str());
+        QVERIFY2(read, read ? "" : read.error().message().c_str());
         QCOMPARE(read->sets.at(0).landmarks.at(0).name, set.landmarks[0].name);
         QCOMPARE(read->sets[0].landmarks[0].world, set.landmarks[0].world);
     }
@@ -515,7 +515,7 @@ private slots:
         sets[0].landmarks.resize(1);
         const auto said = [&](Format format) {
             const auto text = landmarksText(sets, format);
-            return text ? QString("written") : QString::fromStdString(errorText(text.error()));
+            return text ? QString("written") : QString::fromStdString(text.error().message());
         };
         QCOMPARE(said(Format::MeshLab),
                  QString(".pp holds one specimen, and there are 2; take .csv, .tps, .nts or .mrk.json"));
@@ -561,7 +561,7 @@ private slots:
         QVERIFY(csv);
         QVERIFY2(csv->notes.empty(), qPrintable(textsOf(csv->notes).join(u'\n')));
         const auto read = parseLandmarks(csv->text, Format::Csv, "x.csv");
-        QVERIFY2(read.hasValue(), read ? "" : errorText(read.error()).c_str());
+        QVERIFY2(read.hasValue(), read ? "" : read.error().message().c_str());
         QVERIFY(read->sets.front() == set);
 
         const auto more = parseLandmarks(
@@ -574,7 +574,7 @@ private slots:
         const auto sorted = parseLandmarks("name,x,y,z,curve,curveCount\nc:2,4,5,6,c,2\nc:01,1,2,3,c,\n"
                                            "e:1,,,,e,2\ne:2,,,,e,\nf,7,7,7,f,\nf,8,8,8,f,\n",
                                            Format::Csv, "x.csv");
-        QVERIFY2(sorted, sorted ? "" : errorText(sorted.error()).c_str());
+        QVERIFY2(sorted, sorted ? "" : sorted.error().message().c_str());
         const std::vector<Curve> &curves = sorted->sets.front().curves;
         QCOMPARE(curves.size(), std::size_t(3));
         QVERIFY(curves[0].semilandmarks == (std::vector{WorldPoint(1, 2, 3), WorldPoint(4, 5, 6)}));
@@ -594,15 +594,14 @@ private slots:
     {
         const auto notesOf = [](const char *text, Format format) {
             const auto read = parseLandmarks(text, format, "p");
-            return read ? read->notes
-                        : std::vector<LandmarkNote>{{LandmarkNote::Kind::CommentsLeftOut, 99, "not read"}};
+            return read ? textsOf(read->notes) : QStringList("not read");
         };
-        using Notes = std::vector<LandmarkNote>;
-        const Notes one{{LandmarkNote::Kind::BlanksLeftOut, 1, {}}}, two{{LandmarkNote::Kind::BlanksLeftOut, 2, {}}};
+        const QStringList one{"the blanks around 1 cell text are removed; put the text in quotes to keep them"},
+            two{"the blanks around 2 cell texts are removed; put the texts in quotes to keep them"};
         QVERIFY(notesOf("name,x,y,z\n nasion,1,2,3\n", Format::Csv) == one);
         QVERIFY(notesOf("name,x,y,z,note,sex\nnasion,1,2,3,worn ,\tf\n", Format::Csv) == two);
-        QVERIFY(notesOf("name, x, y, z\nnasion, 1, 2, 3\n", Format::Csv).empty()); // numbers lose nothing
-        QVERIFY(notesOf("name,x,y,z\n \" nasion\" ,1,2,3\n", Format::Csv).empty());
+        QVERIFY(notesOf("name, x, y, z\nnasion, 1, 2, 3\n", Format::Csv).isEmpty()); // numbers lose nothing
+        QVERIFY(notesOf("name,x,y,z\n \" nasion\" ,1,2,3\n", Format::Csv).isEmpty());
         const auto quoted = parseLandmarks("name,x,y,z\n\" nasion\",1,2,3\n", Format::Csv, "p");
         QVERIFY(quoted);
         QCOMPARE(quoted->sets[0].landmarks[0].name, std::string(" nasion"));
@@ -610,8 +609,6 @@ private slots:
                         "0, 1, 2, 3, 0,0,0,1,1,1,0, nasion,here,\n",
                         Format::SlicerCsv)
                 == one);
-        QCOMPARE(noteText(two[0]),
-                 std::string("the blanks around 2 cell texts are removed; put the texts in quotes to keep them"));
     }
 
     void largeFilesAreReadOrNotWritten_data()
@@ -641,13 +638,13 @@ private slots:
         const auto text = landmarksText({&set, 1}, format);
         QCOMPARE(bool(text), isWritten);
         if (!text) {
-            const QString said = QString::fromStdString(errorText(text.error()));
+            const QString said = QString::fromStdString(text.error().message());
             QVERIFY2(said.contains("a file of landmarks may have at most 64 MiB; write fewer points"),
                      qPrintable(said));
             return;
         }
         const auto read = parseLandmarks(text->text, format, "f");
-        QVERIFY2(read, read ? "" : errorText(read.error()).c_str());
+        QVERIFY2(read, read ? "" : read.error().message().c_str());
         QVERIFY(read->sets.front() == set);
     }
 
@@ -662,7 +659,7 @@ private slots:
         const auto read = readLandmarkFile(path("a.MRK.json"));
         QVERIFY(read && read->sets.front() == set);
         const auto said = [](const auto &result) {
-            return QString::fromStdString(errorText(result.error())).section(": ", -1);
+            return QString::fromStdString(result.error().message()).section(": ", -1);
         };
         QCOMPARE(said(readLandmarkFile(path("none.pp"))), QString("there is no such file"));
         QCOMPARE(

@@ -116,22 +116,19 @@ private slots:
 
     void notesOfManyFilesAreGrouped()
     {
-        using Kind = LandmarkNote::Kind;
         std::vector<FileNote> notes;
         for (int i = 0; i < 5; ++i) {
             const std::string file = std::to_string(i) + ".tps";
-            notes.push_back({file, {Kind::FlatPoints, 2, {}}});
-            notes.push_back({file, {Kind::Scaled, 1, "0." + std::to_string(i)}});
+            notes.push_back({file, {"%1 point has two coordinates", {}, "%1 points have two coordinates", 2}});
+            notes.push_back({file, {"multiplied by %1", {"0." + std::to_string(i)}}});
         }
-        notes.push_back({"a.csv", {Kind::DecimalCommas, 1, {}}});
+        notes.push_back({"a.csv", {"a decimal comma"}});
         QStringList lines;
         for (const std::string &line : noteLines(notes))
             lines << QString::fromStdString(line);
         QCOMPARE(lines,
-                 (QStringList{"5 files: 10 points have two coordinates; z is 0",
-                              "0.tps: coordinates are multiplied by the SCALE of the file, 0.0 (and 4 more notes "
-                              "like this one)",
-                              "a.csv: " + kCommas}));
+                 (QStringList{"5 files: 10 points have two coordinates",
+                              "0.tps: multiplied by 0.0 (and 4 more notes like this one)", "a.csv: a decimal comma"}));
     }
 };
 

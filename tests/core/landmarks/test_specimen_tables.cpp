@@ -49,7 +49,7 @@ QString tableText(const std::vector<LandmarkSet> &sets, TableForm form, const Pr
                   const std::vector<Landmark> &names = {})
 {
     const auto table = specimenTable(sets, form, protocol, names);
-    return QString::fromStdString(table ? table->text : errorText(table.error()));
+    return QString::fromStdString(table ? table->text : table.error().message());
 }
 
 QStringList notesOf(const std::vector<LandmarkSet> &sets, TableForm form)
@@ -57,8 +57,8 @@ QStringList notesOf(const std::vector<LandmarkSet> &sets, TableForm form)
     const auto table = specimenTable(sets, form);
     QStringList notes;
     if (table) {
-        for (const LandmarkNote &note : table->notes)
-            notes << QString::fromStdString(noteText(note));
+        for (const auto &note : table->notes)
+            notes << QString::fromStdString(note.text());
     }
     return notes;
 }
@@ -163,7 +163,7 @@ private slots:
         const std::vector<LandmarkSet> sets{specimen("s", {at("a", 1)}), specimen("s", {at("a", 2)}, 2),
                                             specimen("t", {at("a", 2)}, 12)};
         const auto read = parseLandmarks(tableText(sets, TableForm::Long).toStdString(), Format::Csv, "file");
-        QVERIFY2(read, read ? "" : errorText(read.error()).c_str());
+        QVERIFY2(read, read ? "" : read.error().message().c_str());
         QCOMPARE(read->sets.size(), sets.size());
         for (std::size_t i = 0; i < sets.size(); ++i) {
             QCOMPARE(read->sets[i].name, sets[i].name);
@@ -177,7 +177,7 @@ private slots:
         QVERIFY(second && second->sets.front().placing == 12 && second->sets.front().extra == sets[0].extra);
         const auto bad = parseLandmarks("name,placing,x,y,z\na,0,1,2,3\n", Format::Csv, "f");
         QVERIFY(!bad);
-        QCOMPARE(QString::fromStdString(errorText(bad.error())),
+        QCOMPARE(QString::fromStdString(bad.error().message()),
                  QString("f:2: placing is 0; write a whole number from 1 to 99"));
     }
 
@@ -239,7 +239,7 @@ private slots:
                  qPrintable(rows));
         const auto tps = specimenTable(sets, TableForm::Tps, protocol);
         QVERIFY(tps);
-        QCOMPARE(noteText(tps->notes.front()),
+        QCOMPARE(tps->notes.front().text(),
                  std::string("1 measure of the protocol is left out; save the protocol in a file of its own"));
     }
 
@@ -304,7 +304,7 @@ private slots:
         QVERIFY(text.starts_with(
             "name,kind,landmarks\n\"height, nose\",distance,nasion,\"sub \"\"n\"\"\"\na,angle,a,b,c\n"));
         const auto read = parseMeasures(text, "f");
-        QVERIFY2(read, read ? "" : errorText(read.error()).c_str());
+        QVERIFY2(read, read ? "" : read.error().message().c_str());
         QVERIFY(*read == measures);
         // As a spreadsheet writes it.
         const auto padded = parseMeasures("\xef\xbb\xbfName;Kind;landmarks;;\r\nw;Distance;a;b;\r\n;;;;\r\n", "f");
@@ -320,7 +320,7 @@ private slots:
         QFETCH(data_files::Case, example);
         const auto read = parseMeasures(example.text, "f");
         QVERIFY(!read);
-        QCOMPARE(QString::fromStdString(errorText(read.error())), QString::fromStdString(example.refused()));
+        QCOMPARE(QString::fromStdString(read.error().message()), QString::fromStdString(example.refused()));
     }
 
     void aSceneKeepsItsMeasures()
