@@ -4,37 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace unprojector::landmarks {
 
 namespace {
-
-std::size_t commonCount(const Configuration &a, const Configuration &b)
-{
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-        count += a[i] && b[i] ? std::size_t(1) : 0;
-    return count;
-}
-
-/// The median of the aligned specimens but one, landmark by landmark.
-Configuration meanWithout(const std::vector<Configuration> &aligned, std::size_t one)
-{
-    Configuration mean(aligned[one].size());
-    for (std::size_t j = 0; j < mean.size(); ++j) {
-        std::vector<double> x, y, z;
-        for (std::size_t k = 0; k < aligned.size(); ++k) {
-            if (k == one || !aligned[k][j])
-                continue;
-            x.push_back(aligned[k][j]->x);
-            y.push_back(aligned[k][j]->y);
-            z.push_back(aligned[k][j]->z);
-        }
-        if (!x.empty())
-            mean[j] = glm::dvec3(medianOf(std::move(x)), medianOf(std::move(y)), medianOf(std::move(z)));
-    }
-    return mean;
-}
 
 /// The landmarks of a configuration that are placed on this specimen too.
 Configuration onlyPlaced(Configuration points, const Configuration &placed)
@@ -51,8 +25,11 @@ Configuration onlyPlaced(Configuration points, const Configuration &placed)
 PlaceExpectation::PlaceExpectation(std::span<const Configuration> others)
     : m_others(superimposed(others, Estimate::Robust))
 {
-    for (std::size_t k = 0; k < m_others.aligned.size(); ++k)
-        m_rest.push_back(meanWithout(m_others.aligned, k));
+    for (std::size_t k = 0; k < m_others.aligned.size(); ++k) {
+        std::vector<Configuration> rest = m_others.aligned;
+        rest[k].assign(rest[k].size(), std::nullopt);
+        m_rest.push_back(meanOf(rest, Estimate::Robust));
+    }
 }
 
 ExpectedPlaces PlaceExpectation::placesFor(const Configuration &placed) const
@@ -63,12 +40,11 @@ ExpectedPlaces PlaceExpectation::placesFor(const Configuration &placed) const
     mean.resize(count);
     ExpectedPlaces result;
     result.places.resize(count);
-    const bool isAny = std::any_of(mean.begin(), mean.end(), [](const auto &point) { return point.has_value(); });
-    if (!isAny) {
+    if (placedCount(mean) == 0) {
         result.reason = NoExpectedPlaces::NoOthers;
         return result;
     }
-    if (commonCount(own, mean) < kFewestToExpect) {
+    if (placedCount(onlyPlaced(mean, own)) < kFewestToExpect) {
         result.reason = NoExpectedPlaces::TooFew;
         return result;
     }

@@ -452,11 +452,9 @@ Deviations deviationsOf(std::span<const Configuration> specimens, std::span<cons
             points[j].reset();
     }
     std::vector<Configuration> reference = all;
-    for (std::size_t k = 0; k < all.size(); ++k) {
-        const auto count =
-            std::count_if(all[k].begin(), all[k].end(), [](const auto &point) { return point.has_value(); });
-        if (static_cast<std::size_t>(count) < kFewestToAlign)
-            reference[k].assign(landmarks, std::nullopt);
+    for (Configuration &points : reference) {
+        if (placedCount(points) < kFewestToAlign)
+            points.assign(landmarks, std::nullopt);
     }
     const std::vector<Configuration> usable = reference;
     std::vector<bool> isSwapped(all.size(), false); // all left and right landmarks
@@ -508,9 +506,7 @@ Deviations deviationsOf(std::span<const Configuration> specimens, std::span<cons
     }
     for (std::size_t k = 0; k < all.size(); ++k) {
         const Fit &fit = fits[k];
-        const bool isAny =
-            std::any_of(all[k].begin(), all[k].end(), [](const auto &point) { return point.has_value(); });
-        if (isAny && !fit.meanFromSpecimen)
+        if (placedCount(all[k]) > 0 && !fit.meanFromSpecimen)
             result.notAligned.push_back(k);
         if (isSwapped[k])
             result.swappedSpecimens.push_back(k);

@@ -101,33 +101,6 @@ Configuration normalized(Configuration points)
     return points;
 }
 
-/// The mean of aligned specimens, landmark by landmark.
-Configuration meanOf(std::span<const Configuration> aligned, Estimate estimate, std::size_t count)
-{
-    Configuration mean(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        std::array<std::vector<double>, 3> values;
-        for (const Configuration &points : aligned) {
-            for (int axis = 0; points[i] && axis < 3; ++axis)
-                values[std::size_t(axis)].push_back((*points[i])[axis]);
-        }
-        if (values[0].empty())
-            continue;
-        glm::dvec3 point(0.0);
-        for (int axis = 0; axis < 3; ++axis) {
-            const std::vector<double> &all = values[std::size_t(axis)];
-            if (estimate == Estimate::Robust) {
-                point[axis] = medianOf(all);
-                continue;
-            }
-            for (const double value : all)
-                point[axis] += value / static_cast<double>(all.size());
-        }
-        mean[i] = point;
-    }
-    return mean;
-}
-
 constexpr int kFirstSteps = 10; ///< alignments with weights 1 / r
 
 /// The weights of the landmarks in a specimen after an alignment.
@@ -165,6 +138,38 @@ double squaredDistance(const Configuration &a, const Configuration &b)
 }
 
 } // namespace
+
+Configuration meanOf(std::span<const Configuration> aligned, Estimate estimate)
+{
+    Configuration mean(aligned.empty() ? 0 : aligned.front().size());
+    for (std::size_t i = 0; i < mean.size(); ++i) {
+        std::array<std::vector<double>, 3> values;
+        for (const Configuration &points : aligned) {
+            for (int axis = 0; points[i] && axis < 3; ++axis)
+                values[std::size_t(axis)].push_back((*points[i])[axis]);
+        }
+        if (values[0].empty())
+            continue;
+        glm::dvec3 point(0.0);
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::vector<double> &all = values[std::size_t(axis)];
+            if (estimate == Estimate::Robust) {
+                point[axis] = medianOf(all);
+                continue;
+            }
+            for (const double value : all)
+                point[axis] += value / static_cast<double>(all.size());
+        }
+        mean[i] = point;
+    }
+    return mean;
+}
+
+std::size_t placedCount(const Configuration &points)
+{
+    return static_cast<std::size_t>(
+        std::count_if(points.begin(), points.end(), [](const auto &point) { return point.has_value(); }));
+}
 
 Configuration Similarity::mapped(const Configuration &points) const
 {
@@ -240,25 +245,20 @@ Superimposition superimposed(std::span<const Configuration> specimens, Estimate 
     Superimposition result;
     result.meanFromSpecimen.resize(specimens.size());
     std::size_t count = 0, most = 0;
-    const Configuration *first = nullptr;
-    for (const Configuration &specimen : specimens) {
+    for (const Configuration &specimen : specimens)
         count = std::max(count, specimen.size());
-        const auto known = static_cast<std::size_t>(
-            std::count_if(specimen.begin(), specimen.end(), [](const auto &point) { return point.has_value(); }));
-        if (known > most) {
-            most = known;
-            first = &specimen;
+    std::vector<Configuration> same(specimens.begin(), specimens.end()); // of equal length
+    result.mean.resize(count);
+    for (Configuration &specimen : same) {
+        specimen.resize(count);
+        if (placedCount(specimen) > most) {
+            most = placedCount(specimen);
+            result.mean = specimen;
         }
     }
-    std::vector<Configuration> same(specimens.begin(), specimens.end()); // of equal length
-    for (Configuration &specimen : same)
-        specimen.resize(count);
     result.aligned.assign(specimens.size(), Configuration(count));
-    result.mean.resize(count);
-    if (!first)
+    if (most == 0)
         return result;
-    result.mean = *first;
-    result.mean.resize(count);
     result.mean = normalized(std::move(result.mean));
     constexpr int kMostSteps = 200;
     const double stays = estimate == Estimate::Robust ? 1e-16 : 1e-26; // the mean's squared change, at size 1
@@ -273,9 +273,9 @@ Superimposition superimposed(std::span<const Configuration> specimens, Estimate 
             if (similarity && estimate == Estimate::Robust)
                 weights[k] = weightsOf(result.aligned[k], result.mean, step < kFirstSteps);
         }
-        Configuration mean = normalized(meanOf(result.aligned, estimate, count));
+        Configuration mean = normalized(meanOf(result.aligned, estimate));
         const double change = squaredDistance(mean, result.mean);
-        const bool isLost = std::none_of(mean.begin(), mean.end(), [](const auto &point) { return point.has_value(); });
+        const bool isLost = placedCount(mean) == 0;
         if (!isLost)
             result.mean = std::move(mean);
         if (isLost || (change < stays && (estimate == Estimate::LeastSquares || step > kFirstSteps)))

@@ -3,6 +3,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -49,6 +50,9 @@ std::optional<Similarity> similarityOf(const Configuration &from, const Configur
 /// @return empty as similarityOf
 std::optional<Similarity> robustSimilarityOf(const Configuration &from, const Configuration &to);
 
+/// The number of landmarks that a specimen has.
+std::size_t placedCount(const Configuration &points);
+
 /// The centroid size: the root of the sum of the squared distances from the centroid.
 /// 0 without a landmark.
 double centroidSizeOf(const Configuration &points);
@@ -58,6 +62,9 @@ enum class Estimate {
     LeastSquares, ///< the classic one: means, and equal weights
     Robust,       ///< medians of each coordinate; landmarks out of place have no weight in their specimen
 };
+
+/// The mean of aligned specimens, landmark by landmark. All have the same length, or there is none.
+Configuration meanOf(std::span<const Configuration> aligned, Estimate estimate);
 
 /// Specimens turned, moved and scaled onto their mean.
 struct Superimposition {

@@ -75,8 +75,7 @@ std::vector<std::vector<double>> smoothFunctionsOver(const Configuration &shape)
     constexpr std::size_t kMost = 10;
     constexpr double kLeast = 0.01; // of the kernel's variance, 1
     const std::size_t landmarks = shape.size();
-    const auto count = std::count_if(shape.begin(), shape.end(), [](const auto &point) { return point.has_value(); });
-    const double size = centroidSizeOf(shape), radiusSquare = size * size / static_cast<double>(count);
+    const double size = centroidSizeOf(shape), radiusSquare = size * size / static_cast<double>(placedCount(shape));
     std::vector<std::vector<double>> functions;
     if (!(radiusSquare > 0.0))
         return functions;

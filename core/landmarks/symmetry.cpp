@@ -1,15 +1,17 @@
 #include "core/landmarks/symmetry.h"
 
+#include "core/base/text_scanner.h"
+
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <limits>
 #include <map>
 #include <string_view>
-#include <tuple>
 #include <utility>
 
 namespace unprojector::landmarks {
@@ -23,10 +25,7 @@ enum class Side { None, Left, Right };
 struct SidedName {
     Side side = Side::None;
     std::string rest;
-    friend bool operator<(const SidedName &a, const SidedName &b)
-    {
-        return std::tie(a.side, a.rest) < std::tie(b.side, b.rest);
-    }
+    friend auto operator<=>(const SidedName &, const SidedName &) = default;
 };
 
 bool isSeparator(char c)
@@ -36,34 +35,28 @@ bool isSeparator(char c)
 
 SidedName sidedNameOf(const std::string &name)
 {
-    std::string lower = name;
-    for (char &c : lower)
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    constexpr std::array<std::pair<std::string_view, Side>, 4> kWords{
-        {{"left", Side::Left}, {"right", Side::Right}, {"l", Side::Left}, {"r", Side::Right}}};
-    for (const auto &[word, side] : kWords) {
-        if (lower.size() <= word.size())
-            continue;
-        const std::size_t rest = lower.size() - word.size();
+    struct Word {
+        std::string_view text, inBrackets;
+        Side side;
+        bool isChinese = false; ///< without blanks between words: 左外眼角, 外眼角（左）
+    };
+    constexpr std::array<Word, 6> kWords{{{"left", "left)", Side::Left},
+                                          {"right", "right)", Side::Right},
+                                          {"l", "l)", Side::Left},
+                                          {"r", "r)", Side::Right},
+                                          {"左", "（左）", Side::Left, true},
+                                          {"右", "（右）", Side::Right, true}}};
+    const std::string lower = base::lowerCase(name);
+    for (const Word &word : kWords) {
+        if (word.isChinese && lower.starts_with("左右")) // neither side
+            break;
+        const auto isApart = [&](std::size_t i) { return word.isChinese || isSeparator(lower[i]); };
         // The position of the word stays marked: "L eye" is no partner of "eye R".
-        if (lower.starts_with(word) && isSeparator(lower[word.size()]))
-            return {side, '<' + lower.substr(word.size())};
-        if (lower.ends_with(word) && isSeparator(lower[rest - 1]))
-            return {side, lower.substr(0, rest) + '>'};
-        if (lower.size() > word.size() + 1 && lower.ends_with(std::string(word) + ')') && isSeparator(lower[rest - 2]))
-            return {side, lower.substr(0, rest - 1) + '>'};
-    }
-    // Chinese has no blanks between words: 左外眼角, 外眼角（左）; but 左右 means neither side.
-    constexpr std::array<std::pair<std::string_view, Side>, 2> kCharacters{{{"左", Side::Left}, {"右", Side::Right}}};
-    if (!lower.starts_with("左右")) {
-        for (const auto &[character, side] : kCharacters) {
-            const std::string inBrackets = "（" + std::string(character) + "）";
-            if (lower.size() > character.size() && lower.starts_with(character))
-                return {side, '<' + lower.substr(character.size())};
-            for (const std::string_view ending : {character, std::string_view(inBrackets)}) {
-                if (lower.size() > ending.size() && lower.ends_with(ending))
-                    return {side, lower.substr(0, lower.size() - ending.size()) + '>'};
-            }
+        if (lower.size() > word.text.size() && lower.starts_with(word.text) && isApart(word.text.size()))
+            return {word.side, '<' + lower.substr(word.text.size())};
+        for (const std::string_view ending : {word.text, word.inBrackets}) {
+            if (lower.size() > ending.size() && lower.ends_with(ending) && isApart(lower.size() - ending.size() - 1))
+                return {word.side, lower.substr(0, lower.size() - ending.size()) + '>'};
         }
     }
     return {Side::None, lower};
@@ -95,23 +88,14 @@ std::optional<Axes3> axesOf(glm::dmat3 m)
             axes = axes * rotation;
         }
     }
-    const std::array values{m[0][0], m[1][1], m[2][2]};
-    const auto least = static_cast<int>(std::min_element(values.begin(), values.end()) - values.begin());
-    double size = 0.0, gap = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 3; ++i) {
-        size = std::max(size, std::abs(values[std::size_t(i)]));
-        if (i != least)
-            gap = std::min(gap, values[std::size_t(i)] - values[std::size_t(least)]);
-    }
-    if (!std::isfinite(size) || !(gap > 1e-12 * size))
+    const glm::dvec3 values(m[0][0], m[1][1], m[2][2]);
+    const int least = values.x <= values.y && values.x <= values.z ? 0 : values.y <= values.z ? 1 : 2;
+    const int second = (least + 1) % 3, third = (least + 2) % 3;
+    const double size = std::max({std::abs(values.x), std::abs(values.y), std::abs(values.z)});
+    if (!std::isfinite(size) || !(std::min(values[second], values[third]) - values[least] > 1e-12 * size))
         return std::nullopt;
-    Axes3 sorted;
-    for (int i = 0; i < 3; ++i) {
-        const int from = (least + i) % 3;
-        sorted.axes[std::size_t(i)] = glm::normalize(axes[from]);
-        sorted.values[std::size_t(i)] = values[std::size_t(from)];
-    }
-    return sorted;
+    return Axes3{{glm::normalize(axes[least]), glm::normalize(axes[second]), glm::normalize(axes[third])},
+                 {values[least], values[second], values[third]}};
 }
 
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
@@ -214,12 +198,6 @@ WorldPoint MirrorPlane::mirrored(const WorldPoint &point) const
 double MirrorPlane::distanceTo(const WorldPoint &point) const
 {
     return std::abs(glm::dot(normal.coordinates(), point.coordinates()) - offset);
-}
-
-std::optional<MirrorPlane> mirrorPlaneOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs)
-{
-    const std::optional<Fit> fit = fitOf(landmarks, pairs);
-    return fit ? std::optional(fit->plane) : std::nullopt;
 }
 
 std::vector<std::optional<double>> asymmetriesOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs,

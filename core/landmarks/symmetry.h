@@ -41,9 +41,6 @@ struct MirrorPlane {
     double distanceTo(const geometry::WorldPoint &point) const;
 };
 
-/// @return empty if no pair has both landmarks, or if no plane is better than another
-std::optional<MirrorPlane> mirrorPlaneOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs);
-
 /// The asymmetry of each landmark: the distance of its mirror image from its partner, or from itself
 /// if it has none. That of a landmark of the middle is twice its distance from the plane. Empty if
 /// either has no position, and for a sided landmark without a partner. One per landmark.
@@ -70,7 +67,7 @@ struct Symmetry {
     std::vector<std::optional<Measure>> distances;
 };
 
-/// @return empty if mirrorPlaneOf returns none
+/// @return empty if no pair has both landmarks, or if no plane is better than another
 std::optional<Symmetry> symmetryOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs);
 
 } // namespace unprojector::landmarks

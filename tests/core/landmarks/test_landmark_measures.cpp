@@ -35,6 +35,12 @@ Landmark named(const char *name, double x, double y, double z)
 
 const Landmark kMissing;
 
+std::optional<MirrorPlane> mirrorPlaneOf(const std::vector<Landmark> &landmarks, const std::vector<Pair> &pairs)
+{
+    const auto symmetry = symmetryOf(landmarks, pairs);
+    return symmetry ? std::optional(symmetry->plane) : std::nullopt;
+}
+
 using Points = std::vector<Landmark>;
 using Measuring = std::function<Measured(const Points &)>;
 
