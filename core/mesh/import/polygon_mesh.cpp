@@ -11,24 +11,23 @@ namespace unprojector::mesh::reader {
 using base::marked;
 using base::tr;
 
-void PolygonMesh::failAt(std::int64_t vertex, const char *what, std::size_t number) const
-{
-    failMalformed(
-        tr("%1 %2 refers to vertex %3, the file has %4 (counted from 0)", tr(what), number, vertex, m_vertexCount));
-}
-
 std::uint32_t PolygonMesh::checked(std::int64_t vertex, const char *what, std::size_t number) const
 {
     if (vertex < 0 || static_cast<std::uint64_t>(vertex) >= m_vertexCount)
-        failAt(vertex, what, number);
+        failMalformed(
+            tr("%1 %2 refers to vertex %3, the file has %4 (counted from 0)", tr(what), number, vertex, m_vertexCount));
     return static_cast<std::uint32_t>(vertex);
 }
 
-void PolygonMesh::addPolygon(std::span<const std::int64_t> vertices, std::size_t face)
+void PolygonMesh::checkPolygon(std::span<const std::int64_t> vertices, std::size_t face) const
 {
-    m_polygonBegin = mesh.indices.size();
     for (const std::int64_t vertex : vertices)
         checked(vertex, marked("face|of a mesh"), face);
+}
+
+void PolygonMesh::addPolygon(std::span<const std::int64_t> vertices)
+{
+    m_polygonBegin = mesh.indices.size();
     m_localTriangles.clear();
     m_lineCount += vertices.size() < 3 ? 1u : 0u;
     if (vertices.size() == 3) {

@@ -24,11 +24,11 @@ public:
     /// The number of polygons so far with fewer than three corners.
     std::size_t lineCount() const { return m_lineCount; }
 
+    /// Throws Damage for a vertex the file does not have. Many threads may call it at once.
     /// @param face  the face's number in the file, for messages
-    /// Throws Damage for a vertex the file does not have.
-    void addPolygon(std::span<const std::int64_t> vertices, std::size_t face);
-    /// Throws the failure of a face that refers to a vertex missing in the file.
-    [[noreturn]] void failAtVertex(std::int64_t vertex, std::size_t face) const { failAt(vertex, "face", face); }
+    void checkPolygon(std::span<const std::int64_t> vertices, std::size_t face) const;
+    /// @pre checkPolygon() accepts it
+    void addPolygon(std::span<const std::int64_t> vertices);
     /// Sets the corners of the last added polygon. If it is ever called, unset corners of other
     /// polygons are white or (0, 0).
     void setFaceColor(const glm::u8vec4 &color);
@@ -40,7 +40,6 @@ public:
     Mesh take();
 
 private:
-    [[noreturn]] void failAt(std::int64_t vertex, const char *what, std::size_t number) const;
     std::uint32_t checked(std::int64_t vertex, const char *what, std::size_t number) const;
 
     std::size_t m_vertexCount;

@@ -454,7 +454,8 @@ Model readOff(const Source &source)
         corners.resize(static_cast<std::size_t>(count));
         for (std::int64_t &corner : corners)
             corner = numbers.integer(marked("face|of a mesh"));
-        polygons.addPolygon(corners, f);
+        polygons.checkPolygon(corners, f);
+        polygons.addPolygon(corners);
         const std::vector<float> color = numbers.faceColor();
         // A single number is an index into a table outside the file.
         if (color.size() >= 3 && polygons.mesh.colors.empty())
