@@ -9,6 +9,9 @@ namespace unprojector::mesh {
 
 struct Mesh;
 
+/// A hash of a vertex's exact position.
+std::uint64_t placeHash(const Mesh &mesh, std::size_t vertex);
+
 /// Numbers a mesh's vertices by position, in the order of first occurrence. Uses all cores.
 /// @param numbers  one a vertex
 /// @return the number of different positions

@@ -1,10 +1,16 @@
 #include "core/mesh/import/gltf_draco.h"
 
 #include "core/base/translation.h"
-#include "core/mesh/import/draco_mesh.h"
 #include "core/mesh/import/gltf_corners.h"
 #include "core/mesh/import/gltf_extensions.h"
 
+#include <draco/compression/decode.h>
+#include <draco/compression/point_cloud/point_cloud_decoder.h>
+#include <draco/core/varint_decoding.h>
+#include <draco/metadata/metadata_decoder.h>
+
+#include <cstring>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,21 +21,114 @@ using base::tr;
 namespace {
 
 constexpr const char *kTypes[] = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
+constexpr std::size_t kMostComponents = 4;
+
+struct Counts {
+    std::uint64_t vertices = 0, triangles = 0;
+};
+
+void require(bool isInOrder)
+{
+    if (!isInOrder)
+        failMalformed(tr("the Draco data of a mesh are damaged; export the file again"));
+}
+
+draco::DecoderBuffer bufferOf(std::span<const std::uint8_t> bytes)
+{
+    draco::DecoderBuffer buffer;
+    buffer.Init(reinterpret_cast<const char *>(bytes.data()), bytes.size());
+    return buffer;
+}
+
+/// Reads the declared counts before Draco allocates memory. The vertex count is a lower bound if
+/// unpacking may split vertices.
+Counts declaredCounts(std::span<const std::uint8_t> bytes)
+{
+    draco::DecoderBuffer buffer = bufferOf(bytes);
+    draco::DracoHeader header{};
+    require(draco::PointCloudDecoder::DecodeHeader(&buffer, &header).ok());
+    if (header.version_major != 2 || header.version_minor != 2)
+        failMalformed(
+            tr("the Draco data of a mesh are of version %1.%2, and glTF has version 2.2; export the file again",
+               int{header.version_major}, int{header.version_minor}));
+    if (header.encoder_type != draco::TRIANGULAR_MESH)
+        failMalformed(tr("the Draco data of a mesh hold points, and not triangles"));
+    buffer.set_bitstream_version(DRACO_BITSTREAM_VERSION(2, 2));
+    if ((header.flags & METADATA_FLAG_MASK) != 0) {
+        draco::GeometryMetadata metadata;
+        require(draco::MetadataDecoder().DecodeGeometryMetadata(&buffer, &metadata));
+    }
+    std::uint32_t first = 0, second = 0;
+    const bool isSequential = header.encoder_method == draco::MESH_SEQUENTIAL_ENCODING;
+    std::uint8_t traversal = 0;
+    require(isSequential || buffer.Decode(&traversal));
+    require(draco::DecodeVarint(&first, &buffer) && draco::DecodeVarint(&second, &buffer));
+    return isSequential ? Counts{second, first} : Counts{first, second};
+}
+
+/// The numbers of an attribute, vertex by vertex.
+template <class Number>
+std::vector<std::uint8_t> valuesOf(const draco::PointAttribute &attribute, std::size_t vertices, std::uint64_t id)
+{
+    const auto components = static_cast<std::size_t>(attribute.num_components());
+    const std::size_t size = components * sizeof(Number);
+    std::vector<std::uint8_t> bytes(vertices * size);
+    for (std::size_t v = 0; v < vertices; ++v) {
+        const auto index = attribute.mapped_index(draco::PointIndex(static_cast<std::uint32_t>(v)));
+        Number numbers[kMostComponents] = {};
+        if (index.value() >= attribute.size()
+            || !attribute.ConvertValue(index, static_cast<std::int8_t>(components), numbers))
+            failMalformed(tr("the attribute %1 of Draco data does not fit the numbers that the file declares", id));
+        std::memcpy(bytes.data() + v * size, numbers, size);
+    }
+    return bytes;
+}
+
+std::vector<std::uint8_t> valuesOf(const draco::PointAttribute &attribute, std::size_t vertices, std::uint64_t id,
+                                   std::uint64_t componentType)
+{
+    switch (componentType) {
+    case 5120: return valuesOf<std::int8_t>(attribute, vertices, id);
+    case 5121: return valuesOf<std::uint8_t>(attribute, vertices, id);
+    case 5122: return valuesOf<std::int16_t>(attribute, vertices, id);
+    case 5123: return valuesOf<std::uint16_t>(attribute, vertices, id);
+    case 5125: return valuesOf<std::uint32_t>(attribute, vertices, id);
+    case 5126: return valuesOf<float>(attribute, vertices, id);
+    default: failMalformed(tr("an accessor has an unknown component type"));
+    }
+}
+
+void requireCount(std::uint64_t count, std::uint64_t expected, const char *sentence)
+{
+    if (count != expected)
+        failMalformed(tr(sentence, count, expected));
+}
+
+/// Decodes a mesh. Positions keep the rounding of the compression.
+/// @param expected  by the file: damaged data could ask for any amount of memory
+std::unique_ptr<draco::Mesh> decoded(std::span<const std::uint8_t> bytes, const Counts &expected)
+{
+    constexpr const char *kTriangles =
+        base::marked("the Draco data of a mesh have %1 triangles, and the file declares %2");
+    constexpr const char *kVertices =
+        base::marked("the Draco data of a mesh have %1 vertices, and the file declares %2");
+    const Counts declared = declaredCounts(bytes);
+    requireCount(declared.triangles, expected.triangles, kTriangles);
+    if (declared.vertices > expected.vertices)
+        failMalformed(tr(kVertices, declared.vertices, expected.vertices));
+    draco::DecoderBuffer buffer = bufferOf(bytes);
+    draco::Decoder decoder;
+    draco::StatusOr<std::unique_ptr<draco::Mesh>> result = decoder.DecodeMeshFromBuffer(&buffer);
+    require(result.ok());
+    std::unique_ptr<draco::Mesh> mesh = std::move(result).value();
+    requireCount(mesh->num_faces(), expected.triangles, kTriangles);
+    requireCount(mesh->num_points(), expected.vertices, kVertices);
+    return mesh;
+}
 
 std::uint64_t countOf(const GltfFile &file, const Json &object, const char *key)
 {
     return GltfFile::number(file.reference(object, key, "accessors"), "count", 0);
-}
-
-/// Requires unpacked fallback data, for a program without Draco.
-void requireSubstitute(const GltfFile &file, const Json &primitive)
-{
-    const auto isPacked = [&file](const Json &object, const char *key) {
-        return GltfFile::find(object, key) && !GltfFile::find(file.reference(object, key, "accessors"), "bufferView");
-    };
-    const Json *attributes = GltfFile::find(primitive, "attributes");
-    if ((attributes && isPacked(*attributes, "POSITION")) || isPacked(primitive, "indices"))
-        failWithoutLibrary(kDracoExtension);
 }
 
 void unpack(GltfFile &file, const Json &packing, Json &primitive)
@@ -44,49 +143,54 @@ void unpack(GltfFile &file, const Json &packing, Json &primitive)
         failMalformed(tr("a mesh that Draco packs lacks its positions or its indices"));
     // A strip has two more corners than triangles, a list three times as many.
     const std::size_t corners = static_cast<std::size_t>(countOf(file, primitive, "indices"));
-    const DracoCounts expected{countOf(file, *attributes, "POSITION"), GltfCorners(mode, corners).triangleCount()};
+    const Counts expected{countOf(file, *attributes, "POSITION"), GltfCorners(mode, corners).triangleCount()};
 
-    std::vector<std::string> names;
-    std::vector<DracoRequest> requests;
+    const std::unique_ptr<draco::Mesh> mesh = decoded(file.viewBytes(packing), expected);
+
+    std::vector<std::uint8_t> indices(static_cast<std::size_t>(expected.triangles) * 12);
+    for (std::uint32_t face = 0; face < mesh->num_faces(); ++face) {
+        const draco::Mesh::Face &triangle = mesh->face(draco::FaceIndex(face));
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t vertex = triangle[corner].value();
+            std::memcpy(indices.data() + std::size_t{face} * 12 + 4 * corner, &vertex, sizeof vertex);
+        }
+    }
+    // The accessors stay unchanged for other primitives, which may have other data.
     for (const auto &[name, id] : ids->items()) {
         if (!GltfFile::find(*attributes, name.c_str()))
             continue;
-        names.push_back(name);
-        const Json &accessor = file.reference(*attributes, name.c_str(), "accessors");
-        requests.push_back({GltfFile::number(*ids, name.c_str(), 0),
-                            static_cast<int>(GltfFile::number(accessor, "componentType", 0))});
-    }
-    DracoMesh mesh = unpackedDraco(file.viewBytes(packing), requests, expected);
-
-    // The accessors stay unchanged for other primitives, which may have other data.
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        Json accessor = file.reference(*attributes, names[i].c_str(), "accessors");
+        Json accessor = file.reference(*attributes, name.c_str(), "accessors");
+        const std::uint64_t number = GltfFile::number(*ids, name.c_str(), 0);
+        const draco::PointAttribute *attribute = mesh->GetAttributeByUniqueId(static_cast<std::uint32_t>(number));
+        if (!attribute)
+            failMalformed(tr("the Draco data of a mesh have no attribute %1, which the file refers to", number));
+        const auto components = static_cast<std::size_t>(attribute->num_components());
+        if (components > kMostComponents)
+            failMalformed(tr("the attribute %1 of Draco data has %2 numbers each, of which glTF has 4 at most", number,
+                             components));
+        std::vector<std::uint8_t> values =
+            valuesOf(*attribute, mesh->num_points(), number, GltfFile::number(accessor, "componentType", 0));
         accessor.erase("byteOffset");
-        accessor["type"] = kTypes[mesh.attributes[i].components];
-        accessor["count"] = mesh.counts.vertices;
-        primitive["attributes"][names[i]] = file.addAccessor(std::move(accessor), std::move(mesh.attributes[i].bytes));
+        accessor["type"] = kTypes[components];
+        accessor["count"] = expected.vertices;
+        primitive["attributes"][name] = file.addAccessor(std::move(accessor), std::move(values));
     }
     primitive["indices"] = file.addAccessor(
-        {{"componentType", 5125u}, {"type", "SCALAR"}, {"count", 3 * mesh.counts.triangles}}, std::move(mesh.indices));
+        {{"componentType", 5125u}, {"type", "SCALAR"}, {"count", 3 * expected.triangles}}, std::move(indices));
     primitive["mode"] = std::uint64_t{GltfCorners::Triangles};
 }
 
 } // namespace
 
-void unpackDraco(GltfFile &file, const std::set<std::uint64_t> &meshes)
+bool hasDraco()
 {
-    for (const std::uint64_t number : meshes) {
-        for (Json &primitive : file.root()["meshes"][static_cast<std::size_t>(number)]["primitives"]) {
-            const Json *packing = extensionOf(primitive, kDracoExtension);
-            if (!packing)
-                continue;
-            file.source().progress.report(0.0);
-            if (hasDraco())
-                unpack(file, *packing, primitive);
-            else
-                requireSubstitute(file, primitive);
-        }
-    }
+    return true;
+}
+
+void unpackDraco(GltfFile &file, Json &primitive)
+{
+    file.source().progress.report(0.0);
+    unpack(file, *extensionOf(primitive, kDracoExtension), primitive);
 }
 
 } // namespace unprojector::mesh::reader

@@ -1,7 +1,7 @@
 #include "core/mesh/import/gltf_extensions.h"
 
 #include "core/base/translation.h"
-#include "core/mesh/import/draco_mesh.h"
+#include "core/mesh/import/gltf_draco.h"
 #include "core/mesh/import/meshopt_view.h"
 
 #include <algorithm>

@@ -215,26 +215,7 @@ std::size_t GltfNodes::topOf(std::size_t node) const
     return node;
 }
 
-std::size_t GltfNodes::meshesElsewhere() const
-{
-    std::vector<bool> areRoots(m_parents.size());
-    for (const std::size_t root : m_roots)
-        areRoots[root] = true;
-    std::vector<bool> areHere(m_file.array("meshes").size());
-    const Json &nodes = m_file.array("nodes");
-    for (std::size_t n = 0; n < nodes.size(); ++n) {
-        const std::size_t top = topOf(n);
-        if (top == kNone || !areRoots[top])
-            continue;
-        const std::uint64_t mesh = GltfFile::number(nodes[n], "mesh", areHere.size());
-        if (mesh < areHere.size())
-            areHere[static_cast<std::size_t>(mesh)] = true;
-    }
-    return static_cast<std::size_t>(std::count(areHere.begin(), areHere.end(), false));
-}
-
-std::size_t
-GltfNodes::visit(const std::function<void(const Json &node, const PreciseMatrix &worldFromNode)> &visit) const
+GltfShown GltfNodes::shown() const
 {
     struct Waiting {
         std::size_t node, depth;
@@ -247,7 +228,8 @@ GltfNodes::visit(const std::function<void(const Json &node, const PreciseMatrix 
         for (auto node = list.rbegin(); node != list.rend(); ++node)
             waiting.push_back({*node, depth, isBelowHidden, parent});
     };
-    std::size_t hiddenCount = 0;
+    GltfShown shown;
+    std::vector<bool> areHere(m_file.array("meshes").size());
     add(m_roots, 1, false, PreciseMatrix(glm::dmat4(1.0)));
     while (!waiting.empty()) {
         const Waiting next = waiting.back();
@@ -257,13 +239,19 @@ GltfNodes::visit(const std::function<void(const Json &node, const PreciseMatrix 
         const Json &node = m_file.array("nodes")[next.node];
         const PreciseMatrix worldFromNode = next.worldFromParent * parentFromNode(next.node);
         const bool isNowHidden = next.isBelowHidden || isHidden(node);
-        if (!isNowHidden)
-            visit(node, worldFromNode);
-        else if (GltfFile::find(node, "mesh"))
-            ++hiddenCount;
+        if (GltfFile::find(node, "mesh")) {
+            const std::uint64_t mesh = GltfFile::number(node, "mesh", 0);
+            if (mesh < areHere.size())
+                areHere[static_cast<std::size_t>(mesh)] = true;
+            if (isNowHidden)
+                ++shown.hidden;
+            else
+                shown.nodes.push_back({next.node, worldFromNode});
+        }
         add(nodeList(node, "children"), next.depth + 1, isNowHidden, worldFromNode);
     }
-    return hiddenCount;
+    shown.meshesElsewhere = static_cast<std::size_t>(std::ranges::count(areHere, false));
+    return shown;
 }
 
 } // namespace unprojector::mesh::reader

@@ -8,11 +8,21 @@
 #include <glm/vec3.hpp>
 
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace unprojector::mesh::reader {
+
+/// The nodes with meshes of a scene: parents first, in the file's order.
+struct GltfShown {
+    struct Node {
+        std::size_t number;
+        geometry::PreciseMatrix worldFromNode;
+    };
+    std::vector<Node> nodes;
+    std::size_t hidden = 0;          ///< nodes that the file hides (KHR_node_visibility), with their descendants
+    std::size_t meshesElsewhere = 0; ///< meshes that no node of the scene uses, shown or hidden
+};
 
 /// The nodes that a glTF file shows: the nodes of its default scene, or all if it has no scene.
 /// Throws Damage if they form no tree.
@@ -22,14 +32,7 @@ public:
     ///         beside its ancestor
     GltfNodes(const GltfFile &file, std::vector<base::Note> &notes);
 
-    /// Calls `visit` with every node and its worldFromNode, parents first, in the file's order.
-    /// Skips nodes that the file hides (KHR_node_visibility), and their descendants.
-    /// @return the number of hidden nodes with meshes
-    std::size_t
-    visit(const std::function<void(const Json &node, const geometry::PreciseMatrix &worldFromNode)> &visit) const;
-
-    /// The number of meshes that no node of the scene uses, shown or hidden.
-    std::size_t meshesElsewhere() const;
+    GltfShown shown() const;
 
     /// The transform of any node, shown or not.
     geometry::PreciseMatrix worldFromNode(std::size_t node) const;

@@ -150,7 +150,7 @@ void finishNormals(Mesh &mesh, const std::function<void(double)> &report)
         return;
     mesh.normals = {};
     if (mesh.kind == Mesh::Kind::Triangles && !mesh.indices.empty() && mesh.triangleCount() <= kMostTrianglesToSmooth)
-        makeNormals(mesh, 0.5f, report);
+        makeNormals(mesh, report);
 }
 
 /// Numbers the vertices in their order if the reader has set no numbers.

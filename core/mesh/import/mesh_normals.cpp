@@ -2,13 +2,12 @@
 
 #include "core/base/parallel.h"
 #include "core/mesh/numbering.h"
+#include "core/mesh/soup_numbers.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <mutex>
 #include <numeric>
 #include <utility>
@@ -20,6 +19,7 @@ using namespace base;
 namespace {
 
 constexpr std::uint32_t kEmpty = 0xffffffffu;
+constexpr float kCosineOfCrease = 0.5f;
 constexpr std::size_t kTrianglesBetweenReports = 1 << 16;
 /// A few milliseconds of work.
 constexpr std::size_t kTrianglesInTask = 1 << 15;
@@ -45,10 +45,8 @@ std::vector<FaceNormal> faceNormalsOf(const Mesh &mesh, const std::function<void
     const double scale = box.diagonal() > 0.0 ? 1.0 / box.diagonal() : 1.0;
 
     std::vector<FaceNormal> faces(mesh.triangleCount());
-    std::function<void(double)> telling;
-    if (report)
-        telling = [&report](double share) { report(0.4 * share); };
-    inParallelRanges(faces.size(), kTrianglesInTask, telling, [&](std::size_t begin, std::size_t end) {
+    const auto reportPart = [&report](double share) { report(0.4 * share); };
+    inParallelRanges(faces.size(), kTrianglesInTask, reportPart, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
             const glm::dvec3 a(mesh.positions[mesh.indices[3 * t]]);
             const glm::dvec3 b(mesh.positions[mesh.indices[3 * t + 1]]);
@@ -118,56 +116,44 @@ struct CornerRows {
 /// crease angle.
 class CreaseGroups {
 public:
-    CreaseGroups(const std::vector<FaceNormal> &faces, const std::vector<std::uint32_t> &positionOfCorner,
-                 float cosineOfCrease)
-        : m_faces(faces), m_positionOfCorner(positionOfCorner), m_cosineOfCrease(cosineOfCrease)
+    CreaseGroups(const std::vector<FaceNormal> &faces, const std::vector<std::uint32_t> &positionOfCorner)
+        : m_faces(faces), m_positionOfCorner(positionOfCorner)
     {
     }
 
     /// Sets `groups` to the group of each corner, numbered from 0. Returns the number of groups.
-    std::uint32_t group(const std::uint32_t *corners, std::uint32_t count, std::vector<std::uint32_t> &groups)
+    std::uint32_t group(std::span<const std::uint32_t> corners, std::vector<std::uint32_t> &groups)
     {
-        m_parents.resize(count);
-        std::iota(m_parents.begin(), m_parents.end(), 0u);
+        JoinedGroups joined(corners.size());
         m_edges.clear();
-        for (std::uint32_t i = 0; i < count; ++i) {
+        for (std::uint32_t i = 0; i < corners.size(); ++i) {
             const std::uint32_t first = corners[i] - corners[i] % 3;
             m_edges.emplace_back(m_positionOfCorner[first + (corners[i] + 1 - first) % 3], i);
             m_edges.emplace_back(m_positionOfCorner[first + (corners[i] + 2 - first) % 3], i);
         }
         std::sort(m_edges.begin(), m_edges.end());
         for (std::size_t e = 1; e < m_edges.size(); ++e) {
-            if (m_edges[e - 1].first != m_edges[e].first)
-                continue;
-            const FaceNormal &one = m_faces[corners[m_edges[e - 1].second] / 3];
-            const FaceNormal &other = m_faces[corners[m_edges[e].second] / 3];
-            const bool isFlat = one.weight == 0.0f || other.weight == 0.0f;
-            if (isFlat || glm::dot(one.direction, other.direction) >= m_cosineOfCrease)
-                m_parents[root(m_edges[e - 1].second)] = root(m_edges[e].second);
+            const auto &[from, one] = m_edges[e - 1];
+            const auto &[to, other] = m_edges[e];
+            const FaceNormal &a = m_faces[corners[one] / 3], &b = m_faces[corners[other] / 3];
+            const bool isFlat = a.weight == 0.0f || b.weight == 0.0f;
+            if (from == to && (isFlat || glm::dot(a.direction, b.direction) >= kCosineOfCrease))
+                joined.join(one, other);
         }
-        groups.assign(count, kEmpty);
+        groups.assign(corners.size(), kEmpty);
         std::uint32_t groupCount = 0;
-        for (std::uint32_t i = 0; i < count; ++i) {
-            const std::uint32_t top = root(i);
-            if (groups[top] == kEmpty)
-                groups[top] = groupCount++;
-            groups[i] = groups[top];
+        for (std::uint32_t i = 0; i < corners.size(); ++i) {
+            std::uint32_t &group = groups[joined.of(i)];
+            if (group == kEmpty)
+                group = groupCount++;
+            groups[i] = group;
         }
         return groupCount;
     }
 
 private:
-    std::uint32_t root(std::uint32_t i)
-    {
-        while (m_parents[i] != i)
-            i = m_parents[i] = m_parents[m_parents[i]];
-        return i;
-    }
-
     const std::vector<FaceNormal> &m_faces;
     const std::vector<std::uint32_t> &m_positionOfCorner;
-    float m_cosineOfCrease;
-    std::vector<std::uint32_t> m_parents;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> m_edges;
 };
 
@@ -210,11 +196,7 @@ void mergeEqualVertices(Mesh &mesh)
         std::iota(mesh.indices.begin(), mesh.indices.end(), 0u);
     }
     const auto hashAt = [&](std::uint32_t index) {
-        std::uint64_t hash = hashOf(mesh.positions[index]);
-        if (!mesh.remainders.empty()) {
-            for (int axis = 0; axis < 3; ++axis)
-                hash = mixed(hash, static_cast<std::uint32_t>(mesh.remainders[index][axis]));
-        }
+        std::uint64_t hash = placeHash(mesh, index);
         if (hasNumbers)
             hash = mixed(hash, mesh.vertexNumbers[index]);
         if (hasNormals)
@@ -224,53 +206,43 @@ void mergeEqualVertices(Mesh &mesh)
         return hash;
     };
     std::vector<std::uint32_t> mergedFromOld(mesh.positions.size(), kEmpty);
-    // Not by a Numbering, which takes longer here.
-    std::vector<std::uint32_t> slots(std::bit_ceil(16 + mesh.positions.size() + mesh.positions.size() / 2), kEmpty);
+    FirstEqual firsts(mesh.positions.size());
     std::vector<std::uint32_t> oldFromMerged;
-    const std::size_t mask = slots.size() - 1;
     for (std::uint32_t &index : mesh.indices) {
         if (mergedFromOld[index] == kEmpty) {
-            std::size_t slot = hashAt(index) & mask;
-            while (slots[slot] != kEmpty && !areEqual(oldFromMerged[slots[slot]], index))
-                slot = (slot + 1) & mask;
-            if (slots[slot] == kEmpty) {
-                slots[slot] = static_cast<std::uint32_t>(oldFromMerged.size());
+            const std::uint32_t first = firsts.of(index, hashAt, areEqual);
+            if (first == index) {
+                mergedFromOld[index] = static_cast<std::uint32_t>(oldFromMerged.size());
                 oldFromMerged.push_back(index);
             }
-            mergedFromOld[index] = slots[slot];
+            mergedFromOld[index] = mergedFromOld[first];
         }
         index = mergedFromOld[index];
     }
-
-    const auto gather = [&](auto &values) {
-        if (values.empty())
-            return;
-        std::remove_reference_t<decltype(values)> gathered;
-        gathered.reserve(oldFromMerged.size());
-        for (const std::uint32_t old : oldFromMerged)
-            gathered.push_back(values[old]);
-        values = std::move(gathered);
-    };
-    gather(mesh.positions);
-    gather(mesh.remainders);
-    gather(mesh.vertexNumbers);
-    gather(mesh.normals);
-    gather(mesh.colors);
-    gather(mesh.texcoords);
+    gatherVertices(mesh, oldFromMerged);
 }
 
-void makeNormals(Mesh &mesh, float cosineOfCrease, const std::function<void(double)> &report)
+void gatherVertices(Mesh &mesh, std::span<const std::uint32_t> vertices)
+{
+    mesh.positions = gathered(mesh.positions, vertices);
+    mesh.remainders = gathered(mesh.remainders, vertices);
+    mesh.vertexNumbers = gathered(mesh.vertexNumbers, vertices);
+    mesh.normals = gathered(mesh.normals, vertices);
+    mesh.colors = gathered(mesh.colors, vertices);
+    mesh.texcoords = gathered(mesh.texcoords, vertices);
+}
+
+void makeNormals(Mesh &mesh, const std::function<void(double)> &report)
 {
     const std::vector<FaceNormal> faces = faceNormalsOf(mesh, report);
 
-    Numbering<glm::vec3> positionIndex(mesh.positions.size());
-    positionIndex.keys().reserve(mesh.positions.size());
-    std::vector<std::uint32_t> positionOfVertex(mesh.positions.size());
-    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-        positionOfVertex[v] = positionIndex.add(mesh.positions[v]);
-    const std::vector<glm::vec3> means = normalSums(mesh, faces, positionOfVertex, positionIndex.size());
-    if (report)
-        report(0.6);
+    // By their positions in single precision, as drawn.
+    std::vector<glm::ivec3> remainders = std::exchange(mesh.remainders, {});
+    std::vector<std::uint32_t> positionOfVertex;
+    const std::size_t positionCount = numberPlaces(mesh, positionOfVertex);
+    mesh.remainders = std::move(remainders);
+    const std::vector<glm::vec3> means = normalSums(mesh, faces, positionOfVertex, positionCount);
+    report(0.6);
 
     mesh.normals.clear();
     fillInParallel(mesh.normals, mesh.positions.size(), {}, [&](std::size_t begin, std::size_t end) {
@@ -280,8 +252,8 @@ void makeNormals(Mesh &mesh, float cosineOfCrease, const std::function<void(doub
 
     // Faces within half the crease angle of their mean are within the crease angle of each other.
     // This settles nearly all positions of a scan; only the rest needs an edge-by-edge test.
-    const float cosineOfHalfCrease = std::sqrt((1.0f + cosineOfCrease) / 2.0f);
-    std::vector<std::uint32_t> creasedNumber(positionIndex.size(), kEmpty);
+    const float cosineOfHalfCrease = std::sqrt((1.0f + kCosineOfCrease) / 2.0f);
+    std::vector<std::uint32_t> creasedNumber(positionCount, kEmpty);
     CornerRows rows;
     for (const std::uint32_t position : creasedPositions(mesh, faces, positionOfVertex, means, cosineOfHalfCrease))
         creasedNumber[position] = 0;
@@ -290,8 +262,7 @@ void makeNormals(Mesh &mesh, float cosineOfCrease, const std::function<void(doub
         if (number != kEmpty)
             number = creasedCount++;
     }
-    if (report)
-        report(0.8);
+    report(0.8);
     if (creasedCount == 0)
         return;
 
@@ -310,17 +281,17 @@ void makeNormals(Mesh &mesh, float cosineOfCrease, const std::function<void(doub
             rows.corners[next[number]++] = static_cast<std::uint32_t>(c);
     }
 
-    CreaseGroups creaseGroups(faces, positionOfCorner, cosineOfCrease);
+    CreaseGroups creaseGroups(faces, positionOfCorner);
     std::vector<std::uint32_t> groups;
     std::vector<glm::vec3> groupNormals;
     // Maps (vertex, group) to its vertex; a vertex's first group keeps its number.
     std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
     for (std::uint32_t number = 0; number < creasedCount; ++number) {
-        if (number % kTrianglesBetweenReports == 0 && report)
+        if (number % kTrianglesBetweenReports == 0)
             report(0.8 + 0.2 * number / creasedCount);
-        const std::uint32_t *corners = rows.corners.data() + rows.begin[number];
         const std::uint32_t count = rows.begin[number + 1] - rows.begin[number];
-        const std::uint32_t groupCount = creaseGroups.group(corners, count, groups);
+        const auto corners = std::span<const std::uint32_t>(rows.corners).subspan(rows.begin[number], count);
+        const std::uint32_t groupCount = creaseGroups.group(corners, groups);
 
         groupNormals.assign(groupCount, glm::vec3(0.0f));
         for (std::uint32_t i = 0; i < count; ++i)

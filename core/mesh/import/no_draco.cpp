@@ -1,6 +1,7 @@
-// Stubs for builds without Draco.
+// For builds without Draco.
 
-#include "core/mesh/import/draco_mesh.h"
+#include "core/mesh/import/gltf_draco.h"
+#include "core/mesh/import/gltf_extensions.h"
 
 namespace unprojector::mesh::reader {
 
@@ -9,9 +10,14 @@ bool hasDraco()
     return false;
 }
 
-DracoMesh unpackedDraco(std::span<const std::uint8_t>, std::span<const DracoRequest>, const DracoCounts &)
+void unpackDraco(GltfFile &file, Json &primitive)
 {
-    return {};
+    const auto isPacked = [&file](const Json &object, const char *key) {
+        return GltfFile::find(object, key) && !GltfFile::find(file.reference(object, key, "accessors"), "bufferView");
+    };
+    const Json *attributes = GltfFile::find(primitive, "attributes");
+    if ((attributes && isPacked(*attributes, "POSITION")) || isPacked(primitive, "indices"))
+        failWithoutLibrary(kDracoExtension);
 }
 
 } // namespace unprojector::mesh::reader

@@ -6,6 +6,7 @@
 #include "core/mesh/import/mesh_reader.h"
 
 #include <string>
+#include <utility>
 
 namespace unprojector::mesh::reader {
 using base::marked;
@@ -88,32 +89,15 @@ Mesh PolygonMesh::take()
 
     m_cornerColors.resize(m_cornerColors.empty() ? 0 : mesh.indices.size(), glm::u8vec4(255));
     m_cornerTexcoords.resize(m_cornerTexcoords.empty() ? 0 : mesh.indices.size(), glm::vec2(0.0f));
-    Mesh split;
-    split.baseColor = mesh.baseColor;
-    split.texture = mesh.texture;
-    split.origin = mesh.origin;
-    const auto gather = [this](auto &target, const auto &ofVertex) {
-        if (ofVertex.empty())
-            return;
-        target.reserve(mesh.indices.size());
-        for (const std::uint32_t index : mesh.indices)
-            target.push_back(ofVertex[index]);
-    };
-    gather(split.positions, mesh.positions);
-    gather(split.remainders, mesh.remainders);
-    gather(split.normals, mesh.normals);
-    gather(split.colors, mesh.colors);
-    gather(split.texcoords, mesh.texcoords);
-    split.vertexNumbers = mesh.indices;
+    const std::vector<std::uint32_t> corners = std::exchange(mesh.indices, {});
+    gatherVertices(mesh, corners);
+    mesh.vertexNumbers = corners;
     if (!m_cornerColors.empty())
-        split.colors = std::move(m_cornerColors);
+        mesh.colors = std::move(m_cornerColors);
     if (!m_cornerTexcoords.empty())
-        split.texcoords = std::move(m_cornerTexcoords);
-    split.indices.resize(mesh.indices.size());
-    for (std::size_t i = 0; i < split.indices.size(); ++i)
-        split.indices[i] = static_cast<std::uint32_t>(i);
-    mergeEqualVertices(split);
-    return split;
+        mesh.texcoords = std::move(m_cornerTexcoords);
+    mergeEqualVertices(mesh);
+    return std::move(mesh);
 }
 
 } // namespace unprojector::mesh::reader

@@ -1,3 +1,4 @@
+#include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/base/translation.h"
 #include "core/geometry/finite.h"
@@ -5,14 +6,14 @@
 #include "core/mesh/import/gltf_draco.h"
 #include "core/mesh/import/gltf_extensions.h"
 #include "core/mesh/import/gltf_file.h"
-#include "core/mesh/import/gltf_instances.h"
 #include "core/mesh/import/gltf_materials.h"
 #include "core/mesh/import/gltf_nodes.h"
-#include "core/mesh/import/gltf_pose.h"
 #include "core/mesh/import/gltf_values.h"
+#include "core/mesh/import/mesh_normals.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
@@ -24,9 +25,9 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,265 @@ constexpr std::size_t kMostVertices = std::size_t{1} << 26;
 /// The limit of counting, which prevents overflow.
 constexpr std::size_t kMostCounted = std::size_t{1} << 62;
 constexpr std::size_t kVerticesInTask = 1 << 16;
+
+constexpr const char *kInstanceAttributes[] = {"TRANSLATION", "ROTATION", "SCALE"};
+
+/// The extension's attributes, or null if the node has none that transform an instance.
+const Json *instanceAttributes(const Json &node)
+{
+    const Json *instancing = extensionOf(node, "EXT_mesh_gpu_instancing");
+    const Json *attributes = instancing ? GltfFile::find(*instancing, "attributes") : nullptr;
+    for (const char *name : kInstanceAttributes) {
+        if (attributes && GltfFile::find(*attributes, name))
+            return attributes;
+    }
+    return nullptr;
+}
+
+std::optional<GltfValues> instanceValues(GltfFile &file, const Json &attributes, const char *name,
+                                         std::size_t components, std::size_t count)
+{
+    if (!GltfFile::find(attributes, name))
+        return std::nullopt;
+    GltfValues list(file, file.reference(attributes, name, "accessors"));
+    if (list.components() != components || list.count() != count)
+        failMalformed(tr("the attribute %1 of instances does not have %2 numbers for each of %3 instances", name,
+                         components, count));
+    return list;
+}
+
+/// The number of times that a node shows its mesh: by EXT_mesh_gpu_instancing, else one.
+std::size_t instanceCount(const GltfFile &file, const Json &node)
+{
+    const Json *attributes = instanceAttributes(node);
+    for (const char *name : kInstanceAttributes) {
+        if (attributes && GltfFile::find(*attributes, name))
+            return static_cast<std::size_t>(
+                GltfFile::number(file.reference(*attributes, name, "accessors"), "count", 0));
+    }
+    return 1;
+}
+
+/// nodeFromInstance of each instance: the extension's translation * rotation * scale. One identity
+/// without the extension.
+std::vector<PreciseMatrix> nodeFromInstances(GltfFile &file, const Json &node)
+{
+    const Json *attributes = instanceAttributes(node);
+    if (!attributes)
+        return {PreciseMatrix(glm::dmat4(1.0))};
+    const std::size_t count = instanceCount(file, node);
+    const auto translations = instanceValues(file, *attributes, "TRANSLATION", 3, count);
+    const auto rotations = instanceValues(file, *attributes, "ROTATION", 4, count);
+    const auto scales = instanceValues(file, *attributes, "SCALE", 3, count);
+    std::vector<PreciseMatrix> instances;
+    instances.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        Placement placement;
+        if (translations)
+            placement.translation = translations->vectorAt(i);
+        if (rotations)
+            placement.rotation =
+                glm::dquat(rotations->at(i, 3), rotations->at(i, 0), rotations->at(i, 1), rotations->at(i, 2));
+        if (scales)
+            placement.scale = scales->vectorAt(i);
+        if (!placement.isRotationUnit())
+            failMalformed(tr("the rotation of instance %1 has the length %2; it must be 1", i,
+                             shortestText(glm::length(placement.rotation))));
+        instances.push_back(placement.matrix());
+    }
+    return instances;
+}
+
+constexpr std::size_t kJointsInSet = 4;
+
+std::string numbered(const char *name, std::size_t number)
+{
+    return name + std::to_string(number);
+}
+
+GltfValues fourEach(GltfFile &file, const Json &attributes, const std::string &name, std::size_t vertexCount)
+{
+    GltfValues values(file, file.reference(attributes, name.c_str(), "accessors"));
+    if (values.count() != vertexCount)
+        failMalformed(
+            tr("the attribute %1 of a mesh has %2 values for %3 vertices", name, values.count(), vertexCount));
+    if (values.components() != kJointsInSet)
+        failMalformed(tr("the attribute %1 of a mesh has not four numbers each", name));
+    return values;
+}
+
+/// The skins of a glTF file, posed by the nodes of their joints.
+class GltfSkins {
+public:
+    GltfSkins(GltfFile &file, const GltfNodes &nodes) : m_file(file), m_nodes(nodes) {}
+
+    /// worldFromJoint * jointFromMesh for every joint of a node's skin; jointFromMesh is the
+    /// inverse bind matrix. The span is valid as long as this object.
+    /// Throws Damage.
+    std::span<const glm::dmat4> worldFromMeshByJoint(const Json &node)
+    {
+        const Json &skin = m_file.reference(node, "skin", "skins");
+        const auto [known, isNew] = m_read.try_emplace(GltfFile::number(node, "skin", 0));
+        if (isNew)
+            known->second = read(skin);
+        return known->second;
+    }
+
+private:
+    std::vector<glm::dmat4> read(const Json &skin) const
+    {
+        const std::vector<std::size_t> joints = m_nodes.nodeList(skin, "joints");
+        if (joints.empty())
+            failMalformed(tr("a skin has no joints"));
+        std::vector<PreciseMatrix> worldFromJoint;
+        std::vector<glm::dmat4> worldFromMesh;
+        for (const std::size_t joint : joints) {
+            worldFromJoint.push_back(m_nodes.worldFromNode(joint));
+            worldFromMesh.push_back(worldFromJoint.back().rounded());
+        }
+        if (!GltfFile::find(skin, "inverseBindMatrices"))
+            return worldFromMesh;
+        const GltfValues inverse(m_file, m_file.reference(skin, "inverseBindMatrices", "accessors"));
+        if (inverse.components() != 16 || inverse.count() < joints.size())
+            failMalformed(tr("a skin of %1 joints has %2 inverse bind matrices", joints.size(), inverse.count()));
+        for (std::size_t joint = 0; joint < joints.size(); ++joint) {
+            glm::dmat4 jointFromMesh(1.0);
+            for (int i = 0; i < 16; ++i)
+                jointFromMesh[i / 4][i % 4] = inverse.at(joint, static_cast<std::size_t>(i));
+            const std::string lastRow = wrongLastRow(jointFromMesh);
+            if (!lastRow.empty())
+                failMalformed(
+                    tr("the inverse bind matrix %1 of a skin has the last row %2; it must be 0 0 0 1", joint, lastRow));
+            worldFromMesh[joint] = (worldFromJoint[joint] * PreciseMatrix(withLastRow(jointFromMesh))).rounded();
+        }
+        return worldFromMesh;
+    }
+
+    GltfFile &m_file;
+    const GltfNodes &m_nodes;
+    std::map<std::uint64_t, std::vector<glm::dmat4>> m_read; ///< by skin
+};
+
+/// The transform of a primitive's vertices: one matrix for all, or a blend of joint matrices for
+/// each.
+class GltfPose {
+public:
+    explicit GltfPose(const PreciseMatrix &worldFromMesh)
+        : m_precise(worldFromMesh), m_worldFromMesh(worldFromMesh.rounded()),
+          m_normalMatrix(normalMatrix(m_worldFromMesh)), m_isIdentity(m_worldFromMesh == glm::dmat4(1.0)),
+          m_isMirrored(glm::determinant(glm::dmat3(m_worldFromMesh)) < 0.0)
+    {
+    }
+    /// A vertex becomes the sum of weight * worldFromMesh of a joint * vertex, divided by the sum
+    /// of the weights. The transform of the node that holds the mesh is ignored (glTF 2.0, section
+    /// 3.7.3, Skins).
+    /// @param worldFromMeshByJoint  must outlive the pose
+    /// @param attributes  of the primitive: JOINTS_0 and WEIGHTS_0, and those with higher numbers
+    GltfPose(GltfFile &file, std::span<const glm::dmat4> worldFromMeshByJoint, const Json &attributes,
+             std::size_t vertexCount)
+        : m_byJoint(worldFromMeshByJoint)
+    {
+        for (std::size_t set = 0;; ++set) {
+            const std::string joints = numbered("JOINTS_", set), weights = numbered("WEIGHTS_", set);
+            const bool hasJoints = GltfFile::find(attributes, joints.c_str());
+            const bool hasWeights = GltfFile::find(attributes, weights.c_str());
+            if (!hasJoints && !hasWeights)
+                break;
+            if (!hasJoints || !hasWeights)
+                failMalformed(
+                    tr("a mesh has %1 without %2", hasJoints ? joints : weights, hasJoints ? weights : joints));
+            m_joints.push_back(fourEach(file, attributes, joints, vertexCount));
+            m_weights.push_back(fourEach(file, attributes, weights, vertexCount));
+            if (!m_joints.back().areIntegers())
+                failMalformed(tr("the joints of a mesh are not integers"));
+        }
+        // All joints of a valid skin agree.
+        const auto mirrored = std::count_if(m_byJoint.begin(), m_byJoint.end(), [](const glm::dmat4 &worldFromMesh) {
+            return glm::determinant(glm::dmat3(worldFromMesh)) < 0.0;
+        });
+        m_isMirrored = 2 * static_cast<std::size_t>(mirrored) > m_byJoint.size();
+    }
+    /// Returns whether joints move a primitive's vertices.
+    static bool isSkinned(const Json &attributes)
+    {
+        return GltfFile::find(attributes, "JOINTS_0") || GltfFile::find(attributes, "WEIGHTS_0");
+    }
+
+    /// The vertex's position in world space. Throws Damage if it refers to a joint
+    /// that the skin does not have.
+    glm::dvec3 position(std::size_t vertex, const glm::dvec3 &inMesh) const
+    {
+        if (m_isIdentity)
+            return inMesh;
+        const glm::dmat4 blend = m_byJoint.empty() ? glm::dmat4() : blended(vertex);
+        const glm::dmat4 &m = m_byJoint.empty() ? m_worldFromMesh : blend;
+        const glm::dvec3 world(m * glm::dvec4(inMesh, 1.0));
+        constexpr double kCancelled = 0x1p-4; // more cancellation than this is worth the time
+        const auto isCancelled = [&](int axis) {
+            const double terms = std::abs(m[0][axis] * inMesh.x) + std::abs(m[1][axis] * inMesh.y)
+                                 + std::abs(m[2][axis] * inMesh.z) + std::abs(m[3][axis]);
+            return std::abs(world[axis]) < kCancelled * terms;
+        };
+        if (!m_byJoint.empty() || !(isCancelled(0) || isCancelled(1) || isCancelled(2)))
+            return world;
+        const DoubleDouble3 precise = m_precise.at(inMesh);
+        return {precise[0].value, precise[1].value, precise[2].value};
+    }
+    /// The normal in world space, of length 1, or zero if it has no direction.
+    glm::dvec3 normal(std::size_t vertex, const glm::dvec3 &inMesh) const
+    {
+        const glm::dvec3 turned = (m_byJoint.empty() ? m_normalMatrix : normalMatrix(blended(vertex))) * inMesh;
+        const double length = glm::length(turned);
+        return length > 0.0 ? turned / length : glm::dvec3(0.0);
+    }
+    /// Returns whether the transform reverses the winding of triangles.
+    bool isMirrored() const { return m_isMirrored; }
+
+private:
+    /// The transform of normals, up to their length.
+    static glm::dmat3 normalMatrix(const glm::dmat4 &worldFromMesh)
+    {
+        const glm::dmat3 linear(worldFromMesh);
+        // The cofactor matrix: inverse transpose times determinant. It stays finite for a flat scale.
+        const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                                   glm::cross(linear[0], linear[1]));
+        return glm::determinant(linear) < 0.0 ? -cofactors : cofactors;
+    }
+    glm::dmat4 blended(std::size_t vertex) const
+    {
+        const auto jointOf = [&](std::size_t set, std::size_t k) -> const glm::dmat4 & {
+            const auto joint = static_cast<std::uint64_t>(m_joints[set].integerAt(vertex, k));
+            if (joint >= m_byJoint.size())
+                failMalformed(
+                    tr("vertex %1 of a mesh names joint %2, its skin has %3", vertex, joint, m_byJoint.size()));
+            return m_byJoint[static_cast<std::size_t>(joint)];
+        };
+        glm::dmat4 sum(0.0);
+        double total = 0.0;
+        for (std::size_t set = 0; set < m_weights.size(); ++set) {
+            for (std::size_t k = 0; k < kJointsInSet; ++k) {
+                const double weight = m_weights[set].at(vertex, k);
+                if (weight == 0.0)
+                    continue;
+                if (!(weight > 0.0) || std::isinf(weight))
+                    failMalformed(tr("vertex %1 of a mesh has the joint weight %2; it must be 0 or greater", vertex,
+                                     shortestText(weight)));
+                sum += weight * jointOf(set, k);
+                total += weight;
+            }
+        }
+        // A vertex that no joint holds follows the first joint that it names, as in other programs.
+        return total > 0.0 ? sum / total : jointOf(0, 0);
+    }
+
+    std::span<const glm::dmat4> m_byJoint; ///< empty without a skin
+    std::vector<GltfValues> m_joints, m_weights;
+    PreciseMatrix m_precise{glm::dmat4(1.0)};
+    glm::dmat4 m_worldFromMesh{1.0};
+    glm::dmat3 m_normalMatrix{1.0};
+    bool m_isIdentity = false;
+    bool m_isMirrored = false;
+};
 
 /// The vertices and elements of one material, in double until all are known.
 struct Group {
@@ -91,19 +351,26 @@ public:
         GltfSkins skins(m_file, nodes);
         if (m_file.array("meshes").empty())
             failEmpty();
-        std::set<std::uint64_t> shown;
-        nodes.visit([&](const Json &node, const PreciseMatrix &) {
+        const GltfShown shown = nodes.shown();
+        std::set<std::uint64_t> meshes;
+        for (const GltfShown::Node &each : shown.nodes) {
+            const Json &node = m_file.array("nodes")[each.number];
             m_totalVertices = std::min(m_totalVertices + vertexCountOf(node), kMostCounted);
-            if (GltfFile::find(node, "mesh"))
-                shown.insert(GltfFile::number(node, "mesh", 0));
-        });
+            meshes.insert(GltfFile::number(node, "mesh", 0));
+        }
         if (m_totalVertices > kMostVertices)
             failMalformed(
                 tr("the nodes show %1 vertices, of which at most %2 can be read", m_totalVertices, kMostVertices));
-        unpackDraco(m_file, shown);
-        m_hidden = nodes.visit(
-            [&](const Json &node, const PreciseMatrix &worldFromNode) { addNode(node, worldFromNode, skins); });
-        m_elsewhere = nodes.meshesElsewhere();
+        for (const std::uint64_t number : meshes) {
+            for (Json &primitive : m_file.root()["meshes"][static_cast<std::size_t>(number)]["primitives"]) {
+                if (extensionOf(primitive, kDracoExtension))
+                    unpackDraco(m_file, primitive);
+            }
+        }
+        for (const GltfShown::Node &node : shown.nodes)
+            addNode(m_file.array("nodes")[node.number], node.worldFromNode, skins);
+        m_hidden = shown.hidden;
+        m_elsewhere = shown.meshesElsewhere;
         noteWhatIsLeftOut();
         return finished();
     }
@@ -132,8 +399,6 @@ private:
 
     std::size_t vertexCountOf(const Json &node) const
     {
-        if (!GltfFile::find(node, "mesh"))
-            return 0;
         std::size_t count = 0;
         for (const Json &primitive : primitivesOf(m_file.reference(node, "mesh", "meshes"))) {
             const Json *attributes = GltfFile::find(primitive, "attributes");
@@ -151,8 +416,6 @@ private:
 
     void addNode(const Json &node, const PreciseMatrix &worldFromNode, GltfSkins &skins)
     {
-        if (!GltfFile::find(node, "mesh"))
-            return;
         const Json &mesh = m_file.reference(node, "mesh", "meshes");
         const Json &weights =
             GltfFile::find(node, "weights") ? GltfFile::array(node, "weights") : GltfFile::array(mesh, "weights");
@@ -396,20 +659,8 @@ private:
     static void listPoints(Group &group)
     {
         const std::vector<std::uint32_t> vertices = std::exchange(group.mesh.indices, {});
-        const auto gather = [&vertices](auto &values) {
-            if (values.empty())
-                return;
-            std::remove_reference_t<decltype(values)> gathered;
-            gathered.reserve(vertices.size());
-            for (const std::uint32_t vertex : vertices)
-                gathered.push_back(values[vertex]);
-            values = std::move(gathered);
-        };
-        gather(group.positions);
-        gather(group.mesh.vertexNumbers);
-        gather(group.mesh.normals);
-        gather(group.mesh.colors);
-        gather(group.mesh.texcoords);
+        group.positions = gathered(group.positions, vertices);
+        gatherVertices(group.mesh, vertices);
     }
 
     [[noreturn]] void failForNothing() const

@@ -3,6 +3,7 @@
 #include "core/base/text_scanner.h"
 #include "core/base/translation.h"
 #include "core/geometry/finite.h"
+#include "core/mesh/import/mesh_normals.h"
 #include "core/mesh/import/mesh_reader.h"
 #include "core/mesh/import/obj_materials.h"
 #include "core/mesh/import/polygon_triangulation.h"
@@ -917,18 +918,9 @@ private:
                                                      part.hasNormals ? chunk.corners[ObjNormal][corner] : -1}));
             }
         }
-        mesh.positions.reserve(vertices.count());
-        const bool isSplit = !isOnly || vertices.count() > m_vertices.positions.size();
         for (std::size_t number = 0; number < vertices.count(); ++number) {
             const ObjVertices::Vertex &of = vertices[number];
-            const auto vertex = static_cast<std::size_t>(of[ObjVertex]);
-            mesh.positions.push_back(glm::vec3(m_vertices.positions[vertex]));
-            if (isSplit)
-                mesh.vertexNumbers.push_back(static_cast<std::uint32_t>(vertex));
-            if (!m_vertices.remainders.empty())
-                mesh.remainders.push_back(glm::ivec3(m_vertices.remainders[vertex]));
-            if (!m_vertices.colors.empty())
-                mesh.colors.push_back(glm::u8vec4(m_vertices.colors[vertex]));
+            mesh.vertexNumbers.push_back(static_cast<std::uint32_t>(of[ObjVertex]));
             if (part.hasTexcoords)
                 mesh.texcoords.push_back(of[ObjTexcoord] >= 0 ? m_texcoords[static_cast<std::size_t>(of[ObjTexcoord])]
                                                               : glm::vec2(0.0f));
@@ -936,6 +928,11 @@ private:
                 mesh.normals.push_back(of[ObjNormal] >= 0 ? m_normals[static_cast<std::size_t>(of[ObjNormal])]
                                                           : glm::vec3(0.0f, 0.0f, 1.0f));
         }
+        mesh.positions = gathered(m_vertices.positions, mesh.vertexNumbers);
+        mesh.remainders = gathered(m_vertices.remainders, mesh.vertexNumbers);
+        mesh.colors = gathered(m_vertices.colors, mesh.vertexNumbers);
+        if (isOnly && vertices.count() == m_vertices.positions.size())
+            mesh.vertexNumbers = {};
         return mesh;
     }
 

@@ -2,7 +2,7 @@
 
 #include "tests/support/test.h"
 
-#include "core/mesh/import/draco_mesh.h"
+#include "core/mesh/import/gltf_draco.h"
 #include "core/mesh/import/meshopt_view.h"
 #include "tests/core/mesh/gltf_builder.h"
 
