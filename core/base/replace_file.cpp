@@ -12,9 +12,7 @@ namespace {
 
 Error fileError(std::string text)
 {
-    Error error{std::move(text)};
-    error.kind = Error::Kind::File;
-    return error;
+    return {.text = std::move(text), .kind = Error::Kind::File};
 }
 
 Error systemError(const std::error_code &error)
@@ -88,11 +86,9 @@ Done ReplacingFile::commit(const std::optional<FileStamp> &onlyIf)
 {
     if (const std::error_code error = m_fresh.sync())
         return systemError(error);
-    if (onlyIf && !isAsAt(*onlyIf, m_target)) {
-        Error changed{tr("the file was changed by another program or window since it was opened")};
-        changed.kind = Error::Kind::Changed;
-        return changed;
-    }
+    if (onlyIf && !isAsAt(*onlyIf, m_target))
+        return Error{.text = tr("the file was changed by another program or window since it was opened"),
+                     .kind = Error::Kind::Changed};
     return checked(m_fresh.moveTo(m_target));
 }
 

@@ -5,11 +5,11 @@
 #include "core/cli/commands/refusal.h"
 #include "core/cli/rows/byte_stream.h"
 #include "core/cli/terminal/console.h"
-#include "core/cli/terminal/help_formatter.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -25,6 +25,30 @@ constexpr std::pair<const char *, AddOptions *> kCommands[] = {
     {"scene", addScene},       {"cloud", addCloud}, {"compare", addCompare},     {"map", addMap},
     {"matrices", addMatrices}, {"code", addCode},   {"landmarks", addLandmarks}, {"doctor", addDoctor},
 };
+
+/// The library's format of --help, with its words in the user's language.
+std::shared_ptr<CLI::Formatter> helpFormatter()
+{
+    auto formatter = std::make_shared<CLI::Formatter>();
+    for (const auto &[word, label] :
+         {std::pair("Usage", tr("Usage")), std::pair("OPTIONS", tr("OPTIONS")),
+          std::pair("SUBCOMMAND", tr("SUBCOMMAND")), std::pair("Positionals", tr("Positionals")),
+          std::pair("REQUIRED", tr("REQUIRED")), std::pair("Needs", tr("Needs")),
+          std::pair("Excludes", tr("Excludes"))})
+        formatter->label(word, label);
+    return formatter;
+}
+
+/// Sets the headings of the groups of options and commands, once all are added.
+void nameGroups(CLI::App &app)
+{
+    for (CLI::Option *option : app.get_options())
+        option->group(tr("Options"));
+    for (CLI::App *command : app.get_subcommands([](CLI::App *) { return true; })) {
+        command->group(tr("Subcommands"));
+        nameGroups(*command);
+    }
+}
 
 /// An option or positional as the user wrote it: "--at 1,2".
 std::string asGiven(const CLI::App &command, const std::string &name)

@@ -2,12 +2,10 @@
 
 #include "core/base/number_text.h"
 #include "core/base/parallel.h"
-#include "core/base/path_text.h"
 #include "core/base/translation.h"
 #include "core/library/internal.h"
 #include "core/library/scene_data.h"
 #include "core/ray/snap.h"
-#include "core/scene_file/clicks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,18 +26,6 @@ Result<Scene> madeOf(base::Expected<opening::OpenedScene, base::Error> opened)
     return SceneAccess::make(std::move(opened).value(), SetupAccess::make(*setup, worldFindings(api)));
 }
 
-/// The scene of a text: of a scene file, or the one scene of clicks.
-Result<scene_file::SceneFile> sceneIn(std::string_view text, const std::string &name)
-{
-    const auto parsed = scene_file::parseSceneOrClicks(text, name);
-    if (!parsed)
-        return valueError(parsed.error().message());
-    const auto scene = scene_file::oneScene(*parsed);
-    if (!scene)
-        return valueError(name + ": " + scene.error());
-    return *scene;
-}
-
 /// The scene file of a setup, without objects. A perspective with the viewport's aspect keeps to it at
 /// another size.
 scene_file::SceneFile fileOf(const Setup &setup)
@@ -55,25 +41,12 @@ scene_file::SceneFile fileOf(const Setup &setup)
 
 Result<Scene> Scene::load(const std::filesystem::path &file)
 {
-    if (!opening::isMeantAsScene(file))
-        return madeOf(opening::openModel(file));
-    const auto text = scene_file::readSceneText(file);
-    if (!text)
-        return publicError(text.error());
-    const std::string name = base::utf8FromPath(file);
-    Result<scene_file::SceneFile> scene = sceneIn(*text, name);
-    if (!scene)
-        return scene.error();
-    return madeOf(opening::withModels(std::move(scene).value(), file, name));
+    return madeOf(opening::open(file));
 }
 
 Result<Scene> Scene::parse(std::string_view text, const std::filesystem::path &folder)
 {
-    const std::string name = "scene";
-    Result<scene_file::SceneFile> scene = sceneIn(text, name);
-    if (!scene)
-        return scene.error();
-    return madeOf(opening::withModels(std::move(scene).value(), folder / "scene.json", name));
+    return madeOf(opening::openText(text, folder / "scene.json", "scene"));
 }
 
 Result<Scene> Scene::of(const Setup &setup, std::span<const double> vertices, std::span<const std::uint32_t> triangles,

@@ -4,6 +4,7 @@
 #include "core/geometry/error_text.h"
 #include "core/scene/opening_view.h"
 #include "core/scene/reach.h"
+#include "core/scene_file/clicks.h"
 
 #include <map>
 #include <utility>
@@ -25,13 +26,27 @@ std::vector<std::string> filesOf(const std::filesystem::path &file, const Model 
     return files;
 }
 
-Expected<OpenedScene, base::Error> openModel(const std::filesystem::path &file)
+Expected<OpenedScene, base::Error> open(const std::filesystem::path &file)
 {
+    if (isMeantAsScene(file)) {
+        const auto text = readSceneText(file);
+        return text ? openText(*text, file, utf8FromPath(file)) : text.error();
+    }
     const auto model = importModel(file, {});
     if (!model)
         return model.error();
     return OpenedScene{
         {{utf8FromPath(file.filename()), file, *model, {}}}, std::nullopt, utf8FromPath(file), filesOf(file, **model)};
+}
+
+Expected<OpenedScene, base::Error> openText(std::string_view text, const std::filesystem::path &path,
+                                            const std::string &name)
+{
+    const auto given = parseSceneOrClicks(text, name);
+    if (!given)
+        return given.error();
+    SceneOrError scene = oneScene(*given, name);
+    return scene ? withModels(std::move(scene).value(), path, name) : scene.error();
 }
 
 Expected<OpenedScene, base::Error> withModels(SceneFile scene, const std::filesystem::path &path,

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace unprojector::opening {
@@ -25,8 +26,13 @@ struct OpenedScene {
 /// A model's file and the files that the model names, UTF-8.
 std::vector<std::string> filesOf(const std::filesystem::path &file, const mesh::Model &model);
 
-/// Opens a model's file as a scene.
-base::Expected<OpenedScene, base::Error> openModel(const std::filesystem::path &file);
+/// Opens a model, a scene file, or clicks on one scene.
+base::Expected<OpenedScene, base::Error> open(const std::filesystem::path &file);
+
+/// Opens the text of a scene file, or of clicks on one scene.
+/// @param path, name  as in withModels
+base::Expected<OpenedScene, base::Error> openText(std::string_view text, const std::filesystem::path &path,
+                                                  const std::string &name);
 
 /// Reads the models of a scene, each file once.
 /// @param path  the scene's file, which the models' paths are relative to; empty: standard input

@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -34,39 +35,26 @@ private:
     double m_sum = 0.0, m_lost = 0.0;
 };
 
-/// The number of different positions. Reorders the list.
-template <class Place>
-std::size_t countDifferent(std::vector<Place> &places)
-{
-    const auto isBefore = [](const Place &a, const Place &b) {
-        return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
-    };
-    std::sort(places.begin(), places.end(), isBefore);
-    return static_cast<std::size_t>(std::unique(places.begin(), places.end()) - places.begin());
-}
-
-/// Counts positions across meshes with a common origin: meshes of a model that was split by
-/// material share positions.
+/// The number of different positions, across meshes with a common origin: meshes of a model that was
+/// split by material share positions.
 std::size_t placesOf(const std::vector<Mesh> &meshes)
 {
     std::size_t count = 0;
     std::vector<bool> isCounted(meshes.size());
     for (std::size_t first = 0; first < meshes.size(); ++first) {
-        std::vector<glm::vec3> places;
-        std::vector<glm::dvec3> exactPlaces;
+        std::vector<std::array<double, 3>> places;
         for (std::size_t i = first; i < meshes.size(); ++i) {
             const Mesh &mesh = meshes[i];
             if (isCounted[i] || mesh.origin != meshes[first].origin)
                 continue;
             isCounted[i] = true;
-            if (mesh.remainders.empty())
-                places.insert(places.end(), mesh.positions.begin(), mesh.positions.end());
-            for (std::size_t vertex = 0; vertex < mesh.remainders.size(); ++vertex)
-                exactPlaces.push_back(mesh.fromOrigin(vertex));
+            for (std::size_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
+                const glm::dvec3 place = mesh.fromOrigin(vertex);
+                places.push_back({place.x, place.y, place.z});
+            }
         }
-        if (!exactPlaces.empty())
-            exactPlaces.insert(exactPlaces.end(), places.begin(), places.end());
-        count += exactPlaces.empty() ? countDifferent(places) : countDifferent(exactPlaces);
+        std::sort(places.begin(), places.end());
+        count += static_cast<std::size_t>(std::unique(places.begin(), places.end()) - places.begin());
     }
     return count;
 }

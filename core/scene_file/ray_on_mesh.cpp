@@ -7,24 +7,18 @@
 namespace unprojector::scene_file {
 using namespace geometry;
 using namespace ray;
-using base::Json, base::jsonNumber;
+using base::Json, base::jsonNumber; // a number that is not finite is written as null
 namespace {
-
-/// The number, or null if it is not finite: JSON has no infinity.
-Json number(double value)
-{
-    return std::isfinite(value) ? jsonNumber(value) : Json();
-}
 
 Json list(const glm::dvec3 &v)
 {
-    return Json::array({number(v.x), number(v.y), number(v.z)});
+    return Json::array({jsonNumber(v.x), jsonNumber(v.y), jsonNumber(v.z)});
 }
 
 void addPlace(Json &json, const WorldPoint &world, double distance)
 {
     json["world"] = list(world.coordinates());
-    json["distance"] = number(distance);
+    json["distance"] = jsonNumber(distance);
 }
 
 } // namespace
@@ -37,7 +31,7 @@ Json jsonOf(const RayOnMesh &ray)
         if (!ray.edge)
             return;
         json["pixelEdge"]["object"] = ray.edge->object ? Json(ray.edgeObject) : Json();
-        json["pixelEdge"]["behind"] = ray.hit && ray.edge->object ? number(ray.edge->behind) : Json();
+        json["pixelEdge"]["behind"] = ray.hit && ray.edge->object ? jsonNumber(ray.edge->behind) : Json();
     };
     if (!ray.hit) {
         addPixelEdge();
@@ -51,7 +45,7 @@ Json jsonOf(const RayOnMesh &ray)
     json["world"] = list(hit.world.coordinates());
     json["objectPoint"] = list(hit.objectPoint.coordinates());
     json["normal"] = triangle ? list(triangle->normal.coordinates()) : Json();
-    json["distance"] = number(hit.distance);
+    json["distance"] = jsonNumber(hit.distance);
     json["vertex"]["id"] = hit.vertex.id;
     addPlace(json["vertex"], hit.vertex.world, hit.vertex.distance);
     json["edge"] = nullptr;

@@ -14,17 +14,15 @@ using namespace base;
 
 Error notReadable(const std::string &name, int reason)
 {
-    Error error{tr("the file cannot be read") + (reason != 0 ? tr(" (%1)", systemErrorText(reason)) : ""), {}, name};
-    error.kind = Error::Kind::File;
-    return error;
+    return {.text = tr("the file cannot be read") + (reason != 0 ? tr(" (%1)", systemErrorText(reason)) : ""),
+            .file = name,
+            .kind = Error::Kind::File};
 }
 
 Expected<std::string, Error> readSceneText(const std::filesystem::path &file)
 {
     const auto failed = [&file](std::string text, Error::Kind kind = Error::Kind::File) {
-        Error error{std::move(text), {}, utf8FromPath(file)};
-        error.kind = kind;
-        return error;
+        return Error{.text = std::move(text), .file = utf8FromPath(file), .kind = kind};
     };
     std::error_code system;
     const std::filesystem::file_status status = std::filesystem::status(file, system);

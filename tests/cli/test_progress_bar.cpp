@@ -54,7 +54,7 @@ struct Terminal {
     std::string trimmed() const { return line.substr(0, line.find_last_not_of(' ') + 1); }
     ProgressScreen screen(std::size_t columns = 80)
     {
-        return {true, columns, [this](std::string_view text) { write(text); }, [this] { return time; }};
+        return {columns, [this](std::string_view text) { write(text); }, [this] { return time; }};
     }
 };
 

@@ -291,7 +291,7 @@ ExitCode runCloud(CloudOptions &options)
         !fault.empty())
         refuse(fault);
     if (!options.size.empty()) {
-        const SizeGiven size = sizeGiven("--size", options.size);
+        const cameras::ImageSize size = sizeGiven("--size", options.size);
         if (size.width < 1 || size.height < 1)
             refuse(tr("%1: width and height must be at least 1 pixel", "--size " + options.size));
         options.choices.size =

@@ -90,27 +90,13 @@ struct Way {
 };
 
 /// The closed form entirely in single precision, as in a program that stores its numbers so.
-class FormulaInFloat {
-public:
-    explicit FormulaInFloat(const Setup &setup)
-    {
-        const Result<Setup> view = byParameters(setup);
-        m_problem = view ? std::nullopt : std::optional(view.error());
-        if (!view)
-            return;
-        m_geometry = *view;
-        const Result<EyeFrame> frame = eyeFrame(view->camera());
-        if (frame)
-            m_frame = *frame;
-        else
-            m_problem = frame.error();
-    }
-
-    Result<WorldPoint> operator()(const WindowPoint &window) const
-    {
-        if (m_problem)
-            return *m_problem;
-        const Setup &g = m_geometry;
+Way::Function formulaInFloat(const Setup &setup)
+{
+    const Result<Setup> view = byParameters(setup);
+    const Result<EyeFrame> frame = view ? eyeFrame(view->camera()) : Result<EyeFrame>(view.error());
+    if (!frame)
+        return [error = frame.error()](const WindowPoint &) -> Result<WorldPoint> { return error; };
+    return [g = *view, frame = *frame](const WindowPoint &window) -> Result<WorldPoint> {
         const ProjectionWindow w = projectionWindow(g.projection());
         const bool perspective = isPerspective(g.projection());
         const auto n = float(w.nearDistance), f = float(w.farDistance);
@@ -131,17 +117,12 @@ public:
         }
         WorldPoint world;
         for (int k = 0; k < 3; ++k) {
-            world[k] = double(float(m_frame.eye[k]) + x * float(m_frame.side[k]) + y * float(m_frame.upward[k])
-                              + z * float(m_frame.forward[k]));
+            world[k] = double(float(frame.eye[k]) + x * float(frame.side[k]) + y * float(frame.upward[k])
+                              + z * float(frame.forward[k]));
         }
         return world;
-    }
-
-private:
-    Setup m_geometry;
-    EyeFrame m_frame;
-    std::optional<geometry::Error> m_problem;
-};
+    };
+}
 
 /// The middle of the i-th of so many equal parts of [0, 1].
 double middleOfPart(int i, int parts)
@@ -236,7 +217,6 @@ ExitCode runCompare(const CompareOptions &options)
         refuse(options.scene + ": " + errorText(geometry::Error{ErrorCode::SingularMatrix}));
     const Unprojector unprojector = needed(Unprojector::of(setup), options.scene);
     ByteSink sink("-", filesOf(scene, options.scene));
-    const FormulaInFloat formulaInFloat(setup);
     const auto by = [&](Method method) {
         return [&, method](const WindowPoint &window) { return unprojector.worldAt(method, window); };
     };
@@ -244,7 +224,7 @@ ExitCode runCompare(const CompareOptions &options)
                              * static_cast<std::size_t>(options.depths);
     std::vector<Way> ways{{marked("formula|method"), "double", false, most, by(Method::Formula)},
                           {marked("matrix|method"), "double", false, most, by(Method::Matrix)},
-                          {marked("formula|method"), "float", true, most, std::cref(formulaInFloat)},
+                          {marked("formula|method"), "float", true, most, formulaInFloat(setup)},
                           {marked("matrix|method"), "float", true, most, by(Method::MatrixInFloat)}};
     ProgressBar progress(most, ProgressBar::Unit::Points);
     std::size_t points = 0;

@@ -75,8 +75,6 @@ WrongPoints wrongPoints(const std::string &file)
 {
     ByteSource source(file);
     const std::string text = source.readAll(kMostPointBytes);
-    if (source.hasFailed())
-        refuse(tr("%1: cannot be read", source.name()));
     if (text.size() > kMostPointBytes)
         refuse(tr("%1: larger than %2 MB; give only the points to check, of which the first %3 are used", source.name(),
                   kMostPointBytes >> 20, kMostWrongPoints));
@@ -360,20 +358,16 @@ ExitCode runDoctor(const DoctorOptions &options)
     }
     const bool isDepthMissing =
         std::any_of(given.points.begin(), given.points.end(), [](const WrongPoint &p) { return !p.depth; });
-    std::optional<SizeGiven> otherSize;
+    std::optional<Surface> otherSize;
     if (!options.otherSize.empty())
-        otherSize = sizeGiven("--other-size", options.otherSize);
+        otherSize = surfaceGiven("--other-size", options.otherSize);
     CaseRead read = caseOf(options.scene, isDepthMissing);
     Case &scene = read.scene;
     setSpace(given.points, options.gotSpace, scene);
     if (!options.points.empty())
         read.files.push_back(options.points);
     ByteSink sink("-", read.files);
-    if (otherSize) {
-        scene.otherSize = Surface{otherSize->width, otherSize->height, 1.0};
-        if (const Check valid = check(*scene.otherSize); !valid)
-            refuse("--other-size " + options.otherSize + ": " + errorText(valid.error()));
-    }
+    scene.otherSize = otherSize;
     leaveOutside(given, scene.setup.surface);
     if (!options.distortion.empty())
         setDistortion(scene, given, options);

@@ -1,4 +1,5 @@
 #include "core/base/csv.h"
+#include "core/base/json.h"
 #include "core/base/number_text.h"
 #include "core/base/translation.h"
 #include "core/cli/commands/command.h"
@@ -7,6 +8,8 @@
 #include "core/cli/rows/byte_stream.h"
 #include "core/report/report.h"
 #include "core/scene/measures.h"
+
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <memory>
@@ -31,20 +34,16 @@ std::string jsonOfNumber(double value)
     return std::isfinite(value) ? shortestText(value) : "null";
 }
 
-std::string tableText(double value)
+std::string tableText(double value, double halfGap = 0.0)
 {
-    return std::isfinite(value) ? shortestText(value) : tr("missing|number");
+    return std::isfinite(value) ? shortestText(value, halfGap) : tr("missing|number");
 }
 
 /// The coordinates in the fewest digits that identify the same floats; mostly the digits of the
 /// file.
 std::string tableText(const glm::dvec3 &v, const glm::dvec3 &halfGap)
 {
-    std::string text;
-    for (int axis = 0; axis < 3; ++axis)
-        text += (axis > 0 ? " " : "")
-                + (std::isfinite(v[axis]) ? shortestText(v[axis], halfGap[axis]) : tr("missing|number"));
-    return text;
+    return tableText(v.x, halfGap.x) + ' ' + tableText(v.y, halfGap.y) + ' ' + tableText(v.z, halfGap.z);
 }
 
 std::string jsonOfPoint(const glm::dvec3 &point)
@@ -128,10 +127,7 @@ ExitCode runInfo(const InfoOptions &options)
         notes.push_back(tr("missing numbers are beyond the range of a double; check the scales of the objects"));
     ByteSink sink("-", opened.files);
     if (options.isJson) {
-        std::string text = '{' + json(all) + ", \"objects\": [" + objects + "], \"notes\": [";
-        for (const std::string &note : notes)
-            text += (&note == notes.data() ? "" : ", ") + jsonText(note);
-        sink.write(text + "]}\n");
+        sink.write('{' + json(all) + ", \"objects\": [" + objects + "], \"notes\": " + jsonLine(notes) + "}\n");
     } else {
         if (opened.objects.size() != 1)
             report.insert(report.begin(), section(tr("all|objects"), all));

@@ -27,7 +27,7 @@ std::optional<double> finiteNumberIn(std::string_view given)
     return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
-SizeGiven sizeGiven(const std::string &option, const std::string &text)
+ImageSize sizeGiven(const std::string &option, const std::string &text)
 {
     const std::size_t cross = std::min(text.find('x'), text.size());
     const auto width = numberIn<int>(text.substr(0, cross)),
@@ -35,6 +35,15 @@ SizeGiven sizeGiven(const std::string &option, const std::string &text)
     if (!width || !height)
         refuse(tr("%1: give width and height in pixels, as in 800x600", option + ' ' + text));
     return {*width, *height};
+}
+
+Surface surfaceGiven(const std::string &option, const std::string &text)
+{
+    const ImageSize size = sizeGiven(option, text);
+    const Surface surface{size.width, size.height, 1.0};
+    if (const Check valid = check(surface); !valid)
+        refuse(option + ' ' + text + ": " + errorText(valid.error()));
+    return surface;
 }
 
 bool isMeantAsScene(const std::string &file)
@@ -45,7 +54,7 @@ bool isMeantAsScene(const std::string &file)
 OpenedScene openScene(const std::string &file)
 {
     if (!isMeantAsScene(file))
-        return needed(opening::openModel(pathFromUtf8(file)));
+        return needed(opening::open(pathFromUtf8(file)));
     scene_file::SceneFile scene = readScene(file);
     return needed(opening::withModels(std::move(scene), file == "-" ? "" : pathFromUtf8(file), inputName(file)));
 }
@@ -64,14 +73,7 @@ std::uint64_t pixelsOf(const Setup &setup)
 
 Setup setupOf(const OpenedScene &opened, const std::string &size)
 {
-    std::optional<Surface> surface;
-    if (!size.empty()) {
-        const SizeGiven given = sizeGiven("--size", size);
-        surface = Surface{given.width, given.height, 1.0};
-        if (const Check valid = check(*surface); !valid)
-            refuse("--size " + size + ": " + errorText(valid.error()));
-    }
-    return needed(opening::setupOf(opened, surface));
+    return needed(opening::setupOf(opened, size.empty() ? std::nullopt : std::optional(surfaceGiven("--size", size))));
 }
 
 namespace {
@@ -98,8 +100,6 @@ GivenTexts givenTexts(const std::vector<std::string> &words, const std::string &
             refuse(word + ": " + tr("there is no such file"));
         ByteSource source(word);
         std::string text = source.readAll(kMostCameraBytes);
-        if (source.hasFailed())
-            refuse(tr("%1: cannot be read", source.name()));
         if (text.size() > kMostCameraBytes)
             refuse(tr("%1: longer than 256 MiB; give the file of one camera", source.name()));
         given.name += (given.name.empty() ? "" : ", ") + source.name();

@@ -26,14 +26,10 @@ using opening::raysOf;
 /// A number in full that is finite.
 std::optional<double> finiteNumberIn(std::string_view given);
 
-/// Pixels.
-struct SizeGiven {
-    int width;
-    int height;
-};
-
 /// Parses an option such as 800x600, without checking whether a view can have that size.
-SizeGiven sizeGiven(const std::string &option, const std::string &text);
+cameras::ImageSize sizeGiven(const std::string &option, const std::string &text);
+/// The same for the size of a view.
+geometry::Surface surfaceGiven(const std::string &option, const std::string &text);
 
 /// True if a file is meant as a scene, see opening::isMeantAsScene.
 /// @param file  UTF-8; "-" is a scene

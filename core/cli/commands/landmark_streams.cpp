@@ -34,8 +34,6 @@ ReadLandmarks readFile(const std::string &file, Format format)
 {
     ByteSource source(file);
     const std::string text = source.readAll(kMostLandmarkBytes);
-    if (source.hasFailed())
-        refuse(tr("%1: the file cannot be read to its end", source.name()));
     Expected<ReadLandmarks, Error> read = parseLandmarks(text, format, source.name());
     if (!read)
         refuse(read.error().message());

@@ -214,19 +214,14 @@ void addLandmarks(const Command &command)
     CLI::Option *from = addFormat(command, "--from", options->from, false),
                 *to = addFormat(command, "--to", options->to, true);
     CLI::Option *mesh = command.file("--mesh", options->mesh);
-    CLI::Option *folder = command.file("--table", options->folder)
-                              ->excludes(input)
-                              ->excludes(output)
-                              ->excludes(from)
-                              ->excludes(to)
-                              ->excludes(mesh);
+    CLI::Option *folder = command.file("--table", options->folder)->excludes(from);
     CLI::Option *repeats = command.add("--repeats", options->repeats)
-                               ->excludes(input)
-                               ->excludes(output)
-                               ->excludes(to)
-                               ->excludes(mesh)
                                ->excludes(folder)
                                ->expected(1, CLI::detail::expected_max_vector_size);
+    for (CLI::Option *option : {input, output, to, mesh}) {
+        folder->excludes(option);
+        repeats->excludes(option);
+    }
     command.file("--errors", options->errors)->needs(repeats);
     command.file("--measures", options->measures)->needs(folder);
     command.file("-o,--output", options->output);

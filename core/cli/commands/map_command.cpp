@@ -53,60 +53,43 @@ ray::Progress partOf(ProgressBar &bar, std::uint64_t amount)
 }
 
 /// Checks that a map can be written to the output.
-void checkOutput(const MapOptions &options, const OpenedScene &opened)
+void checkOutput(const MapOptions &options)
 {
     if (lowerCase(options.output).ends_with(".png"))
         refuse(tr("%1: the command writes float maps only; give a name that ends in .pfm (the window exports PNG)",
                   options.output));
     if (options.isJson && options.output == "-")
         refuse(tr("the map and --json cannot both go to standard output; give a file for the map"));
-    checkNotInput(options.output, opened.files);
 }
 
-/// The surfaces visible at each pixel. It must outlive the result of source().
-class Seen {
-public:
-    Seen(const MapOptions &options, const OpenedScene &opened, const Unprojector &unprojector)
-        : m_setup(unprojector.setup()), m_depth(options.depth), m_format(options.format)
-    {
-        if (m_depth) {
-            if (needsRays(options.quantity))
-                refuse(tr("--depth: %1 needs surfaces; leave the depth out and give a model or a scene with objects",
-                          keyOf(options.quantity)));
-            needed(unitDepth(m_setup.depthRange, *m_depth), "--depth " + shortestText(*m_depth));
-            return;
-        }
-        const bool isAnySeen = std::any_of(opened.objects.begin(), opened.objects.end(),
-                                           [](const SceneObject &object) { return !object.isHidden; });
-        if (!isAnySeen)
-            refuse(tr("%1: no object is visible; --depth gives a depth to every pixel, from %2 on the near plane to %3 "
-                      "on the far plane",
-                      opened.name, shortestText(m_setup.depthRange.atNear), shortestText(m_setup.depthRange.atFar)));
-        checkReach(opened);
-        m_rays = raysOf(opened, unprojector);
-        if (m_rays->hasPoints())
-            complain(opened.name + ": " + noCloudsText());
-        m_pixels = needed(PixelRays::of(m_rays->rays()), opened.name);
-    }
-
-    SurfaceSource source() const
-    {
-        if (m_depth)
-            return {false, [this](const Rows &rows, const ray::Progress &) {
-                        return std::optional(surfacesAt(m_setup, *m_depth, rows));
-                    }};
-        return {true, [this](const Rows &rows, const ray::Progress &progress) {
-                    return surfacesMet(*m_rays, *m_pixels, m_format, rows, progress);
+/// The surfaces visible at each pixel: at the given depth, or met by rays.
+/// @param unprojector  must outlive the result
+SurfaceSource surfacesOf(const MapOptions &options, const OpenedScene &opened, const Unprojector &unprojector)
+{
+    const Setup &setup = unprojector.setup();
+    if (options.depth) {
+        if (needsRays(options.quantity))
+            refuse(tr("--depth: %1 needs surfaces; leave the depth out and give a model or a scene with objects",
+                      keyOf(options.quantity)));
+        needed(unitDepth(setup.depthRange, *options.depth), "--depth " + shortestText(*options.depth));
+        return {false, [&setup, depth = *options.depth](const Rows &rows, const ray::Progress &) {
+                    return std::optional(surfacesAt(setup, depth, rows));
                 }};
     }
-
-private:
-    Setup m_setup;
-    std::optional<double> m_depth;
-    DepthFormat m_format;
-    std::optional<ray::SceneRays> m_rays; ///< empty: the depth is given
-    std::optional<PixelRays> m_pixels;
-};
+    if (std::all_of(opened.objects.begin(), opened.objects.end(),
+                    [](const SceneObject &object) { return object.isHidden; }))
+        refuse(tr("%1: no object is visible; --depth gives a depth to every pixel, from %2 on the near plane to %3 "
+                  "on the far plane",
+                  opened.name, shortestText(setup.depthRange.atNear), shortestText(setup.depthRange.atFar)));
+    checkReach(opened);
+    const auto rays = std::make_shared<const ray::SceneRays>(raysOf(opened, unprojector));
+    if (rays->hasPoints())
+        complain(opened.name + ": " + noCloudsText());
+    return {true, [rays, pixels = needed(PixelRays::of(rays->rays()), opened.name),
+                   format = options.format](const Rows &rows, const ray::Progress &progress) {
+                return surfacesMet(*rays, pixels, format, rows, progress);
+            }};
+}
 
 std::string statisticsText(const MapOptions &options, const MapStatistics &statistics, std::uint64_t pixels)
 {
@@ -145,7 +128,7 @@ std::string statisticsJson(const MapOptions &options, const MapStatistics &stati
 ExitCode runMap(const MapOptions &options)
 {
     const OpenedScene opened = openScene(options.scene);
-    checkOutput(options, opened);
+    checkOutput(options);
     const Setup setup = setupOf(opened, options.size);
     const std::uint64_t pixels = pixelsOf(setup);
     if (pixels > kMostPixels)
@@ -154,11 +137,11 @@ ExitCode runMap(const MapOptions &options)
     const Unprojector unprojector = needed(Unprojector::of(setup), opened.name);
     ByteSink sink(options.output, opened.files); // an unwritable output is reported before the computation
     ProgressBar bar(pixels, ProgressBar::Unit::Points);
-    const Seen seen(options, opened, unprojector);
+    const SurfaceSource surfaces = surfacesOf(options, opened, unprojector);
     Question question{options.quantity, options.unit, OtherProgram::Paper};
     if (const NamedConvention *convention = conventionNamed(options.convention))
         question.other = convention->other;
-    auto result = pixelMap(question, unprojector, seen.source(), opened.objects, partOf(bar, pixels));
+    auto result = pixelMap(question, unprojector, surfaces, opened.objects, partOf(bar, pixels));
     bar.finish();
     std::optional<PixelMap> map = needed(std::move(result), opened.name);
     writePfm(*map, [&sink](std::string_view part) { sink.write(part); });
@@ -178,11 +161,10 @@ ExitCode runMap(const MapOptions &options)
 
 std::string conventionNames()
 {
-    // Chinese help is wrapped on display.
-    const std::size_t mostInLine = language() == Language::English ? 80 : std::string::npos;
+    constexpr std::size_t kMostInLine = 80;
     std::string names, line;
     for (const NamedConvention &convention : namedConventions()) {
-        if (line.size() + convention.key.size() > mostInLine) {
+        if (line.size() + convention.key.size() > kMostInLine) {
             names += line + '\n';
             line.clear();
         }

@@ -93,15 +93,14 @@ report::Section pickSection(const DevicePoint &position, Snap snap, const RayOnM
 {
     const std::optional<SceneHit> &hit = ray.hit;
     report::Rows rows{13};
-    const auto add = [&rows](const std::string &name, const std::string &value) { rows.add(name, value); };
     const auto addEdge = [&] {
         if (!ray.edge)
             return;
         const std::string away = shortestText(std::abs(ray.edge->behind), 0.01 * std::abs(ray.edge->behind));
-        add(tr("pixel edge"), !hit                     ? tr("beside it lies %1", ray.edgeObject)
-                              : !ray.edge->object      ? tr("beside it is the background")
-                              : ray.edge->behind < 0.0 ? tr("%1 before it lies %2", away, ray.edgeObject)
-                                                       : tr("%1 behind it lies %2", away, ray.edgeObject));
+        rows.add(tr("pixel edge"), !hit                     ? tr("beside it lies %1", ray.edgeObject)
+                                   : !ray.edge->object      ? tr("beside it is the background")
+                                   : ray.edge->behind < 0.0 ? tr("%1 before it lies %2", away, ray.edgeObject)
+                                                            : tr("%1 behind it lies %2", away, ray.edgeObject));
     };
     report::Section section{tr("pixel %1 %2", shortestText(position.x), shortestText(position.y))};
     if (!hit) {
@@ -116,22 +115,23 @@ report::Section pickSection(const DevicePoint &position, Snap snap, const RayOnM
     const auto distanceText = [&hit](double distance) {
         return shortestText(distance, kLeftOut * length(hit->uncertainty));
     };
-    add(tr("object|row"), object.name);
+    rows.add(tr("object|row"), object.name);
     if (hit->triangle)
-        add(tr("triangle|row"), tr("%1, at %2", hit->triangle->triangle, spaced(hit->triangle->barycentric)));
-    add(tr("world|row"), rounded(hit->world, hit->uncertainty));
-    add("+-", boundsText(hit->uncertainty));
-    add(tr("object point"), spaced(hit->objectPoint.coordinates(), kLeftOut * objectBounds(object, hit->uncertainty)));
+        rows.add(tr("triangle|row"), tr("%1, at %2", hit->triangle->triangle, spaced(hit->triangle->barycentric)));
+    rows.add(tr("world|row"), rounded(hit->world, hit->uncertainty));
+    rows.add("+-", boundsText(hit->uncertainty));
+    rows.add(tr("object point"),
+             spaced(hit->objectPoint.coordinates(), kLeftOut * objectBounds(object, hit->uncertainty)));
     if (hit->triangle)
-        add(tr("normal|row"), spaced(hit->triangle->normal.coordinates()));
-    add(tr("distance|row"), distanceText(hit->distance));
-    add(tr("vertex|row"), tr("%1 at %2, %3 away", hit->vertex.id,
-                             spaced(hit->vertex.world.coordinates(), halfGapOf(object, hit->vertex.id)),
-                             distanceText(hit->vertex.distance)));
+        rows.add(tr("normal|row"), spaced(hit->triangle->normal.coordinates()));
+    rows.add(tr("distance|row"), distanceText(hit->distance));
+    rows.add(tr("vertex|row"), tr("%1 at %2, %3 away", hit->vertex.id,
+                                  spaced(hit->vertex.world.coordinates(), halfGapOf(object, hit->vertex.id)),
+                                  distanceText(hit->vertex.distance)));
     if (hit->triangle) {
         const NearEdge &edge = hit->triangle->edge;
-        add(tr("edge|row"), tr("%1 to %2, at %3, %4 away", edge.ids[0], edge.ids[1],
-                               rounded(edge.world, edge.uncertainty), distanceText(edge.distance)));
+        rows.add(tr("edge|row"), tr("%1 to %2, at %3, %4 away", edge.ids[0], edge.ids[1],
+                                    rounded(edge.world, edge.uncertainty), distanceText(edge.distance)));
     }
     addEdge();
     section.blocks = {rows};

@@ -65,7 +65,7 @@ ExitCode writeScene(const SceneOptions &options, const InputFiles &inputs, const
 }
 
 /// The size of --size, else of --window.
-std::optional<SizeGiven> imageSize(const SceneOptions &options)
+std::optional<ImageSize> imageSize(const SceneOptions &options)
 {
     const std::string &given = options.size.empty() ? options.window : options.size;
     return given.empty() ? std::nullopt : std::optional(sizeGiven(options.size.empty() ? "--window" : "--size", given));
@@ -76,8 +76,7 @@ std::optional<SizeGiven> imageSize(const SceneOptions &options)
 std::optional<ExitCode> runCameraScene(const SceneOptions &options, const GivenTexts &given)
 {
     CameraChoices choices = options.camera;
-    if (const auto size = imageSize(options))
-        choices.size = ImageSize{size->width, size->height};
+    choices.size = imageSize(options);
     const auto read = readCamera(given.texts, choices);
     if (!read)
         return std::nullopt;
@@ -125,7 +124,7 @@ Viewport setWindow(const SceneOptions &options, Viewport viewport, bool isFromTo
 {
     const double bottomFromTop = -viewport.y;
     if (!options.window.empty()) {
-        const SizeGiven size = sizeGiven("--window", options.window);
+        const ImageSize size = sizeGiven("--window", options.window);
         scene.windowWidth = size.width;
         scene.windowHeight = size.height;
     } else {

@@ -61,9 +61,9 @@ std::string outputName(const std::string &file)
     return file == "-" ? "stdout" : file;
 }
 
-void ByteSource::Close::operator()(std::FILE *file) const
+void CloseStream::operator()(std::FILE *file) const
 {
-    if (file != stdin)
+    if (file != stdin && file != stdout)
         std::fclose(file);
 }
 
@@ -100,6 +100,8 @@ std::string ByteSource::readAll(std::size_t most)
         got = read(text.data() + before, kPiece);
         text.resize(before + got);
     }
+    if (m_hasFailed)
+        refuse(tr("%1: cannot be read", m_name));
     return text;
 }
 
@@ -123,12 +125,6 @@ bool ByteSource::seek(std::uint64_t position)
 std::optional<std::uint64_t> ByteSource::size() const
 {
     return regularFileSize(m_file.get());
-}
-
-void ByteSink::Close::operator()(std::FILE *file) const
-{
-    if (file != stdout)
-        std::fclose(file);
 }
 
 ByteSink::ByteSink(const std::string &file, const InputFiles &inputs) : m_name(outputName(file))

@@ -31,6 +31,12 @@ std::string outputName(const std::string &file);
 /// output may replace one of them, under any name.
 using InputFiles = std::vector<std::string>;
 
+/// Closes a stream that is not a standard one.
+struct CloseStream {
+    void operator()(std::FILE *file) const;
+};
+using OpenStream = std::unique_ptr<std::FILE, CloseStream>;
+
 /// Reads bytes unchanged (no line-end translation) from a file, or from stdin for "-".
 class ByteSource {
 public:
@@ -43,7 +49,7 @@ public:
     std::optional<std::uint64_t> size() const;
     /// Fills the buffer; returns fewer bytes than asked for only at the end.
     std::size_t read(char *buffer, std::size_t size);
-    /// Reads to the end, or until it has more than `most` bytes.
+    /// Reads to the end, or until it has more than `most` bytes. Refuses what cannot be read.
     std::string readAll(std::size_t most);
     /// Returns the available bytes and waits only while there are none, so that results follow
     /// their input at once. Returns 0 only at the end. A source is read either with this function
@@ -55,10 +61,7 @@ public:
     bool hasFailed() const { return m_hasFailed; }
 
 private:
-    struct Close {
-        void operator()(std::FILE *file) const;
-    };
-    std::unique_ptr<std::FILE, Close> m_file;
+    OpenStream m_file;
     std::string m_name;
     bool m_hasFailed = false;
 };
@@ -87,13 +90,10 @@ public:
     bool isTerminal() const;
 
 private:
-    struct Close {
-        void operator()(std::FILE *file) const;
-    };
     void failStream();
     void check(const base::Done &written);
 
-    std::unique_ptr<std::FILE, Close> m_stream;
+    OpenStream m_stream;
     std::optional<base::ReplacingFile> m_file; ///< where there is no stream
     std::string m_name;
     State m_state = State::Open;

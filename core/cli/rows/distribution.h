@@ -1,9 +1,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
+#include <queue>
 #include <vector>
 
 namespace unprojector::cli {
@@ -15,46 +15,41 @@ public:
     /// @param share  of the numbers that lie below the percentile, in (0, 1): 0.9999 for the
     ///         99.99th
     /// @param most   how many numbers there can be
-    Distribution(double share, std::size_t most) : m_share(share), m_kept(std::max<std::size_t>(above(most), 1)) {}
+    Distribution(double share, std::size_t most) : m_share(share), m_kept(above(most)) {}
 
     void add(double value)
     {
         ++m_count;
         m_sum += value;
-        // A heap whose front is the least of the kept numbers.
-        if (m_top.size() == m_kept) {
-            if (value <= m_top.front())
-                return;
-            std::pop_heap(m_top.begin(), m_top.end(), std::greater<>());
-            m_top.pop_back();
-        }
-        m_top.push_back(value);
-        std::push_heap(m_top.begin(), m_top.end(), std::greater<>());
+        m_largest = m_count == 1 ? value : std::max(m_largest, value);
+        m_top.push(value);
+        if (m_top.size() > m_kept)
+            m_top.pop();
     }
 
     bool isEmpty() const { return m_count == 0; }
-    /// @pre not empty
-    double largest() const { return *std::max_element(m_top.begin(), m_top.end()); }
+    double largest() const { return m_largest; }
     double mean() const { return m_sum / static_cast<double>(m_count); }
     double percentile() const
     {
-        std::vector<double> descending = m_top;
-        std::sort(descending.begin(), descending.end(), std::greater<>());
-        return descending[std::max<std::size_t>(above(m_count), 1) - 1];
+        auto top = m_top;
+        while (top.size() > above(m_count))
+            top.pop();
+        return top.top();
     }
 
 private:
-    /// The number of values, out of `count`, that are not below the percentile.
+    /// The number of values, out of `count`, that are not below the percentile; at least one.
     std::size_t above(std::size_t count) const
     {
-        return count - static_cast<std::size_t>(m_share * static_cast<double>(count));
+        return std::max<std::size_t>(count - static_cast<std::size_t>(m_share * static_cast<double>(count)), 1);
     }
 
     double m_share;
     std::size_t m_kept;
-    std::vector<double> m_top;
+    std::priority_queue<double, std::vector<double>, std::greater<>> m_top; ///< the least first
     std::size_t m_count = 0;
-    double m_sum = 0.0;
+    double m_sum = 0.0, m_largest = 0.0;
 };
 
 } // namespace unprojector::cli

@@ -23,15 +23,8 @@ using namespace mesh;
 SceneOrClicks sceneOrClicks(const std::string &file)
 {
     const std::string name = inputName(file);
-    std::string text;
-    if (file == "-") {
-        ByteSource source(file);
-        text = source.readAll(kMostSceneBytes);
-        if (source.hasFailed())
-            refuse(notReadable(name).message());
-    } else {
-        text = needed(readSceneText(pathFromUtf8(file)));
-    }
+    const std::string text =
+        file == "-" ? ByteSource(file).readAll(kMostSceneBytes) : needed(readSceneText(pathFromUtf8(file)));
     base::Expected<SceneOrClicks, base::Error> given = parseSceneOrClicks(text, name);
     if (given)
         return std::move(given).value();

@@ -1,9 +1,9 @@
 #include "core/cli/terminal/console.h"
 
+#include "core/base/text_scanner.h"
+
 #include <cerrno>
-#include <charconv>
 #include <cstdlib>
-#include <cstring>
 
 #include <sys/stat.h>
 
@@ -103,11 +103,8 @@ std::size_t terminalColumns(std::FILE *stream)
         return columns;
     constexpr std::size_t kUsual = 80;
     const char *text = std::getenv("COLUMNS");
-    if (text == nullptr)
-        return kUsual;
-    std::size_t columns = 0;
-    const auto [end, error] = std::from_chars(text, text + std::strlen(text), columns);
-    return error == std::errc{} && *end == '\0' && columns > 0 ? columns : kUsual;
+    const std::size_t columns = base::numberIn<std::size_t>(text != nullptr ? text : "").value_or(0);
+    return columns > 0 ? columns : kUsual;
 }
 
 std::optional<std::uint64_t> regularFileSize(std::FILE *stream)

@@ -27,24 +27,17 @@ constexpr auto kBetween = 100ms;
 std::mutex terminalMutex;
 ProgressBar *shownBar = nullptr;
 
-/// Three digits and a unit.
-std::string bytesText(double bytes)
+/// Bytes in three digits and a unit.
+std::string amountText(double amount, ProgressBar::Unit of)
 {
     constexpr std::array kUnits{"B", "kB", "MB", "GB", "TB", "PB", "EB"};
+    const bool areBytes = of == ProgressBar::Unit::Bytes;
     std::size_t unit = 0;
-    for (; bytes >= 999.5 && unit + 1 < kUnits.size(); ++unit)
-        bytes /= 1000.0;
-    std::array<char, 32> text;
-    std::snprintf(text.data(), text.size(), "%.*f %s", bytes < 9.95 && unit > 0 ? 1 : 0, bytes, kUnits[unit]);
-    return text.data();
-}
-
-std::string amountText(double amount, ProgressBar::Unit unit)
-{
-    if (unit == ProgressBar::Unit::Bytes)
-        return bytesText(amount);
+    for (; areBytes && amount >= 999.5 && unit + 1 < kUnits.size(); ++unit)
+        amount /= 1000.0;
     std::array<char, 64> text;
-    std::snprintf(text.data(), text.size(), "%.0f", amount);
+    std::snprintf(text.data(), text.size(), "%.*f%s%s", amount < 9.95 && unit > 0 ? 1 : 0, amount, areBytes ? " " : "",
+                  areBytes ? kUnits[unit] : "");
     return text.data();
 }
 
@@ -66,24 +59,21 @@ std::string timeText(double seconds)
 ProgressScreen errorTerminal()
 {
     const char *kind = std::getenv("TERM");
-    ProgressScreen screen;
-    screen.isThere = isTerminal(stderr) && (kind == nullptr || std::string_view(kind) != "dumb");
-    if (!screen.isThere)
-        return screen;
-    screen.columns = terminalColumns(stderr);
-    screen.write = [](std::string_view text) {
-        std::fwrite(text.data(), 1, text.size(), stderr);
-        std::fflush(stderr);
-    };
-    screen.now = [] { return std::chrono::steady_clock::now(); };
-    return screen;
+    if (!isTerminal(stderr) || (kind != nullptr && std::string_view(kind) == "dumb"))
+        return {};
+    return {terminalColumns(stderr),
+            [](std::string_view text) {
+                std::fwrite(text.data(), 1, text.size(), stderr);
+                std::fflush(stderr);
+            },
+            std::chrono::steady_clock::now};
 }
 
 ProgressBar::ProgressBar(std::optional<std::uint64_t> total, Unit unit, ProgressScreen screen)
     : m_total(total.value_or(0)), m_unit(unit), m_screen(std::move(screen)),
-      m_start(m_screen.isThere ? m_screen.now() : ProgressScreen::Time{}), m_next(m_start + kFirst)
+      m_start(m_screen.write ? m_screen.now() : ProgressScreen::Time{}), m_next(m_start + kFirst)
 {
-    if (!m_screen.isThere)
+    if (!m_screen.write)
         return;
     const std::lock_guard lock(terminalMutex);
     shownBar = this;
@@ -98,14 +88,14 @@ void ProgressBar::finish()
 {
     const std::lock_guard lock(terminalMutex);
     erase();
-    m_screen.isThere = false;
+    m_screen.write = {};
     if (shownBar == this)
         shownBar = nullptr;
 }
 
 void ProgressBar::advance(std::uint64_t amount)
 {
-    if (!m_screen.isThere)
+    if (!m_screen.write)
         return;
     const std::lock_guard lock(terminalMutex);
     m_done += amount;

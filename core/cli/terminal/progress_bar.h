@@ -14,10 +14,9 @@ namespace unprojector::cli {
 struct ProgressScreen {
     using Time = std::chrono::steady_clock::time_point;
 
-    bool isThere = false; ///< false: nothing is drawn
     std::size_t columns = 80;
-    std::function<void(std::string_view)> write;
-    std::function<Time()> now;
+    std::function<void(std::string_view)> write = {}; ///< empty: nothing is drawn
+    std::function<Time()> now = {};
 };
 
 /// The terminal that stderr goes to. None where it goes to a file or a pipe, or where the terminal

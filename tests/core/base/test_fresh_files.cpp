@@ -21,6 +21,20 @@
 using namespace unprojector::base;
 using namespace written_files;
 
+namespace {
+
+/// The only file of a folder with the name of a fresh one.
+std::filesystem::path freshFile(const Folder &folder)
+{
+    for (const auto &entry : std::filesystem::directory_iterator(folder / "")) {
+        if (entry.path().extension() == ".tmp")
+            return entry.path();
+    }
+    return {};
+}
+
+} // namespace
+
 class TestFreshFiles : public QObject {
     Q_OBJECT
 
@@ -39,7 +53,7 @@ private slots:
         const mode_t before = umask(022);
         for (const auto &[name, after] : {std::pair("old.csv", 0664), std::pair("new.csv", 0644)}) {
             ReplacingFile file = std::move(ReplacingFile::open(folder / name)).value();
-            QCOMPARE(permissionsOf(file.freshFile()), std::filesystem::perms(0600));
+            QCOMPARE(permissionsOf(freshFile(folder)), std::filesystem::perms(0600));
             QVERIFY(file.write("after").hasValue() && file.commit().hasValue());
             QCOMPARE(permissionsOf(folder / name), std::filesystem::perms(after));
         }
@@ -52,7 +66,7 @@ private slots:
         const Folder folder;
         // The first 8 digits name the system; a killed program differs in the others.
         ReplacingFile waiting = std::move(ReplacingFile::open(folder / "waiting")).value();
-        const QString held = QString::fromStdU16String(waiting.freshFile().filename().u16string());
+        const QString held = QString::fromStdU16String(freshFile(folder).filename().u16string());
         const auto otherDigit = [&held](qsizetype at) {
             QString name = held;
             name[at] = name[at] == '0' ? '1' : '0';
