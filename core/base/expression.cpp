@@ -1,6 +1,7 @@
 #include "core/base/expression.h"
 
 #include "core/base/angle.h"
+#include "core/base/letters.h"
 
 #include <algorithm>
 #include <charconv>
@@ -24,16 +25,6 @@ constexpr std::string_view kTimes = "\xc3\x97";
 constexpr std::string_view kMiddleDot = "\xc2\xb7";
 constexpr std::string_view kDivided = "\xc3\xb7";
 constexpr std::string_view kPiLetter = "\xcf\x80";
-
-bool isDigit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
-bool isLetter(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
 
 /// Recursive descent, one function a level: sum of products of factors.
 class Parser {

@@ -49,14 +49,15 @@ bool isJson(std::string_view text)
     return begin != std::string_view::npos && (text[begin] == '{' || text[begin] == '[');
 }
 
-geometry::Result<Json, CameraError> parsedJson(const NamedText &text)
+Json parsedJson(const NamedText &text)
 {
     if (text.text.size() > kMostBytes)
-        return CameraError{text.name, 0, base::tr("longer than %1 MiB; give the file of one camera", kMostBytes >> 20)};
+        throw base::Error{.text = base::tr("longer than %1 MiB; give the file of one camera", kMostBytes >> 20),
+                          .file = text.name};
     auto parsed = base::parseJson(text.text);
-    if (parsed)
-        return std::move(parsed).value();
-    return CameraError{text.name, static_cast<std::size_t>(parsed.error().line), parsed.error().text};
+    if (!parsed)
+        throw base::Error{.text = parsed.error().text, .file = text.name, .line = parsed.error().line};
+    return std::move(parsed).value();
 }
 
 std::size_t lineOfKey(std::string_view text, std::string_view key, std::size_t count)
@@ -74,18 +75,25 @@ std::size_t lineOfKey(std::string_view text, std::string_view key, std::size_t c
     return 0;
 }
 
-std::optional<std::vector<double>> numbersOf(const Json &value)
-{
-    std::vector<double> numbers;
-    return addNumbers(value, numbers) ? std::optional(std::move(numbers)) : std::nullopt;
-}
-
 const Json *memberOf(const Json &object, std::string_view key)
 {
     if (!object.is_object())
         return nullptr;
     const auto found = object.find(key);
     return found == object.end() ? nullptr : &*found;
+}
+
+std::vector<double> numbersOf(const Json &object, std::string_view key)
+{
+    const Json *member = memberOf(object, key);
+    std::vector<double> numbers;
+    return member && addNumbers(*member, numbers) ? numbers : std::vector<double>();
+}
+
+std::string nameOf(const Json &object, std::string_view key, std::size_t index)
+{
+    const Json *name = memberOf(object, key);
+    return name && name->is_string() ? name->get<std::string>() : std::to_string(index);
 }
 
 std::optional<double> numberOf(const Json &object, std::string_view key)

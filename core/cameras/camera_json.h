@@ -17,20 +17,23 @@ namespace unprojector::cameras {
 /// Returns whether a text begins as a JSON object or list.
 bool isJson(std::string_view text);
 
-/// @return the document; the position and reason of a mistake in its syntax
-geometry::Result<nlohmann::ordered_json, CameraError> parsedJson(const NamedText &text);
+/// The document. Throws a base::Error with the position and reason of a mistake in its syntax.
+nlohmann::ordered_json parsedJson(const NamedText &text);
 
 /// The line, from 1, on which a key of a JSON text stands.
 /// @param count  the key's index among the equal keys of the text, from 0
 /// @return 0 if there is no such key
 std::size_t lineOfKey(std::string_view text, std::string_view key, std::size_t count = 0);
 
-/// The finite numbers of a JSON value, nested lists one after the other; nothing if it has anything
-/// else. A single number is a list of one.
-std::optional<std::vector<double>> numbersOf(const nlohmann::ordered_json &value);
-
 /// The member of an object; null if there is none.
 const nlohmann::ordered_json *memberOf(const nlohmann::ordered_json &object, std::string_view key);
+
+/// The finite numbers of a member, nested lists one after the other; empty if there is none, or if it
+/// has anything else. A single number is a list of one.
+std::vector<double> numbersOf(const nlohmann::ordered_json &object, std::string_view key);
+
+/// The text of a member; the index if there is none.
+std::string nameOf(const nlohmann::ordered_json &object, std::string_view key, std::size_t index);
 
 /// A finite number among an object's members.
 std::optional<double> numberOf(const nlohmann::ordered_json &object, std::string_view key);

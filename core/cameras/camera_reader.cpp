@@ -2,49 +2,69 @@
 
 #include "core/base/number_text.h"
 #include "core/base/translation.h"
-#include "core/cameras/reader_parts.h"
-
-#include <glm/mat4x4.hpp>
+#include "core/geometry/finite.h"
 
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace unprojector::cameras {
 using base::tr;
 
-std::span<const CameraReader> cameraReaders()
-{
-    static constexpr std::array kReaders{CameraReader{"COLMAP", readColmap},
-                                         CameraReader{"NeRF", readNerf},
-                                         CameraReader{"Open3D", readOpen3d},
-                                         CameraReader{"glTF", readGltf},
-                                         CameraReader{"MuJoCo", readMujoco},
-                                         CameraReader{"PyBullet", readPyBullet},
-                                         CameraReader{"Blender", readBlender},
-                                         CameraReader{"Unreal", readUnreal},
-                                         CameraReader{"Unity", readUnity},
-                                         CameraReader{"pyrender", readPyrender},
-                                         CameraReader{"Gaussian splatting", readSplatting},
-                                         CameraReader{"SAPIEN", readSapien},
-                                         CameraReader{"OpenCV", readOpenCv}};
-    return kReaders;
-}
-
 namespace {
+
+using CameraRead = std::optional<base::Expected<ForeignCamera, base::Error>>;
+
+/// The reader of a program's cameras: of one text, or of texts that belong together.
+struct CameraReader {
+    const char *program = "";
+    bool (*read)(Reading &reading) = nullptr;
+    std::optional<ForeignCamera> (*readAll)(std::span<const NamedText> texts, const CameraChoices &choices) = nullptr;
+};
+
+/// The first that recognises the texts reads them: the most particular form is first.
+constexpr std::array kReaders{CameraReader{"COLMAP", nullptr, readColmap},
+                              CameraReader{"NeRF", nullptr, readNerf},
+                              CameraReader{"Open3D", readOpen3d},
+                              CameraReader{"glTF", readGltf},
+                              CameraReader{"MuJoCo", readMujoco},
+                              CameraReader{"PyBullet", readPyBullet},
+                              CameraReader{"Blender", readBlender},
+                              CameraReader{"Unreal", readUnreal},
+                              CameraReader{"Unity", readUnity},
+                              CameraReader{"pyrender", readPyrender},
+                              CameraReader{"Gaussian splatting", readSplatting},
+                              CameraReader{"SAPIEN", readSapien},
+                              CameraReader{"OpenCV", nullptr, readOpenCv}};
 
 /// The reader that recognises the texts, with what it reads.
 std::pair<const CameraReader *, CameraRead> firstRead(std::span<const NamedText> texts, const CameraChoices &choices)
 {
-    for (const CameraReader &reader : cameraReaders()) {
-        if (CameraRead read = reader.read(texts, choices))
-            return {&reader, std::move(read)};
+    std::vector<Reading> readings;
+    for (const NamedText &text : texts)
+        readings.emplace_back(text, choices);
+    for (const CameraReader &reader : kReaders) {
+        try {
+            if (reader.readAll) {
+                if (auto camera = reader.readAll(texts, choices))
+                    return {&reader, std::move(*camera)};
+                continue;
+            }
+            for (Reading &reading : readings) {
+                if (reader.read(reading))
+                    return {&reader, std::move(reading.camera)};
+            }
+        } catch (base::Error &error) {
+            return {&reader, std::move(error)};
+        }
     }
     return {nullptr, std::nullopt};
 }
 
 /// The error of files of several programs, of which all but one would be ignored.
-std::optional<CameraError> mixedError(std::span<const NamedText> texts, const CameraChoices &choices,
+std::optional<base::Error> mixedError(std::span<const NamedText> texts, const CameraChoices &choices,
                                       const CameraReader *reader)
 {
     std::string list;
@@ -58,25 +78,15 @@ std::optional<CameraError> mixedError(std::span<const NamedText> texts, const Ca
     }
     if (!hasSame || !hasOther)
         return std::nullopt;
-    return CameraError{texts.front().name, 0,
-                       tr("the files are of several programs: %1. Give those of one program", list)};
-}
-
-bool isFinite(const glm::dmat4 &m)
-{
-    for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row) {
-            if (!std::isfinite(m[column][row]))
-                return false;
-        }
-    }
-    return true;
+    return base::Error{.text = tr("the files are of several programs: %1. Give those of one program", list),
+                       .file = texts.front().name};
 }
 
 /// The error of a camera with numbers that no camera has.
 std::optional<std::string> reasonAgainst(const ForeignCamera &camera, const CameraChoices &choices)
 {
-    if ((camera.pose && !isFinite(*camera.pose)) || (camera.projection && !isFinite(camera.projection->clipFromEye)))
+    if ((camera.pose && !geometry::isFinite(*camera.pose))
+        || (camera.projection && !geometry::isFinite(camera.projection->clipFromEye)))
         return tr("a number is not finite");
     if (!camera.intrinsics)
         return std::nullopt;
@@ -87,7 +97,7 @@ std::optional<std::string> reasonAgainst(const ForeignCamera &camera, const Came
         if (value < 0.0)
             return tr("the focal length %1 is %2; it must be greater than 0", name, base::shortestText(value));
     }
-    const std::optional<ImageSize> size = sizeOf(camera, choices);
+    const std::optional<ImageSize> size = choices.size ? choices.size : camera.size;
     constexpr double kLargest = 20.0; // in image widths; an angle of 3 degrees
     const bool isNormalized =
         k.cx > 0.0 && k.cx < 1.0 && k.cy > 0.0 && k.cy < 1.0 && k.fx < kLargest && k.fy < kLargest;
@@ -101,8 +111,11 @@ std::optional<std::string> reasonAgainst(const ForeignCamera &camera, const Came
 
 } // namespace
 
-CameraRead readCamera(std::span<const NamedText> texts, const CameraChoices &choices)
+std::optional<base::Expected<ForeignCamera, base::Error>> readCamera(std::span<const NamedText> texts,
+                                                                     const CameraChoices &choices)
 {
+    if (texts.empty())
+        return std::nullopt;
     auto [reader, read] = firstRead(texts, choices);
     if (!read)
         return std::nullopt;
@@ -114,7 +127,7 @@ CameraRead readCamera(std::span<const NamedText> texts, const CameraChoices &cho
         return std::move(read);
     ForeignCamera camera = **read;
     if (auto reason = reasonAgainst(camera, choices))
-        return CameraError{texts.size() == 1 ? texts.front().name : std::string(), 0, std::move(*reason)};
+        return base::Error{.text = std::move(*reason), .file = texts.size() == 1 ? texts.front().name : std::string()};
     for (std::optional<double> *distance : {&camera.nearDistance, &camera.farDistance}) {
         if (*distance && !std::isfinite(**distance))
             distance->reset(); // "far: inf", as if it were missing

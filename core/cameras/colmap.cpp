@@ -2,7 +2,6 @@
 #include "core/base/text_scanner.h"
 #include "core/base/translation.h"
 #include "core/cameras/camera_reader.h"
-#include "core/cameras/reader_parts.h"
 
 #include <algorithm>
 #include <array>
@@ -159,31 +158,31 @@ std::string nameIn(const Line &line)
     return std::string(name);
 }
 
-std::optional<CameraError> setLens(ForeignCamera &camera, const Found &found)
+/// The camera's size, intrinsics and distortion.
+void setLens(ForeignCamera &camera, const Found &found)
 {
     const Line &line = found.line;
     const auto fault = [&](std::string reason) {
-        return CameraError{found.file->name, line.number, std::move(reason)};
+        throw base::Error{.text = std::move(reason), .file = found.file->name, .line = int(line.number)};
     };
     const std::string_view name = line.words[1];
     const auto model = std::find_if(kRead.begin(), kRead.end(), [name](const Model &m) { return m.name == name; });
     if (model == kRead.end())
-        return fault(tr("the camera model %1 is not read: it is no pinhole with the distortion of Brown and Conrady. "
-                        "Undistort the images with COLMAP's image_undistorter",
-                        name));
+        fault(tr("the camera model %1 is not read: it is no pinhole with the distortion of Brown and Conrady. "
+                 "Undistort the images with COLMAP's image_undistorter",
+                 name));
     if (line.words.size() != 4 + model->parameters)
-        return fault(tr("%1 has %2 parameters; it needs %3", name, line.words.size() - 4, model->parameters));
+        fault(tr("%1 has %2 parameters; it needs %3", name, line.words.size() - 4, model->parameters));
     std::vector<double> p;
     for (std::size_t i = 4; i < line.words.size(); ++i) {
         const auto number = base::doubleFromWord(line.words[i]);
         if (!number || !std::isfinite(*number))
-            return fault(tr("%1 is not a finite number", base::quoted(line.words[i])));
+            fault(tr("%1 is not a finite number", base::quoted(line.words[i])));
         p.push_back(*number);
     }
     camera.size = sizeOf(base::doubleFromWord(line.words[2]), base::doubleFromWord(line.words[3]));
     if (!camera.size)
-        return fault(
-            tr("width and height are %1 and %2; they must be whole numbers above 0", line.words[2], line.words[3]));
+        fault(tr("width and height are %1 and %2; they must be whole numbers above 0", line.words[2], line.words[3]));
     const bool hasOneFocal = name.starts_with("SIMPLE_") || name == "RADIAL";
     if (hasOneFocal)
         p.insert(p.begin(), p.front()); // fx = fy
@@ -191,59 +190,54 @@ std::optional<CameraError> setLens(ForeignCamera &camera, const Found &found)
     p.resize(12, 0.0);
     Distortion distortion{p[4], p[5], p[6], p[7], p[8]};
     if (p[9] != 0.0 || p[10] != 0.0 || p[11] != 0.0)
-        return fault(tr("FULL_OPENCV's k4, k5 and k6 are not read; undistort the images with COLMAP's "
-                        "image_undistorter"));
+        fault(tr("FULL_OPENCV's k4, k5 and k6 are not read; undistort the images with COLMAP's "
+                 "image_undistorter"));
     if (!distortion.isNone())
         camera.distortion = distortion;
-    return std::nullopt;
 }
 
 } // namespace
 
-CameraRead readColmap(std::span<const NamedText> texts, const CameraChoices &choices)
+std::optional<ForeignCamera> readColmap(std::span<const NamedText> texts, const CameraChoices &choices)
 {
     for (const NamedText &text : texts) {
         if (text.name.ends_with("cameras.bin") || text.name.ends_with("images.bin"))
-            return CameraError{text.name, 0,
-                               tr("COLMAP's binary files are not read; write text with 'colmap model_converter "
-                                  "--output_type TXT' and give cameras.txt and images.txt")};
+            Reading(text, choices)
+                .fail(tr("COLMAP's binary files are not read; write text with 'colmap model_converter "
+                         "--output_type TXT' and give cameras.txt and images.txt"));
     }
     const Reconstruction found = reconstructionOf(texts);
     if (found.cameras.empty() && found.images.empty())
         return std::nullopt;
     if (found.images.empty())
-        return CameraError{found.cameras.begin()->second.file->name, 0,
-                           tr("COLMAP's cameras have no poses; give images.txt too")};
-    ForeignCamera camera;
-    camera.program = "COLMAP";
-    camera.axes = EyeAxes::RightDownAhead;
-    camera.isDirectionCertain = camera.areAxesCertain = true;
+        Reading(*found.cameras.begin()->second.file, choices)
+            .fail(tr("COLMAP's cameras have no poses; give images.txt too"));
+    Reading reading(*found.images.front().file, choices);
+    ForeignCamera &camera = reading.camera;
+    reading.begin("COLMAP", PoseDirection::WorldToCamera, EyeAxes::RightDownAhead);
     for (const Found &image : found.images)
         camera.images.push_back(nameIn(image.line));
-    const std::string &file = found.images.front().file->name;
     if (found.cameras.empty())
-        return CameraError{file, 0, tr("COLMAP's images have no focal lengths; give cameras.txt too")};
-    if (auto error = chooseImage(camera, choices, file))
-        return *error;
+        reading.fail(tr("COLMAP's images have no focal lengths; give cameras.txt too"));
+    reading.chooseImage();
     const Line &image = found.images[camera.image].line;
     const std::array<double, 7> v = poseIn(image);
     for (std::size_t i = 0; i < v.size(); ++i) {
         if (!std::isfinite(v[i]))
-            return CameraError{file, image.number, tr("%1 is not a finite number", base::quoted(image.words[i + 1]))};
+            reading.fail(tr("%1 is not a finite number", base::quoted(image.words[i + 1])), image.number);
     }
     const auto rotation = rotationOf(v[0], v[1], v[2], v[3]);
     if (!rotation)
-        return CameraError{file, image.number, tr("the image's quaternion is 0; a rotation has the length 1")};
+        reading.fail(tr("the image's quaternion is 0; a rotation has the length 1"), image.number);
     if (const double length = quaternionLength(v); std::abs(length - 1.0) >= kUnit)
         camera.assumed.push_back(tr("The quaternion of %1 has the length %2 instead of 1; it is divided by it.",
                                     camera.images[camera.image], base::significantText(length, 4)));
     camera.pose = rigid(*rotation, {v[4], v[5], v[6]});
     const auto lens = found.cameras.find(*base::integerFromWord(image.words[8]));
     if (lens == found.cameras.end())
-        return CameraError{file, image.number, tr("there is no camera %1 in cameras.txt", image.words[8])};
-    if (auto error = setLens(camera, lens->second))
-        return *error;
-    return camera;
+        reading.fail(tr("there is no camera %1 in cameras.txt", image.words[8]), image.number);
+    setLens(camera, lens->second);
+    return std::move(camera);
 }
 
 } // namespace unprojector::cameras

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "core/base/error.h"
+#include "core/base/expected.h"
 #include "core/geometry/box.h"
 #include "core/geometry/matrix_projection.h"
-#include "core/geometry/result.h"
 #include "core/geometry/setup.h"
 
 #include <glm/mat4x4.hpp>
@@ -108,13 +109,6 @@ struct NamedText {
     std::string name, text;
 };
 
-/// The fault of a camera's text.
-struct CameraError {
-    std::string file;
-    std::size_t line = 0; ///< from 1; 0: the whole file
-    std::string reason;   ///< names the value and says what to do, in the language of base::tr()
-};
-
 /// A scene's camera. Its eye space is OpenGL's; pixels count as everywhere in the program.
 struct SceneCamera {
     geometry::Lens projection; ///< a pinhole, or the file's matrix
@@ -130,16 +124,16 @@ struct SceneCamera {
 
 /// Reads the camera in these texts; the texts of one program belong together (cameras.txt and
 /// images.txt).
-/// @return nothing if no text has the form of a known program
-std::optional<geometry::Result<ForeignCamera, CameraError>> readCamera(std::span<const NamedText> texts,
-                                                                       const CameraChoices &choices);
+/// @return nothing if no text has the form of a known program; an error with its file and line
+std::optional<base::Expected<ForeignCamera, base::Error>> readCamera(std::span<const NamedText> texts,
+                                                                     const CameraChoices &choices);
 
 /// Converts a camera. Where neither the file nor the choices tell the pose's direction or the axes,
 /// those count with which the camera sees the objects; a message names them.
 /// @param objects  bounds of the scene's objects, world space; empty: no objects, then the
 ///         program's usual direction and axes count
-geometry::Result<SceneCamera, CameraError> sceneCamera(const ForeignCamera &camera, const CameraChoices &choices,
-                                                       const std::optional<geometry::Box> &objects);
+base::Expected<SceneCamera, base::Error> sceneCamera(const ForeignCamera &camera, const CameraChoices &choices,
+                                                     const std::optional<geometry::Box> &objects);
 
 /// Returns whether CameraChoices::centres counts: whether the camera's file has a principal point.
 bool hasCentres(const ForeignCamera &camera);

@@ -1,6 +1,7 @@
 #include "core/cameras/named_values.h"
 
 #include "core/base/expression.h"
+#include "core/base/letters.h"
 #include "core/geometry/numbers.h"
 
 #include <algorithm>
@@ -13,18 +14,10 @@
 #include <utility>
 
 namespace unprojector::cameras {
+using base::isDigit;
+using base::isLetter;
 
 namespace {
-
-bool isDigit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
-bool isLetter(char c)
-{
-    return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 bool isBlank(char c)
 {

@@ -3,11 +3,13 @@
 #include "core/base/translation.h"
 #include "core/cameras/camera_json.h"
 #include "core/cameras/camera_reader.h"
-#include "core/cameras/reader_parts.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 // transforms.json of NeRF, Instant-NGP and Nerfstudio.
@@ -19,169 +21,138 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// A frame's own value, else the file's.
-std::optional<double> valueOf(const Json &file, const Json &frame, const char *key)
-{
-    const auto own = numberOf(frame, key);
-    return own ? own : numberOf(file, key);
-}
-
 class Reader {
 public:
-    Reader(const NamedText &text, const Json &file, const CameraChoices &choices)
-        : m_text(text), m_file(file), m_choices(choices)
+    Reader(Reading &reading, const Json &file)
+        : m_reading(reading), m_camera(reading.camera), m_file(file), m_frame(&file)
     {
     }
 
-    Result<ForeignCamera, CameraError> read()
+    void read()
     {
-        m_camera.program = "NeRF";
-        m_camera.direction = PoseDirection::CameraToWorld;
-        m_camera.axes = EyeAxes::RightUpBack;
-        m_camera.isDirectionCertain = m_camera.areAxesCertain = true;
-        const Json *frames = memberOf(m_file, "frames");
-        if (frames) {
-            for (std::size_t i = 0; i < frames->size(); ++i) {
-                const Json *path = memberOf((*frames)[i], "file_path");
-                m_camera.images.push_back(path && path->is_string() ? path->get<std::string>() : std::to_string(i));
-            }
+        m_reading.begin("NeRF", PoseDirection::CameraToWorld, EyeAxes::RightUpBack);
+        if (const Json *frames = memberOf(m_file, "frames")) {
+            for (std::size_t i = 0; i < frames->size(); ++i)
+                m_camera.images.push_back(nameOf((*frames)[i], "file_path", i));
             if (frames->empty())
-                return fault("frames", tr("there are no frames"));
-            if (auto error = chooseImage(m_camera, m_choices, m_text.name))
-                return *error;
+                fail("frames", tr("there are no frames"));
+            m_reading.chooseImage();
+            m_frame = &(*frames)[m_camera.image];
         }
-        m_frame = frames ? &(*frames)[m_camera.image] : &m_file;
-        if (auto error = readPose())
-            return *error;
-        if (auto error = refuseModel())
-            return *error;
+        readPose();
+        refuseModel();
         m_camera.size = sizeOf(value("w"), value("h"));
-        if (auto error = refuseSize())
-            return *error;
-        if (auto error = readLens())
-            return *error;
-        readDistortion();
+        refuseSize();
+        readLens();
+        const auto of = [this](const char *key) { return value(key).value_or(0.0); };
+        const Distortion distortion{of("k1"), of("k2"), of("p1"), of("p2"), of("k3")};
+        if (!distortion.isNone())
+            m_camera.distortion = distortion;
         sayIgnored();
-        return m_camera;
     }
 
 private:
-    CameraError fault(const char *key, std::string reason) const
+    [[noreturn]] void fail(const char *key, std::string reason) const
     {
-        return {m_text.name, lineOfKey(m_text.text, key), std::move(reason)};
+        m_reading.fail(std::move(reason), lineOfKey(m_reading.text.text, key));
     }
-    std::optional<double> value(const char *key) const { return valueOf(m_file, *m_frame, key); }
-
-    std::optional<CameraError> readPose()
+    /// The frame's own member, else the file's.
+    const Json *member(const char *key) const
     {
-        const Json *matrix = memberOf(*m_frame, "transform_matrix");
-        const auto numbers = matrix ? numbersOf(*matrix) : std::nullopt;
-        const auto pose = numbers && numbers->size() >= 12 ? matrixByRows(*numbers) : std::nullopt;
-        if (!pose)
-            return CameraError{
-                m_text.name, lineOfKey(m_text.text, "transform_matrix", m_camera.image),
-                tr("%1 needs %2 numbers; it has %3", "transform_matrix", 16, numbers ? numbers->size() : 0)};
-        m_camera.pose = pose;
-        return std::nullopt;
+        const Json *own = memberOf(*m_frame, key);
+        return own ? own : memberOf(m_file, key);
+    }
+    std::optional<double> value(const char *key) const
+    {
+        const auto own = numberOf(*m_frame, key);
+        return own ? own : numberOf(m_file, key);
     }
 
-    std::optional<CameraError> refuseModel() const
+    void readPose()
     {
-        if (m_choices.isUndistorted)
-            return std::nullopt;
-        const Json *own = memberOf(*m_frame, "camera_model");
-        const Json *model = own ? own : memberOf(m_file, "camera_model");
+        const std::vector<double> numbers = numbersOf(*m_frame, "transform_matrix");
+        m_camera.pose = numbers.size() >= 12 ? matrixByRows(numbers) : std::nullopt;
+        if (!m_camera.pose)
+            m_reading.fail(tr("%1 needs %2 numbers; it has %3", "transform_matrix", 16, numbers.size()),
+                           lineOfKey(m_reading.text.text, "transform_matrix", m_camera.image));
+    }
+
+    void refuseModel() const
+    {
+        if (m_reading.choices.isUndistorted)
+            return;
+        const Json *model = member("camera_model");
         const std::string name = model && model->is_string() ? model->get<std::string>() : "OPENCV";
-        const bool isPinhole = name == "OPENCV" || name == "PINHOLE" || name == "SIMPLE_PINHOLE"
-                               || name == "perspective" || name == "SIMPLE_RADIAL" || name == "RADIAL";
-        if (!isPinhole)
-            return fault("camera_model", tr("the camera model %1 is not read: it is no pinhole with the distortion of "
-                                            "Brown and Conrady. Undistort the images first, then give --undistorted",
-                                            name));
+        constexpr std::array kPinholes{"OPENCV", "PINHOLE", "SIMPLE_PINHOLE", "perspective", "SIMPLE_RADIAL", "RADIAL"};
+        if (std::find(kPinholes.begin(), kPinholes.end(), name) == kPinholes.end())
+            fail("camera_model", tr("the camera model %1 is not read: it is no pinhole with the distortion of Brown "
+                                    "and Conrady. Undistort the images first, then give --undistorted",
+                                    name));
         for (const char *key : {"is_fisheye", "k4", "k5", "k6"}) {
             const Json *flag = memberOf(m_file, key);
             if (value(key).value_or(0.0) != 0.0 || (flag && flag->is_boolean() && flag->get<bool>()))
-                return fault(
-                    key,
-                    tr("%1 is of a distortion that is not read; undistort the images first, then give --undistorted",
-                       key));
+                fail(key, tr("%1 is of a distortion that is not read; undistort the images first, then give "
+                             "--undistorted",
+                             key));
         }
-        return std::nullopt;
     }
 
-    /// The error of a width or height that is given, but is no image's; nothing if both are missing.
-    std::optional<CameraError> refuseSize() const
+    /// Fails for a width or height that is given, but is no image's; not if both are missing.
+    void refuseSize() const
     {
         for (const char *key : {"w", "h"}) {
-            const Json *own = memberOf(*m_frame, key), *side = own ? own : memberOf(m_file, key);
-            if (side && !m_choices.size && !sizeOf(numberOf(Json{{key, *side}}, key), 1.0))
-                return fault(
-                    key, tr("%1 is %2; it must be a whole number from 1 to 1000000", key, base::compactJson(*side)));
+            const Json *side = member(key);
+            if (side && !m_reading.choices.size && !sizeOf(numberOf(Json{{key, *side}}, key), 1.0))
+                fail(key, tr("%1 is %2; it must be a whole number from 1 to 1000000", key, base::compactJson(*side)));
         }
-        return std::nullopt;
     }
 
-    std::optional<CameraError> readLens()
+    void readLens()
     {
         const auto fx = value("fl_x"), fy = value("fl_y"), angleX = value("camera_angle_x"),
                    angleY = value("camera_angle_y");
         if (!fx && !fy) {
-            if (!angleX && !angleY)
-                return fault("frames", tr("there is neither fl_x nor camera_angle_x; give one of them"));
-            if (auto error = angleX ? setHorizontalAngle(m_camera, m_choices, *angleX, m_text.name)
-                                    : setVerticalAngle(m_camera, m_choices, *angleY, {}, m_text.name))
-                return error;
-            const std::optional<ImageSize> size = sizeOf(m_camera, m_choices);
-            if (angleX && angleY && size)
-                m_camera.intrinsics->fy = size->height / (2.0 * std::tan(*angleY / 2.0));
+            if (angleX)
+                m_reading.setHorizontalAngle(*angleX);
+            else if (angleY)
+                m_reading.setVerticalAngle(*angleY);
+            else
+                fail("frames", tr("there is neither fl_x nor camera_angle_x; give one of them"));
+            if (angleX && angleY)
+                m_camera.intrinsics->fy = m_reading.neededSize().height / (2.0 * std::tan(*angleY / 2.0));
         } else {
             const double focal = fx.value_or(fy.value_or(1.0));
             m_camera.intrinsics = Intrinsics{focal, fy.value_or(focal), 0.0, 0.0, 0.0, PixelCentres::AtHalves};
             sayAngle(focal, angleX);
         }
-        return readCentre();
+        readCentre();
     }
 
     /// Says that the angle is another than the focal length's.
     void sayAngle(double focal, const std::optional<double> &angle)
     {
-        const std::optional<ImageSize> size = sizeOf(m_camera, m_choices);
         constexpr double kSame = 0.01;
-        if (!angle || !size)
+        if (!angle || !m_reading.size())
             return;
-        const double byAngle = size->width / (2.0 * std::tan(*angle / 2.0));
+        const double byAngle = m_reading.size()->width / (2.0 * std::tan(*angle / 2.0));
         if (std::abs(byAngle / focal - 1.0) > kSame)
             m_camera.assumed.push_back(tr("fl_x is %1, but camera_angle_x gives %2: fl_x is taken. Remove the wrong "
                                           "one.",
                                           base::significantText(focal, 6), base::significantText(byAngle, 6)));
     }
 
-    std::optional<CameraError> readCentre()
+    void readCentre()
     {
         const auto cx = value("cx"), cy = value("cy");
-        const std::optional<ImageSize> size = sizeOf(m_camera, m_choices);
         if (cx.has_value() != cy.has_value())
-            return fault(cx ? "cx" : "cy", tr("%1 is given without %2; give both", cx ? "cx" : "cy", cx ? "cy" : "cx"));
-        if (!cx && !size)
-            return noSize(m_text.name);
-        m_camera.intrinsics->cx = cx ? *cx : size->width / 2.0;
-        m_camera.intrinsics->cy = cy ? *cy : size->height / 2.0;
+            fail(cx ? "cx" : "cy", tr("%1 is given without %2; give both", cx ? "cx" : "cy", cx ? "cy" : "cx"));
+        m_camera.intrinsics->cx = cx ? *cx : m_reading.neededSize().width / 2.0;
+        m_camera.intrinsics->cy = cy ? *cy : m_reading.neededSize().height / 2.0;
         m_camera.intrinsics->isCentreComputed = !cx;
-        if (cx)
-            m_camera.assumed.push_back(tr("Pixel centres are read at halves, as COLMAP writes cx and cy; "
-                                          "--pixel-centers integer says otherwise."));
-        else
-            m_camera.assumed.push_back(tr("The principal point is assumed in the image's centre, because cx and cy "
-                                          "are missing. Write them into the file to say otherwise."));
-        return std::nullopt;
-    }
-
-    void readDistortion()
-    {
-        const auto of = [this](const char *key) { return value(key).value_or(0.0); };
-        const Distortion distortion{of("k1"), of("k2"), of("p1"), of("p2"), of("k3")};
-        if (!distortion.isNone())
-            m_camera.distortion = distortion;
+        m_camera.assumed.push_back(tr(cx ? "Pixel centres are read at halves, as COLMAP writes cx and cy; "
+                                           "--pixel-centers integer says otherwise."
+                                         : "The principal point is assumed in the image's centre, because cx and cy "
+                                           "are missing. Write them into the file to say otherwise."));
     }
 
     void sayIgnored()
@@ -195,43 +166,41 @@ private:
             m_camera.assumed.push_back(tr("%1: not applied. Coordinates are those of transform_matrix.", names));
     }
 
-    const NamedText &m_text;
+    Reading &m_reading;
+    ForeignCamera &m_camera;
     const Json &m_file;
-    const Json *m_frame = nullptr;
-    const CameraChoices &m_choices;
-    ForeignCamera m_camera;
+    const Json *m_frame;
 };
 
 } // namespace
 
-CameraRead readNerf(std::span<const NamedText> texts, const CameraChoices &choices)
+std::optional<ForeignCamera> readNerf(std::span<const NamedText> texts, const CameraChoices &choices)
 {
-    const NamedText *text =
-        firstWith(texts, [](const std::string &one) { return one.find("transform_matrix") != one.npos; });
-    if (text == nullptr) {
-        const NamedText *lens = firstWith(texts, [](const std::string &one) {
-            return isJson(one) && (lineOfKey(one, "fl_x") > 0 || lineOfKey(one, "camera_angle_x") > 0);
-        });
-        if (lens == nullptr)
-            return std::nullopt;
-        return CameraError{lens->name, 0, tr("there are no poses; give the frames, each with its transform_matrix")};
+    const auto text = std::find_if(texts.begin(), texts.end(), [](const NamedText &one) {
+        return one.text.find("transform_matrix") != std::string::npos;
+    });
+    if (text == texts.end()) {
+        for (const NamedText &lens : texts) {
+            if (isJson(lens.text) && (lineOfKey(lens.text, "fl_x") > 0 || lineOfKey(lens.text, "camera_angle_x") > 0))
+                Reading(lens, choices).fail(tr("there are no poses; give the frames, each with its transform_matrix"));
+        }
+        return std::nullopt;
     }
     // A part of a file, as people paste it, is no object yet.
     NamedText whole = *text;
     if (!isJson(whole.text)) {
-        const std::size_t first = whole.text.find('"');
-        if (first == whole.text.npos)
+        if (whole.text.find('"') == whole.text.npos)
             return std::nullopt;
         const std::size_t last = whole.text.find_last_not_of(" \t\r\n,");
         whole.text = '{' + whole.text.substr(0, last + 1) + '}';
     }
-    const auto json = parsedJson(whole);
-    if (!json)
-        return json.error();
-    const bool hasFrames = memberOf(*json, "frames") && memberOf(*json, "frames")->is_array();
-    if (!hasFrames && !memberOf(*json, "transform_matrix"))
+    const Json file = parsedJson(whole);
+    const Json *frames = memberOf(file, "frames");
+    if (!(frames && frames->is_array()) && !memberOf(file, "transform_matrix"))
         return std::nullopt;
-    return Reader(whole, *json, choices).read();
+    Reading reading(whole, choices);
+    Reader(reading, file).read();
+    return std::move(reading.camera);
 }
 
 } // namespace unprojector::cameras

@@ -7,7 +7,6 @@
 #include "core/cameras/camera_reader.h"
 #include "core/cameras/lens.h"
 #include "core/cameras/opencv_values.h"
-#include "core/cameras/reader_parts.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -24,14 +23,9 @@ using base::tr;
 using geometry::Result;
 namespace {
 
-/// Thrown while reading; readOpenCv returns its error.
-struct Failure {
-    CameraError error;
-};
-
 [[noreturn]] void fail(const OpenCvValue &value, std::string reason)
 {
-    throw Failure{{value.file, value.line, value.name + ": " + std::move(reason)}};
+    throw base::Error{std::move(reason), value.name, value.file, static_cast<int>(value.line)};
 }
 
 bool isNear(double value, double wanted, double scale)
@@ -89,7 +83,7 @@ bool isTurned(const std::optional<CameraParts> &asWritten, const CameraParts &tu
 class Reader {
 public:
     Reader(std::span<const NamedText> texts, const CameraChoices &choices)
-        : m_values(texts), m_choices(choices), m_file(texts.empty() ? std::string() : texts.front().name)
+        : m_values(texts), m_reading(texts.front(), choices)
     {
     }
 
@@ -110,10 +104,8 @@ public:
 
     ForeignCamera read()
     {
-        m_camera.program = m_values.isCameraInfo() ? "ROS camera_info" : "OpenCV";
-        m_camera.axes = EyeAxes::RightDownAhead;
-        m_camera.areAxesCertain = true;
-        m_camera.isDirectionCertain = true;
+        m_reading.begin(m_values.isCameraInfo() ? "ROS camera_info" : "OpenCV", PoseDirection::WorldToCamera,
+                        EyeAxes::RightDownAhead);
         countImages();
         readSize();
         readIntrinsics();
@@ -172,12 +164,11 @@ private:
             count = m_values.all(OpenCvPart::Intrinsics).size();
         for (std::size_t i = 0; count > 1 && i < count; ++i)
             m_camera.images.push_back(std::to_string(i));
-        if (count == 1 && (m_choices.image.empty() || m_choices.image == "0"))
+        if (count == 1 && (m_reading.choices.image.empty() || m_reading.choices.image == "0"))
             return;
         if (count == 1)
-            throw Failure{{m_file, 0, tr("there is one camera without a name; leave --image out")}};
-        if (auto error = chooseImage(m_camera, m_choices, m_file))
-            throw Failure{std::move(*error)};
+            m_reading.fail(tr("there is one camera without a name; leave --image out"));
+        m_reading.chooseImage();
     }
 
     /// Returns whether the text has several K that differ.
@@ -219,23 +210,23 @@ private:
         } else if (const auto fx = m_values.number({"fx"}), fy = m_values.number({"fy"}); fx && fy) {
             for (const char *name : {"fx", "fy", "cx", "cy", "ppx", "ppy"}) {
                 if (m_values.differ(name))
-                    throw Failure{{m_file, m_values.find(name)->line,
-                                   tr("%1 has several values. Give the text of one camera", name)}};
+                    m_reading.fail(tr("%1 has several values. Give the text of one camera", name),
+                                   m_values.find(name)->line);
             }
             for (const char *name : {"fx", "fy", "cx", "cy", "ppx", "ppy"}) {
                 const NamedValue *value = m_values.find(name);
                 if (value && !value->arithmetic.empty())
-                    throw Failure{{m_file, value->line,
-                                   tr("%1: the text computes with it (%2), and only numbers are read; write the result",
-                                      name, value->arithmetic)}};
+                    m_reading.fail(tr("%1: the text computes with it (%2), and only numbers are read; write the result",
+                                      name, value->arithmetic),
+                                   value->line);
             }
             const auto cx = m_values.number({"cx", "ppx"}), cy = m_values.number({"cy", "ppy"});
             if (!cx || !cy)
-                throw Failure{{m_file, 0, tr("fx and fy are given without cx and cy; give all four")}};
+                m_reading.fail(tr("fx and fy are given without cx and cy; give all four"));
             m_camera.intrinsics =
                 Intrinsics{*fx, *fy, *cx, *cy, m_values.number({"skew"}).value_or(0.0), PixelCentres::AtIntegers};
         } else if (m_values.all(OpenCvPart::CameraMatrix).empty()) {
-            throw Failure{{m_file, 0, tr("there is a pose, but no camera matrix; give K, nine numbers by rows")}};
+            m_reading.fail(tr("there is a pose, but no camera matrix; give K, nine numbers by rows"));
         }
     }
 
@@ -360,7 +351,7 @@ private:
                    "image."));
         if (const OpenCvValue *pose = valueOf(OpenCvPart::Pose))
             readPoseMatrix(*pose);
-        if (!m_choices.isUndistorted) {
+        if (!m_reading.choices.isUndistorted) {
             m_camera.assumed.push_back(tr("Pixels are those of the raw image, so K counts; --undistorted takes P, for "
                                           "the rectified one."));
             return;
@@ -381,7 +372,7 @@ private:
     {
         const std::optional<OpenCvValue> list = coefficients();
         if (const auto model = unknownModel(list)) {
-            if (!m_choices.isUndistorted)
+            if (!m_reading.choices.isUndistorted)
                 fail(*model, tr("the distortion is %1; only k1, k2, p1, p2 and k3 of Brown and Conrady are known. "
                                 "Undistort the image with its own program, then give --undistorted",
                                 model->word));
@@ -394,7 +385,7 @@ private:
         const Result<Distortion, std::string> lens = distortionOf(list->numbers);
         if (lens)
             m_camera.distortion = *lens;
-        else if (!m_choices.isUndistorted)
+        else if (!m_reading.choices.isUndistorted)
             fail(*list, lens.error());
         else
             m_camera.assumed.push_back(tr("The distortion coefficients are dropped: pixels are those of the "
@@ -406,7 +397,7 @@ private:
     {
         if (const OpenCvValue *list = valueOf(OpenCvPart::Distortion))
             return *list;
-        OpenCvValue named{{}, {}, {}, 0, m_file};
+        OpenCvValue named{{}, {}, {}, 0, m_reading.text.name};
         for (const char *name : {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"}) {
             const NamedValue *value = m_values.find(name);
             named.numbers.push_back(value ? value->numbers[0] : 0.0);
@@ -428,7 +419,7 @@ private:
         for (const char *name : {"fisheyemodel", "isfisheye"}) { // OpenCV's calibration sample, NeRF
             const NamedValue *flag = m_values.find(name);
             if (flag && flag->numbers[0] != 0.0)
-                return OpenCvValue{name, "fisheye", {}, flag->line, m_file};
+                return OpenCvValue{name, "fisheye", {}, flag->line, m_reading.text.name};
         }
         return std::nullopt;
     }
@@ -458,39 +449,34 @@ private:
         "plumbbob", "radtan",      "radialtangential", "brownconrady",  "brown",  "rationalpolynomial"};
 
     OpenCvValues m_values;
-    const CameraChoices &m_choices;
-    std::string m_file;
+    Reading m_reading;
+    ForeignCamera &m_camera = m_reading.camera;
     bool m_isTransposed = false; ///< K is MATLAB's, so R is
-    ForeignCamera m_camera;
 };
 
-/// The error of a text with the two camera matrices of a stereo pair and no other.
-CameraRead stereoError(std::span<const NamedText> texts)
+/// Fails for a text with the two camera matrices of a stereo pair and no other.
+void refuseStereo(std::span<const NamedText> texts, const CameraChoices &choices)
 {
     for (const NamedText &text : texts) {
-        const NamedValues named(text.text);
+        Reading reading(text, choices);
         for (const char *name : {"k1", "k2", "cameramatrix1", "cameramatrix2", "mtx1", "mtx2", "m1", "m2"}) {
-            const NamedValue *value = named.find({name});
+            const NamedValue *value = reading.values().find({name});
             if (value && value->numbers.size() == 9)
-                return CameraError{text.name, value->line,
-                                   tr("%1 is of a stereo pair; give one camera, its matrix under the name K", name)};
+                reading.fail(tr("%1 is of a stereo pair; give one camera, its matrix under the name K", name),
+                             value->line);
         }
     }
-    return std::nullopt;
 }
 
 } // namespace
 
-CameraRead readOpenCv(std::span<const NamedText> texts, const CameraChoices &choices)
+std::optional<ForeignCamera> readOpenCv(std::span<const NamedText> texts, const CameraChoices &choices)
 {
     Reader reader(texts, choices);
-    if (!reader.isRecognised())
-        return stereoError(texts);
-    try {
+    if (reader.isRecognised())
         return reader.read();
-    } catch (Failure &failure) {
-        return Result<ForeignCamera, CameraError>(std::move(failure.error));
-    }
+    refuseStereo(texts, choices);
+    return std::nullopt;
 }
 
 } // namespace unprojector::cameras

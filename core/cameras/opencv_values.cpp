@@ -1,5 +1,6 @@
 #include "core/cameras/opencv_values.h"
 
+#include "core/base/text_scanner.h"
 #include "core/cameras/printed_text.h"
 
 #include <algorithm>
@@ -10,83 +11,25 @@
 namespace unprojector::cameras {
 namespace {
 
-struct PartName {
+struct PartNames {
     OpenCvPart part;
-    std::string_view name;
+    std::string_view names; ///< letters and digits in lower case, as in NamedValues
 };
 
-/// Letters and digits in lower case, as in NamedValues.
 constexpr std::array kNames{
-    PartName{OpenCvPart::Intrinsics, "k"},
-    PartName{OpenCvPart::Intrinsics, "cameramatrix"},
-    PartName{OpenCvPart::Intrinsics, "cammatrix"},
-    PartName{OpenCvPart::Intrinsics, "cameramtx"},
-    PartName{OpenCvPart::Intrinsics, "mtx"},
-    PartName{OpenCvPart::Intrinsics, "intrinsic"},
-    PartName{OpenCvPart::Intrinsics, "intrinsics"},
-    PartName{OpenCvPart::Intrinsics, "intrinsicmatrix"},
-    PartName{OpenCvPart::Intrinsics, "intrinsicsmatrix"},
-    PartName{OpenCvPart::Intrinsics, "cameraintrinsics"},
-    PartName{OpenCvPart::Intrinsics, "camintr"},
-    PartName{OpenCvPart::Rotation, "r"},
-    PartName{OpenCvPart::Rotation, "rvec"},
-    PartName{OpenCvPart::Rotation, "rvecs"},
-    PartName{OpenCvPart::Rotation, "rot"},
-    PartName{OpenCvPart::Rotation, "rmat"},
-    PartName{OpenCvPart::Rotation, "rotation"},
-    PartName{OpenCvPart::Rotation, "rotationmatrix"},
-    PartName{OpenCvPart::Rotation, "rotationvector"},
-    PartName{OpenCvPart::Quaternion, "q"},
-    PartName{OpenCvPart::Quaternion, "quat"},
-    PartName{OpenCvPart::Quaternion, "qvec"},
-    PartName{OpenCvPart::Quaternion, "quaternion"},
-    PartName{OpenCvPart::Quaternion, "orientation"},
-    PartName{OpenCvPart::Translation, "t"},
-    PartName{OpenCvPart::Translation, "tvec"},
-    PartName{OpenCvPart::Translation, "tvecs"},
-    PartName{OpenCvPart::Translation, "trans"},
-    PartName{OpenCvPart::Translation, "translation"},
-    PartName{OpenCvPart::Translation, "translationvector"},
-    PartName{OpenCvPart::Pose, "rt"},
-    PartName{OpenCvPart::Pose, "extrinsic"},
-    PartName{OpenCvPart::Pose, "extrinsics"},
-    PartName{OpenCvPart::Pose, "extrinsicmatrix"},
-    PartName{OpenCvPart::Pose, "extrinsicsmatrix"},
-    PartName{OpenCvPart::Pose, "extrinsicparameters"},
-    PartName{OpenCvPart::Pose, "extrinsiccv"},
-    PartName{OpenCvPart::Pose, "w2c"},
-    PartName{OpenCvPart::Pose, "world2cam"},
-    PartName{OpenCvPart::Pose, "worldtocam"},
-    PartName{OpenCvPart::Pose, "worldtocamera"},
-    PartName{OpenCvPart::Pose, "tcw"},
-    PartName{OpenCvPart::Pose, "c2w"},
-    PartName{OpenCvPart::Pose, "cam2world"},
-    PartName{OpenCvPart::Pose, "cam2worldgl"},
-    PartName{OpenCvPart::Pose, "camtoworld"},
-    PartName{OpenCvPart::Pose, "cameratoworld"},
-    PartName{OpenCvPart::Pose, "twc"},
-    PartName{OpenCvPart::Pose, "pose"},
-    PartName{OpenCvPart::Pose, "camerapose"},
-    PartName{OpenCvPart::Pose, "campose"},
-    PartName{OpenCvPart::CameraMatrix, "p"},
-    PartName{OpenCvPart::CameraMatrix, "projectionmatrix"},
-    PartName{OpenCvPart::CameraMatrix, "projmatrix"},
-    PartName{OpenCvPart::Distortion, "d"},
-    PartName{OpenCvPart::Distortion, "dist"},
-    PartName{OpenCvPart::Distortion, "distcoeffs"},
-    PartName{OpenCvPart::Distortion, "distcoeff"},
-    PartName{OpenCvPart::Distortion, "distcoefs"},
-    PartName{OpenCvPart::Distortion, "coeffs"},
-    PartName{OpenCvPart::Distortion, "distortion"},
-    PartName{OpenCvPart::Distortion, "distortioncoeffs"},
-    PartName{OpenCvPart::Distortion, "distortioncoefficients"},
-    PartName{OpenCvPart::Size, "size"},
-    PartName{OpenCvPart::Size, "imagesize"},
-    PartName{OpenCvPart::Size, "imgsize"},
-    PartName{OpenCvPart::Size, "resolution"},
-    PartName{OpenCvPart::Model, "distortionmodel"},
-    PartName{OpenCvPart::Model, "cameramodel"},
-    PartName{OpenCvPart::Model, "model"},
+    PartNames{OpenCvPart::Intrinsics, "k cameramatrix cammatrix cameramtx mtx intrinsic intrinsics intrinsicmatrix "
+                                      "intrinsicsmatrix cameraintrinsics camintr"},
+    PartNames{OpenCvPart::Rotation, "r rvec rvecs rot rmat rotation rotationmatrix rotationvector"},
+    PartNames{OpenCvPart::Quaternion, "q quat qvec quaternion orientation"},
+    PartNames{OpenCvPart::Translation, "t tvec tvecs trans translation translationvector"},
+    PartNames{OpenCvPart::Pose, "rt extrinsic extrinsics extrinsicmatrix extrinsicsmatrix extrinsicparameters "
+                                "extrinsiccv w2c world2cam worldtocam worldtocamera tcw c2w cam2world cam2worldgl "
+                                "camtoworld cameratoworld twc pose camerapose campose"},
+    PartNames{OpenCvPart::CameraMatrix, "p projectionmatrix projmatrix"},
+    PartNames{OpenCvPart::Distortion, "d dist distcoeffs distcoeff distcoefs coeffs distortion distortioncoeffs "
+                                      "distortioncoefficients"},
+    PartNames{OpenCvPart::Size, "size imagesize imgsize resolution"},
+    PartNames{OpenCvPart::Model, "distortionmodel cameramodel model"},
 };
 
 /// Members of a matrix in cv::FileStorage and in ROS's files.
@@ -94,9 +37,12 @@ constexpr std::array<std::string_view, 6> kMembers{"typeid", "rows", "cols", "dt
 
 std::optional<OpenCvPart> partOf(const NamedValue &value)
 {
-    for (const PartName &name : kNames) {
-        if (value.isNamed(name.name))
-            return name.part;
+    for (const auto &[part, names] : kNames) {
+        base::TextScanner scanner(names);
+        for (std::string_view name = scanner.nextWord(); !name.empty(); name = scanner.nextWord()) {
+            if (value.isNamed(name))
+                return part;
+        }
     }
     return std::nullopt;
 }

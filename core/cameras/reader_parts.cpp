@@ -3,6 +3,7 @@
 #include "core/base/number_text.h"
 #include "core/base/text_scanner.h"
 #include "core/base/translation.h"
+#include "core/geometry/error_text.h"
 #include "core/geometry/numbers.h"
 
 #include <glm/geometric.hpp>
@@ -36,17 +37,9 @@ std::string firstNames(const std::vector<std::string> &images)
     return images.size() > kMost ? list + ", …" : list;
 }
 
-std::optional<CameraError> angleError(double radians, const std::string &file)
-{
-    if (radians > 0.0 && radians < kPi)
-        return std::nullopt;
-    return CameraError{file, 0,
-                       tr("the field of view is %1 degrees; it must be greater than 0 and smaller than 180",
-                          base::significantText(geometry::degreesFromRadians(radians), 6))};
-}
-
-} // namespace
-
+/// The index of the image that the user names: by its whole name, by its file's name with or
+/// without suffix, or by an index from 0. The first if no image is named.
+/// @return nothing if there is no such image
 std::optional<std::size_t> imageIndex(const std::vector<std::string> &images, const std::string &choice)
 {
     if (images.empty())
@@ -70,24 +63,93 @@ std::optional<std::size_t> imageIndex(const std::vector<std::string> &images, co
     return std::nullopt;
 }
 
-std::optional<CameraError> chooseImage(ForeignCamera &camera, const CameraChoices &choices, const std::string &file)
+} // namespace
+
+const NamedValues &Reading::values()
+{
+    if (!m_values)
+        m_values.emplace(text.text);
+    return *m_values;
+}
+
+void Reading::begin(const char *program, PoseDirection direction, EyeAxes axes)
+{
+    camera.program = program;
+    camera.direction = direction;
+    camera.axes = axes;
+    camera.isDirectionCertain = camera.areAxesCertain = true;
+}
+
+void Reading::fail(std::string reason, std::size_t line) const
+{
+    throw base::Error{.text = std::move(reason), .file = text.name, .line = static_cast<int>(line)};
+}
+
+void Reading::failAt(std::string_view name, std::string reason)
+{
+    const NamedValue *value = values().find({name});
+    fail(std::move(reason), value ? value->line : 0);
+}
+
+void Reading::chooseImage()
 {
     const auto index = imageIndex(camera.images, choices.image);
     if (!index)
-        return CameraError{file, 0,
-                           tr("there is no image %1 among %2 (%3); give one of their names or an index from 0 with "
-                              "--image",
-                              base::quoted(choices.image), camera.images.size(), firstNames(camera.images))};
+        fail(tr("there is no image %1 among %2 (%3); give one of their names or an index from 0 with --image",
+                base::quoted(choices.image), camera.images.size(), firstNames(camera.images)));
     camera.image = *index;
     if (choices.image.empty() && camera.images.size() > 1)
         camera.assumed.push_back(tr("The first of %1 images is read, %2; --image NAME reads another.",
                                     camera.images.size(), camera.images.front()));
-    return std::nullopt;
 }
 
-std::optional<ImageSize> sizeOf(const ForeignCamera &camera, const CameraChoices &choices)
+ImageSize Reading::neededSize() const
 {
-    return choices.size ? choices.size : camera.size;
+    if (!size())
+        fail(noSizeText());
+    return *size();
+}
+
+void Reading::setAngle(double radians, int ImageSize::*side)
+{
+    if (!(radians > 0.0 && radians < kPi))
+        fail(tr("the field of view is %1 degrees; it must be greater than 0 and smaller than 180",
+                base::significantText(geometry::degreesFromRadians(radians), 6)));
+    const ImageSize image = neededSize();
+    const double focal = image.*side / (2.0 * std::tan(radians / 2.0));
+    camera.intrinsics =
+        Intrinsics{focal, focal, image.width / 2.0, image.height / 2.0, 0.0, PixelCentres::AtHalves, true};
+}
+
+void Reading::setVerticalAngle(double radians, const std::optional<double> &aspect)
+{
+    setAngle(radians, &ImageSize::height);
+    if (!aspect)
+        return;
+    if (!(*aspect > 0.0))
+        fail(tr("the aspect ratio is %1; it must be greater than 0", shortestText(*aspect)));
+    const ImageSize image = neededSize();
+    const double width = image.width, height = image.height;
+    constexpr double kSame = 1e-3; // a printed aspect has few digits
+    if (std::abs(*aspect * height / width - 1.0) > kSame) {
+        camera.intrinsics->fx = camera.intrinsics->fy * width / (height * *aspect);
+        camera.assumed.push_back(tr("The aspect ratio is %1, but the image is %2: pixels are not square. Check the "
+                                    "size; --size says another.",
+                                    shortestText(*aspect), sizeText(image)));
+    }
+}
+
+void Reading::setHorizontalAngle(double radians)
+{
+    setAngle(radians, &ImageSize::width);
+}
+
+void Reading::setProjection(const geometry::Projection &projection, std::size_t line)
+{
+    const geometry::Result<glm::dmat4> clip = clipFromEye(projection);
+    if (!clip)
+        fail(geometry::errorText(clip.error()), line);
+    camera.projection = geometry::MatrixProjection{*clip, geometry::NdcDepth::MinusOneToOne};
 }
 
 std::optional<ImageSize> sizeOf(std::optional<double> width, std::optional<double> height)
@@ -123,45 +185,9 @@ std::string sizeText(const ImageSize &size)
     return std::to_string(size.width) + 'x' + std::to_string(size.height);
 }
 
-CameraError noSize(const std::string &file)
+std::string noSizeText()
 {
-    return {file, 0, tr("the size of the image is not given; give it with --size 800x600")};
-}
-
-std::optional<CameraError> setVerticalAngle(ForeignCamera &camera, const CameraChoices &choices, double radians,
-                                            const std::optional<double> &aspect, const std::string &file)
-{
-    if (auto error = angleError(radians, file))
-        return error;
-    const std::optional<ImageSize> size = sizeOf(camera, choices);
-    if (!size)
-        return noSize(file);
-    const double width = size->width, height = size->height, focal = height / (2.0 * std::tan(radians / 2.0));
-    camera.intrinsics = Intrinsics{focal, focal, width / 2.0, height / 2.0, 0.0, PixelCentres::AtHalves, true};
-    constexpr double kSame = 1e-3; // a printed aspect has few digits
-    if (aspect && !(*aspect > 0.0))
-        return CameraError{file, 0, tr("the aspect ratio is %1; it must be greater than 0", shortestText(*aspect))};
-    if (aspect && std::abs(*aspect * height / width - 1.0) > kSame) {
-        camera.intrinsics->fx = focal * width / (height * *aspect);
-        camera.assumed.push_back(tr("The aspect ratio is %1, but the image is %2: pixels are not square. Check the "
-                                    "size; --size says another.",
-                                    shortestText(*aspect), sizeText(*size)));
-    }
-    return std::nullopt;
-}
-
-std::optional<CameraError> setHorizontalAngle(ForeignCamera &camera, const CameraChoices &choices, double radians,
-                                              const std::string &file)
-{
-    if (auto error = angleError(radians, file))
-        return error;
-    const std::optional<ImageSize> size = sizeOf(camera, choices);
-    if (!size)
-        return noSize(file);
-    const double focal = size->width / (2.0 * std::tan(radians / 2.0));
-    camera.intrinsics =
-        Intrinsics{focal, focal, size->width / 2.0, size->height / 2.0, 0.0, PixelCentres::AtHalves, true};
-    return std::nullopt;
+    return tr("the size of the image is not given; give it with --size 800x600");
 }
 
 std::optional<glm::dmat4> matrixByRows(std::span<const double> numbers)

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "core/base/error.h"
 #include "core/cameras/foreign_camera.h"
 #include "core/cameras/named_values.h"
+#include "core/geometry/projection.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -17,29 +19,50 @@
 
 namespace unprojector::cameras {
 
-/// The first text with a property; null if there is none.
-template <class Property>
-const NamedText *firstWith(std::span<const NamedText> texts, const Property &property)
-{
-    for (const NamedText &text : texts) {
-        if (property(text.text))
-            return &text;
-    }
-    return nullptr;
-}
+/// A text, and the camera that a program's reader fills from it. What the reader cannot use, it
+/// throws as a base::Error.
+class Reading {
+public:
+    Reading(const NamedText &given, const CameraChoices &chosen) : text(given), choices(chosen) {}
 
-/// The index of the image that the user names: by its whole name, by its file's name with or
-/// without suffix, or by an index from 0. The first if no image is named.
-/// @return nothing if there is no such image
-std::optional<std::size_t> imageIndex(const std::vector<std::string> &images, const std::string &choice);
+    const NamedText &text;
+    const CameraChoices &choices;
+    ForeignCamera camera = {};
 
-/// Sets the image of a camera whose `images` are set. Adds a sentence where the first of several
-/// is taken.
-/// @return the error of a wrong choice, which lists the first images
-std::optional<CameraError> chooseImage(ForeignCamera &camera, const CameraChoices &choices, const std::string &file);
+    /// The names and values of a printed text, read when they are first asked for.
+    const NamedValues &values();
 
-/// The image's size, by the choices or by the camera's file.
-std::optional<ImageSize> sizeOf(const ForeignCamera &camera, const CameraChoices &choices);
+    /// Begins the camera of a program that tells the pose's direction and axes.
+    void begin(const char *program, PoseDirection direction, EyeAxes axes);
+
+    /// @param line  from 1; 0: the whole file
+    [[noreturn]] void fail(std::string reason, std::size_t line = 0) const;
+    /// Fails in the line of a named value, if there is one.
+    [[noreturn]] void failAt(std::string_view name, std::string reason);
+
+    /// Sets the image of a camera whose `images` are set. Adds a sentence where the first of several
+    /// is taken. A wrong choice fails with a list of the first images.
+    void chooseImage();
+
+    /// The image's size, by the choices or by the camera's file.
+    std::optional<ImageSize> size() const { return choices.size ? choices.size : camera.size; }
+    /// The same; fails if neither gives it.
+    ImageSize neededSize() const;
+
+    /// Sets the intrinsics of a vertical angle of view, with the principal point in the image's
+    /// centre. Fails without a size, or for an angle outside (0, pi).
+    /// @param aspect  width / height of the image that the angle belongs to; empty: square pixels
+    void setVerticalAngle(double radians, const std::optional<double> &aspect = {});
+    /// The same for a horizontal angle.
+    void setHorizontalAngle(double radians);
+    /// Sets OpenGL's matrix of a projection. Fails where it has none.
+    void setProjection(const geometry::Projection &projection, std::size_t line);
+
+private:
+    void setAngle(double radians, int ImageSize::*side);
+
+    std::optional<NamedValues> m_values;
+};
 
 /// The size that two numbers give; nothing for anything but whole numbers above 0.
 std::optional<ImageSize> sizeOf(std::optional<double> width, std::optional<double> height);
@@ -48,18 +71,8 @@ std::optional<ImageSize> sizeIn(const NamedValues &values);
 
 /// "800x600", as --size takes it.
 std::string sizeText(const ImageSize &size);
-/// The error of a size that neither the file nor the choices give.
-CameraError noSize(const std::string &file);
-
-/// Sets the intrinsics of a vertical angle of view, with the principal point in the image's
-/// centre.
-/// @param aspect  width / height of the image that the angle belongs to; empty: square pixels
-/// @return the error of a missing size or an angle outside (0, pi)
-std::optional<CameraError> setVerticalAngle(ForeignCamera &camera, const CameraChoices &choices, double radians,
-                                            const std::optional<double> &aspect, const std::string &file);
-/// The same for a horizontal angle.
-std::optional<CameraError> setHorizontalAngle(ForeignCamera &camera, const CameraChoices &choices, double radians,
-                                              const std::string &file);
+/// The reason against a size that neither the file nor the choices give.
+std::string noSizeText();
 
 /// A matrix of 9 (a rotation), 12 or 16 numbers by rows; nothing for another count.
 std::optional<glm::dmat4> matrixByRows(std::span<const double> numbers);

@@ -25,9 +25,10 @@ namespace {
 constexpr int kMostPixels = 65536; // as for windows
 constexpr double kUsualNear = 0.1, kUsualFar = 1000.0;
 
-CameraError errorOf(std::string reason)
+/// Thrown through sceneCamera, which returns it.
+[[noreturn]] void fail(std::string reason)
 {
-    return {{}, 0, std::move(reason)};
+    throw base::Error{std::move(reason)};
 }
 
 /// OpenGL's eye axes (right, up, back) from a camera's.
@@ -69,32 +70,27 @@ glm::dmat4 affineInverse(const glm::dmat4 &m)
 /// The largest |entry| of R R^T - s^2, relative to s^2, with s the mean length of an axis.
 double skewnessOf(const glm::dmat3 &axes, double scale)
 {
-    const glm::dmat3 product = axes * glm::transpose(axes) / (scale * scale);
-    double largest = 0.0;
-    for (int i = 0; i < 9; ++i)
-        largest = std::max(largest, std::abs(product[i / 3][i % 3] - (i % 4 == 0 ? 1.0 : 0.0)));
-    return largest;
+    return matrices::largestDifference(axes * glm::transpose(axes) / (scale * scale), glm::dmat3(1.0));
 }
 
 /// The pose with axes of length 1, perpendicular to each other.
 /// @param assumed  gets a sentence for each change
-Result<glm::dmat4, CameraError> rigidPose(const glm::dmat4 &pose, PoseDirection direction,
-                                          std::vector<std::string> &assumed)
+glm::dmat4 rigidPose(const glm::dmat4 &pose, PoseDirection direction, std::vector<std::string> &assumed)
 {
     constexpr double kExact = 1e-9;   // what double precision leaves
     constexpr double kPrinted = 0.02; // two printed decimals
     if (!isFinite(pose))
-        return errorOf(tr("the pose has a number that is not finite; give the pose's twelve numbers"));
+        fail(tr("the pose has a number that is not finite; give the pose's twelve numbers"));
     if (glm::length(glm::dvec3(pose[0][3], pose[1][3], pose[2][3])) > 1e-9 || std::abs(pose[3][3] - 1.0) > 1e-9)
-        return errorOf(tr("the pose's last row is not 0 0 0 1; give the matrix by rows"));
+        fail(tr("the pose's last row is not 0 0 0 1; give the matrix by rows"));
     const glm::dmat3 axes(pose);
     const double scale = std::cbrt(std::abs(glm::determinant(axes)));
     if (!(scale > 0.0))
-        return errorOf(tr("the pose's axes lie in one plane; give a rotation"));
+        fail(tr("the pose's axes lie in one plane; give a rotation"));
     const double skewness = skewnessOf(axes, scale);
     if (skewness > kPrinted)
-        return errorOf(tr("the pose's axes are not perpendicular and of equal length: off by %1; give a rotation",
-                          significantText(skewness, 2)));
+        fail(tr("the pose's axes are not perpendicular and of equal length: off by %1; give a rotation",
+                significantText(skewness, 2)));
     glm::dmat4 rigid = pose;
     const bool isScaled = std::abs(scale - 1.0) > std::max(kExact, 2.0 * skewness);
     if (isScaled) {
@@ -152,8 +148,7 @@ double twice(double centre, double toCorner)
 }
 
 /// The image's size: the choice, the file's, or twice the principal point.
-Result<ImageSize, CameraError> imageSize(const ForeignCamera &camera, const CameraChoices &choices,
-                                         std::vector<std::string> &assumed)
+ImageSize imageSize(const ForeignCamera &camera, const CameraChoices &choices, std::vector<std::string> &assumed)
 {
     std::optional<ImageSize> size = choices.size ? choices.size : camera.size;
     if (choices.size && camera.size && *choices.size != *camera.size)
@@ -161,27 +156,26 @@ Result<ImageSize, CameraError> imageSize(const ForeignCamera &camera, const Came
             tr("The image is %1, as --size says; the file says %2.", sizeText(*choices.size), sizeText(*camera.size)));
     if (!size) {
         if (!camera.intrinsics)
-            return noSize({});
+            fail(noSizeText());
         const Intrinsics &k = *camera.intrinsics;
         const double toCorner = cornerToCentre(choices.centres.value_or(k.centres));
         const double width = twice(k.cx, toCorner), height = twice(k.cy, toCorner);
         if (!(width >= 1.0 && height >= 1.0 && width <= kMostPixels && height <= kMostPixels))
-            return errorOf(tr("the principal point (%1, %2) gives no size of the image; give it with --size 800x600",
-                              shortestText(k.cx), shortestText(k.cy)));
+            fail(tr("the principal point (%1, %2) gives no size of the image; give it with --size 800x600",
+                    shortestText(k.cx), shortestText(k.cy)));
         size = ImageSize{static_cast<int>(width), static_cast<int>(height)};
         assumed.push_back(
             tr("The image is assumed to be %1, twice the principal point; --size says otherwise.", sizeText(*size)));
     }
     if (size->width < 1 || size->height < 1 || size->width > kMostPixels || size->height > kMostPixels)
-        return errorOf(tr("an image of %1 pixels cannot be; each side must be 1 to %2", sizeText(*size), kMostPixels));
+        fail(tr("an image of %1 pixels cannot be; each side must be 1 to %2", sizeText(*size), kMostPixels));
     return *size;
 }
 
 /// Near and far: the choices, the file's, or around the objects.
-Result<std::pair<double, double>, CameraError> clipDistances(const ForeignCamera &camera, const CameraChoices &choices,
-                                                             const std::optional<Box> &objects,
-                                                             const glm::dmat4 &eyeFromWorld,
-                                                             std::vector<std::string> &assumed)
+std::pair<double, double> clipDistances(const ForeignCamera &camera, const CameraChoices &choices,
+                                        const std::optional<Box> &objects, const glm::dmat4 &eyeFromWorld,
+                                        std::vector<std::string> &assumed)
 {
     const std::optional<double> givenNear = choices.nearDistance ? choices.nearDistance : camera.nearDistance,
                                 givenFar = choices.farDistance ? choices.farDistance : camera.farDistance;
@@ -204,9 +198,9 @@ Result<std::pair<double, double>, CameraError> clipDistances(const ForeignCamera
     if (!givenNear)
         n = withTwoDigits(n);
     if (!(std::isfinite(n) && std::isfinite(f) && n > 0.0 && f > n))
-        return errorOf(tr("near is %1 and far is %2; near must be greater than 0 and smaller than far. Give --near and "
-                          "--far",
-                          shortestText(n), shortestText(f)));
+        fail(tr("near is %1 and far is %2; near must be greater than 0 and smaller than far. Give --near and "
+                "--far",
+                shortestText(n), shortestText(f)));
     if (!givenNear && !givenFar)
         assumed.push_back(tr("Near %1 and far %2 are assumed, because the file has none; --near and --far say "
                              "otherwise.",
@@ -336,17 +330,15 @@ bool hasCentres(const ForeignCamera &camera)
     return camera.intrinsics && !camera.intrinsics->isCentreComputed;
 }
 
-Result<SceneCamera, CameraError> sceneCamera(const ForeignCamera &camera, const CameraChoices &choices,
-                                             const std::optional<Box> &objects)
+namespace {
+
+SceneCamera converted(const ForeignCamera &camera, const CameraChoices &choices, const std::optional<Box> &objects)
 {
     SceneCamera scene;
     scene.assumed = camera.assumed;
     if (!camera.intrinsics && !camera.projection)
-        return errorOf(tr("the camera has no projection: give its focal length, field of view, K or matrix"));
-    const auto size = imageSize(camera, choices, scene.assumed);
-    if (!size)
-        return size.error();
-    scene.size = *size;
+        fail(tr("the camera has no projection: give its focal length, field of view, K or matrix"));
+    scene.size = imageSize(camera, choices, scene.assumed);
     scene.intrinsics = camera.intrinsics;
     if (choices.centres && hasCentres(camera))
         scene.intrinsics->centres = *choices.centres;
@@ -363,10 +355,8 @@ Result<SceneCamera, CameraError> sceneCamera(const ForeignCamera &camera, const 
     std::vector<std::string> said;
     for (Reading &reading : readings) {
         std::vector<std::string> changes;
-        const auto pose = rigidPose(camera.pose.value_or(glm::dmat4(1.0)), reading.direction, changes);
-        if (!pose)
-            return pose.error();
-        const glm::dmat4 eyeFromWorld = eyeFromWorldOf(camera, *pose, reading);
+        const glm::dmat4 pose = rigidPose(camera.pose.value_or(glm::dmat4(1.0)), reading.direction, changes);
+        const glm::dmat4 eyeFromWorld = eyeFromWorldOf(camera, pose, reading);
         if (haveObjects)
             reading.seen = seenPart(clipFromEye(camera, scene), eyeFromWorld, *objects);
         if (!taken || reading.seen > taken->seen) {
@@ -399,16 +389,14 @@ Result<SceneCamera, CameraError> sceneCamera(const ForeignCamera &camera, const 
         if (choices.nearDistance || choices.farDistance)
             scene.assumed.push_back(tr("The file's projection matrix has near and far; --near and --far are ignored."));
     } else {
-        const auto distances = clipDistances(camera, choices, objects, scene.eyeFromWorld, scene.assumed);
-        if (!distances)
-            return distances.error();
-        scene.nearDistance = distances->first;
-        scene.farDistance = distances->second;
+        const auto [n, f] = clipDistances(camera, choices, objects, scene.eyeFromWorld, scene.assumed);
+        scene.nearDistance = n;
+        scene.farDistance = f;
         const Intrinsics &k = *scene.intrinsics;
         if (!isFinite({k.fx, k.fy, k.cx, k.cy, k.skew}) || k.fx == 0.0 || k.fy == 0.0)
-            return errorOf(tr("the focal lengths are %1 and %2; they must be finite and not 0", shortestText(k.fx),
-                              shortestText(k.fy)));
-        scene.projection = pinhole(k, scene.size, distances->first, distances->second);
+            fail(tr("the focal lengths are %1 and %2; they must be finite and not 0", shortestText(k.fx),
+                    shortestText(k.fy)));
+        scene.projection = pinhole(k, scene.size, n, f);
         if (!(k.cx >= 0.0 && k.cx <= scene.size.width && k.cy >= 0.0 && k.cy <= scene.size.height))
             scene.assumed.push_back(tr("The principal point (%1, %2) lies outside the image of %3: check the size.",
                                        shortestText(k.cx), shortestText(k.cy), sizeText(scene.size)));
@@ -426,6 +414,18 @@ Result<SceneCamera, CameraError> sceneCamera(const ForeignCamera &camera, const 
             scene.distortion = camera.distortion;
     }
     return scene;
+}
+
+} // namespace
+
+base::Expected<SceneCamera, base::Error> sceneCamera(const ForeignCamera &camera, const CameraChoices &choices,
+                                                     const std::optional<Box> &objects)
+{
+    try {
+        return converted(camera, choices, objects);
+    } catch (base::Error &error) {
+        return std::move(error);
+    }
 }
 
 } // namespace unprojector::cameras

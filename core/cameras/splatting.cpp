@@ -1,7 +1,6 @@
 #include "core/base/translation.h"
 #include "core/cameras/camera_json.h"
 #include "core/cameras/camera_reader.h"
-#include "core/cameras/reader_parts.h"
 #include "core/matrices/decomposition.h"
 
 #include <nlohmann/json.hpp>
@@ -23,39 +22,27 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-ForeignCamera cameraOf(PoseDirection direction)
-{
-    ForeignCamera camera;
-    camera.program = "Gaussian splatting";
-    camera.direction = direction;
-    camera.axes = EyeAxes::RightDownAhead;
-    camera.isDirectionCertain = camera.areAxesCertain = true;
-    return camera;
-}
+constexpr const char *kProgram = "Gaussian splatting";
 
 /// A list of {img_name, width, height, position, rotation, fx, fy}.
-Result<ForeignCamera, CameraError> readList(const NamedText &text, const Json &list, const CameraChoices &choices)
+void readList(Reading &reading, const Json &list)
 {
-    ForeignCamera camera = cameraOf(PoseDirection::CameraToWorld);
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        const Json *name = memberOf(list[i], "img_name");
-        camera.images.push_back(name && name->is_string() ? name->get<std::string>() : std::to_string(i));
-    }
-    if (auto error = chooseImage(camera, choices, text.name))
-        return *error;
+    ForeignCamera &camera = reading.camera;
+    reading.begin(kProgram, PoseDirection::CameraToWorld, EyeAxes::RightDownAhead);
+    for (std::size_t i = 0; i < list.size(); ++i)
+        camera.images.push_back(nameOf(list[i], "img_name", i));
+    reading.chooseImage();
     const Json &one = list[camera.image];
-    const Json *at = memberOf(one, "position"), *axes = memberOf(one, "rotation");
-    const auto position = at ? numbersOf(*at) : std::nullopt, rotation = axes ? numbersOf(*axes) : std::nullopt;
+    const std::vector<double> position = numbersOf(one, "position"), rotation = numbersOf(one, "rotation");
     const auto fx = numberOf(one, "fx"), fy = numberOf(one, "fy");
     camera.size = sizeOf(numberOf(one, "width"), numberOf(one, "height"));
-    if (!position || position->size() != 3 || !rotation || rotation->size() != 9 || !fx || !fy || !camera.size)
-        return CameraError{text.name, lineOfKey(text.text, "id", camera.image),
-                           tr("the camera needs position, rotation, fx, fy, width and height; one of them is missing")};
-    camera.pose = matrixByRows(*rotation);
-    (*camera.pose)[3] = glm::dvec4((*position)[0], (*position)[1], (*position)[2], 1.0);
+    if (position.size() != 3 || rotation.size() != 9 || !fx || !fy || !camera.size)
+        reading.fail(tr("the camera needs position, rotation, fx, fy, width and height; one of them is missing"),
+                     lineOfKey(reading.text.text, "id", camera.image));
+    camera.pose = matrixByRows(rotation);
+    (*camera.pose)[3] = glm::dvec4(position[0], position[1], position[2], 1.0);
     camera.intrinsics =
         Intrinsics{*fx, *fy, camera.size->width / 2.0, camera.size->height / 2.0, 0.0, PixelCentres::AtHalves, true};
-    return camera;
 }
 
 /// Scales an axis by -1.
@@ -87,18 +74,17 @@ glm::dmat4 withoutNoise(glm::dmat4 m)
     return m;
 }
 
-Result<ForeignCamera, CameraError> readMatrices(const NamedText &text, const NamedValues &values,
-                                                const CameraChoices &choices)
+void readMatrices(Reading &reading)
 {
-    ForeignCamera camera = cameraOf(PoseDirection::WorldToCamera);
+    const NamedValues &values = reading.values();
+    ForeignCamera &camera = reading.camera;
+    reading.begin(kProgram, PoseDirection::WorldToCamera, EyeAxes::RightDownAhead);
     camera.size = sizeIn(values);
     camera.nearDistance = values.number({"znear"});
     camera.farDistance = values.number({"zfar"});
-    const auto matrix = [&values](std::initializer_list<std::string_view> names) {
-        return matrixByColumns(values.numbers(names, 16));
-    };
-    const auto view = matrix({"worldviewtransform"}), product = matrix({"fullprojtransform"}),
-               lens = matrix({"projectionmatrix"});
+    const auto matrix = [&values](const char *name) { return matrixByColumns(values.numbers({name}, 16)); };
+    const auto view = matrix("worldviewtransform"), product = matrix("fullprojtransform"),
+               lens = matrix("projectionmatrix");
     const auto angleX = values.number({"fovx"}), angleY = values.number({"fovy"});
     camera.pose = view;
     if (view && lens) {
@@ -106,46 +92,38 @@ Result<ForeignCamera, CameraError> readMatrices(const NamedText &text, const Nam
     } else if (view && product) {
         camera.projection = projectionOf(withoutNoise(*product * glm::inverse(*view)));
     } else if (view && angleX && angleY) {
-        if (auto error = setVerticalAngle(camera, choices, *angleY, std::tan(*angleX / 2.0) / std::tan(*angleY / 2.0),
-                                          text.name))
-            return *error;
+        reading.setVerticalAngle(*angleY, std::tan(*angleX / 2.0) / std::tan(*angleY / 2.0));
     } else if (product) {
         const auto apart = matrices::decomposed(turned(true, false) * *product);
         if (!apart)
-            return CameraError{text.name, values.find({"fullprojtransform"})->line,
-                               tr("full_proj_transform is not a perspective times a view; give world_view_transform "
-                                  "too")};
+            reading.failAt("fullprojtransform", tr("full_proj_transform is not a perspective times a view; give "
+                                                   "world_view_transform too"));
         camera.pose = apart->eyeFromWorld;
         camera.axes = EyeAxes::RightUpBack;
         camera.projection = MatrixProjection{apart->clipFromEye, NdcDepth::ZeroToOne};
     } else {
-        return CameraError{text.name, 0,
-                           tr("world_view_transform needs 16 numbers, and full_proj_transform, projection_matrix or "
-                              "FoVx and FoVy beside it")};
+        reading.fail(tr("world_view_transform needs 16 numbers, and full_proj_transform, projection_matrix or FoVx and "
+                        "FoVy beside it"));
     }
-    return camera;
 }
 
 } // namespace
 
-CameraRead readSplatting(std::span<const NamedText> texts, const CameraChoices &choices)
+bool readSplatting(Reading &reading)
 {
-    for (const NamedText &text : texts) {
-        const auto has = [&text](const char *word) { return text.text.find(word) != text.text.npos; };
-        if (isJson(text.text) && has("\"img_name\"") && has("\"position\"") && has("\"rotation\"")) {
-            const auto json = parsedJson(text);
-            if (!json)
-                return json.error();
-            if (json->is_array() && !json->empty())
-                return readList(text, *json, choices);
-        }
-        if (has("world_view_transform") || has("full_proj_transform")) {
-            const NamedValues values(text.text);
-            if (values.has({"worldviewtransform", "fullprojtransform"}))
-                return readMatrices(text, values, choices);
+    const std::string &text = reading.text.text;
+    const auto has = [&text](const char *word) { return text.find(word) != text.npos; };
+    if (isJson(text) && has("\"img_name\"") && has("\"position\"") && has("\"rotation\"")) {
+        if (const Json json = parsedJson(reading.text); json.is_array() && !json.empty()) {
+            readList(reading, json);
+            return true;
         }
     }
-    return std::nullopt;
+    if (!(has("world_view_transform") || has("full_proj_transform"))
+        || !reading.values().has({"worldviewtransform", "fullprojtransform"}))
+        return false;
+    readMatrices(reading);
+    return true;
 }
 
 } // namespace unprojector::cameras

@@ -77,10 +77,10 @@ Result<CameraRead> readCamera(const std::vector<CameraText> &texts, const Camera
     for (const CameraText &text : texts)
         named.push_back({text.name, base::utf8FromFile(text.text)});
     const std::string name = nameOf(texts);
-    const auto errorOf = [&name](const cameras::CameraError &error) {
-        const std::string file = error.file.empty() ? name : error.file;
-        return valueError(file + (error.line > 0 ? ':' + std::to_string(error.line) : std::string()) + ": "
-                          + error.reason);
+    const auto errorOf = [&name](base::Error error) {
+        if (error.file.empty())
+            error.file = name;
+        return valueError(error.message());
     };
     const auto read = cameras::readCamera(named, *internal);
     if (!read)

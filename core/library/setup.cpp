@@ -350,7 +350,7 @@ Result<Setup> Setup::fromOpenCv(const glm::dmat3 &cameraMatrix, const glm::dmat3
     camera.axes = cameras::EyeAxes::RightDownAhead;
     const auto converted = cameras::sceneCamera(camera, {}, std::nullopt);
     if (!converted)
-        return valueError(converted.error().reason);
+        return valueError(converted.error().message());
     geometry::Setup setup = inWindow(window);
     setup.lens = converted->projection;
     setup.pose = converted->eyeFromWorld;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <system_error>
@@ -16,17 +15,6 @@ using namespace geometry;
 using namespace syntax;
 
 namespace {
-
-/// The name in lower case, without underscores: "XM_PIDIV4" is "xmpidiv4".
-std::string plain(std::string_view name)
-{
-    std::string result;
-    for (const char c : name) {
-        if (c != '_')
-            result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-    return result;
-}
 
 std::optional<double> constant(std::string_view name)
 {

@@ -1,13 +1,16 @@
 #include "core/matrices/call_keywords.h"
 
+#include "core/base/translation.h"
 #include "core/matrices/call_syntax.h"
+#include "core/matrices/pasted_matrix.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace unprojector::matrices {
+using base::tr;
 using namespace syntax;
 
 namespace {
@@ -62,27 +65,24 @@ Argument argumentOf(const std::string &text)
     return {text.substr(0, end), std::string(trimmed(std::string_view(text).substr(sign + 1)))};
 }
 
-/// The keyword between blanks, as in a list of keywords.
-std::string listed(const std::string &keyword)
-{
-    std::string result = " ";
-    for (const char c : keyword) {
-        if (c != '_')
-            result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-    return result + ' ';
-}
-
 } // namespace
 
-std::optional<KeywordFault> sortByKeyword(std::vector<std::string> &arguments, CallShape shape)
+void failCall(std::string text)
 {
+    PasteError error{std::move(text)};
+    error.isOfCall = true;
+    throw error;
+}
+
+void sortByKeyword(CallText &call, CallShape shape)
+{
+    std::vector<std::string> &arguments = call.arguments;
     const std::vector<Keywords> keywords = keywordsOf(shape);
     std::vector<std::string> sorted;
     std::vector<bool> isGiven(std::max(arguments.size(), keywords.size()), false);
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         Argument argument = argumentOf(arguments[i]);
-        const std::string name = listed(argument.keyword);
+        const std::string name = ' ' + plain(argument.keyword) + ' '; // as in a list of keywords
         if (name == " physicsclientid ")
             continue;
         std::size_t at = i;
@@ -90,18 +90,18 @@ std::optional<KeywordFault> sortByKeyword(std::vector<std::string> &arguments, C
             const auto found = std::find_if(keywords.begin(), keywords.end(),
                                             [&name](Keywords some) { return some.find(name) != some.npos; });
             if (found == keywords.end())
-                return KeywordFault{CallFault::UnknownKeyword, argument.keyword};
+                failCall(tr("%1: the argument '%2' is not known. Use the names of the call's own arguments, or none",
+                            call.written, argument.keyword));
             at = std::size_t(found - keywords.begin());
         }
         if (isGiven[at])
-            return KeywordFault{CallFault::RepeatedKeyword,
-                                argument.keyword.empty() ? argument.value : argument.keyword};
+            failCall(tr("%1: the argument '%2' is given twice. Remove one of them", call.written,
+                        argument.keyword.empty() ? argument.value : argument.keyword));
         isGiven[at] = true;
         sorted.resize(std::max(sorted.size(), at + 1));
         sorted[at] = std::move(argument.value);
     }
     arguments = std::move(sorted);
-    return std::nullopt;
 }
 
 } // namespace unprojector::matrices

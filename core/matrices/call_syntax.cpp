@@ -1,38 +1,12 @@
 #include "core/matrices/call_syntax.h"
 
-#include <cctype>
+#include <algorithm>
 
 namespace unprojector::matrices::syntax {
 
-bool isLetter(char c)
-{
-    return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-bool isDigit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
-bool isBlank(char c)
-{
-    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
-}
-
 std::size_t behindBlanks(std::string_view text, std::size_t at)
 {
-    while (at < text.size() && isBlank(text[at]))
-        ++at;
-    return at;
-}
-
-std::string_view trimmed(std::string_view text)
-{
-    const std::size_t first = behindBlanks(text, 0);
-    std::size_t last = text.size();
-    while (last > first && isBlank(text[last - 1]))
-        --last;
-    return text.substr(first, last - first);
+    return std::min(text.find_first_not_of(" \t\r\n", at), text.size());
 }
 
 std::size_t behindNames(std::string_view text, std::size_t at)
@@ -97,6 +71,13 @@ std::string lastName(std::string_view names)
     while (at > 0 && (isLetter(names[at - 1]) || isDigit(names[at - 1])))
         --at;
     return std::string(names.substr(at));
+}
+
+std::string plain(std::string_view name)
+{
+    std::string result = base::lowerCase(name);
+    std::erase(result, '_');
+    return result;
 }
 
 } // namespace unprojector::matrices::syntax

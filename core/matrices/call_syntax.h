@@ -1,5 +1,8 @@
 #pragma once
 
+#include "core/base/letters.h"
+#include "core/base/text_scanner.h"
+
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -8,12 +11,11 @@
 /// Lexical helpers for calls in C, C++, C#, JavaScript and Python.
 namespace unprojector::matrices::syntax {
 
-/// Returns whether a character is a letter; an underscore counts as one.
-bool isLetter(char c);
-bool isDigit(char c);
-bool isBlank(char c);
+using base::isDigit;
+using base::isLetter;
+using base::trimmed;
+
 std::size_t behindBlanks(std::string_view text, std::size_t at);
-std::string_view trimmed(std::string_view text);
 /// The end of the names that begin at `at`, joined by dots, arrows or double colons:
 /// "camera->position.set".
 std::size_t behindNames(std::string_view text, std::size_t at);
@@ -26,5 +28,7 @@ std::size_t closing(std::string_view text, std::size_t at);
 std::vector<std::string> separated(std::string_view text);
 /// The last name of a chain: "set" of "camera.position.set".
 std::string lastName(std::string_view names);
+/// The name in lower case, without underscores: "XM_PIDIV4" is "xmpidiv4".
+std::string plain(std::string_view name);
 
 } // namespace unprojector::matrices::syntax

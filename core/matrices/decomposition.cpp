@@ -7,6 +7,9 @@
 #include "core/matrices/printed_digits.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -26,7 +29,25 @@ constexpr double kPrinted = 1e-5;
 
 dvec3 axesOfRow(const dmat4 &m, int row)
 {
-    return {m[0][row], m[1][row], m[2][row]};
+    return dvec3(glm::row(m, row));
+}
+
+/// Sets the view and the residual.
+/// @param shift     the view's translation
+/// @param rounding  what the last printed decimal explains
+/// @return nothing if the product is not the given one
+std::optional<Decomposition> completed(Decomposition apart, const glm::dmat3 &worldFromEye, const dvec3 &shift,
+                                       const dmat4 &clipFromWorld, double rounding)
+{
+    apart.eyeFromWorld = dmat4(glm::transpose(worldFromEye));
+    apart.eyeFromWorld[3] = dvec4(shift, 1.0);
+    apart.residual =
+        largestEntry(apart.clipFromEye * apart.eyeFromWorld * apart.w - clipFromWorld) / largestEntry(clipFromWorld);
+    if (!(apart.residual <= std::max(10.0 * kPrinted, rounding)))
+        return std::nullopt;
+    apart.clipFromEye = withoutNegativeZeros(apart.clipFromEye);
+    apart.eyeFromWorld = withoutNegativeZeros(apart.eyeFromWorld);
+    return apart;
 }
 
 /// @param sign  of w in front of the eye
@@ -59,14 +80,8 @@ std::optional<Decomposition> decomposed(const dmat4 &clipFromWorld, double sign)
     p[1][1] = yScale;
     p[2] = dvec4(-xOffset, -yOffset, -zScale, -1.0);
     p[3][2] = m[3][2] - zScale * forward;
-    dmat4 &v = result.eyeFromWorld;
-    for (int column = 0; column < 3; ++column)
-        v[column] = dvec4(s[column], u[column], -f[column], 0.0);
-    v[3] = dvec4((m[3][0] - xOffset * forward) / xScale, (m[3][1] - yOffset * forward) / yScale, -forward, 1.0);
-    result.residual = largestEntry(p * v * result.w - clipFromWorld) / largestEntry(clipFromWorld);
-    if (!(result.residual <= std::max(10.0 * kPrinted, rounding)))
-        return std::nullopt;
-    return result;
+    const dvec3 shift((m[3][0] - xOffset * forward) / xScale, (m[3][1] - yOffset * forward) / yScale, -forward);
+    return completed(result, {s, u, -f}, shift, clipFromWorld, rounding);
 }
 
 /// Decomposes a matrix whose last row is 0 0 0 w.
@@ -98,23 +113,8 @@ std::optional<Decomposition> boxTakenApart(const dmat4 &clipFromWorld)
     p[1][1] = yScale;
     p[2][2] = -depth;
     p[3][2] = -1.0;
-    dmat4 &v = result.eyeFromWorld;
-    for (int column = 0; column < 3; ++column)
-        v[column] = dvec4(s[column], u[column], b[column], 0.0);
-    v[3] = dvec4(m[3][0] / xScale, m[3][1] / yScale, -(m[3][2] + 1.0) / depth, 1.0);
-    result.residual = largestEntry(p * v * result.w - clipFromWorld) / largestEntry(clipFromWorld);
-    if (!(result.residual <= std::max(10.0 * kPrinted, rounding)))
-        return std::nullopt;
-    return result;
-}
-
-Decomposition withoutNegativeZeros(Decomposition apart)
-{
-    for (dmat4 *m : {&apart.clipFromEye, &apart.eyeFromWorld}) {
-        for (int i = 0; i < 16; ++i)
-            (*m)[i / 4][i % 4] += 0.0;
-    }
-    return apart;
+    const dvec3 shift(m[3][0] / xScale, m[3][1] / yScale, -(m[3][2] + 1.0) / depth);
+    return completed(result, {s, u, b}, shift, clipFromWorld, rounding);
 }
 
 } // namespace
@@ -122,7 +122,7 @@ Decomposition withoutNegativeZeros(Decomposition apart)
 std::optional<Decomposition> decomposed(const dmat4 &clipFromWorld)
 {
     if (const auto box = boxTakenApart(clipFromWorld))
-        return withoutNegativeZeros(*box);
+        return box;
     const auto apart = decomposed(clipFromWorld, 1.0);
     if (!apart)
         return std::nullopt;
@@ -131,9 +131,9 @@ std::optional<Decomposition> decomposed(const dmat4 &clipFromWorld)
         return form && !form->negated;
     };
     if (isProjection(*apart))
-        return withoutNegativeZeros(*apart);
+        return apart;
     const auto negated = decomposed(clipFromWorld, -1.0);
-    return withoutNegativeZeros(negated && isProjection(*negated) ? *negated : *apart);
+    return negated && isProjection(*negated) ? negated : apart;
 }
 
 std::string decompositionText(const Decomposition &apart)

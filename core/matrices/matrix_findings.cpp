@@ -8,6 +8,7 @@
 #include "core/matrices/printed_digits.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -30,11 +31,6 @@ using glm::dvec4;
 /// entry.
 constexpr double kZero = 1e-6;
 
-dvec4 row(const dmat4 &m, int i)
-{
-    return {m[0][i], m[1][i], m[2][i], m[3][i]};
-}
-
 /// The matrix with exact zeros and ones where only rounding hides them.
 dmat4 withoutRounding(const dmat4 &matrix)
 {
@@ -52,7 +48,7 @@ dmat4 withoutRounding(const dmat4 &matrix)
 /// Returns whether the last row is 0 0 0 w.
 bool isAffine(const dmat4 &m)
 {
-    const dvec4 last = row(m, 3);
+    const dvec4 last = glm::row(m, 3);
     return last.w != 0.0 && glm::length(dvec3(last)) <= kZero * std::abs(last.w);
 }
 
@@ -157,7 +153,7 @@ std::vector<MatrixFinding> projectionFindings(const dmat4 &m, const std::optiona
 /// behind the eye.
 std::optional<double> originOffMiddle(const dmat4 &view, const std::optional<dmat4> &clipFromEye)
 {
-    const dvec4 eye = row(glm::transpose(view), 3) / view[3][3];
+    const dvec4 eye = view[3] / view[3][3];
     if (!clipFromEye) {
         if (!(eye.z < 0.0))
             return std::nullopt;
@@ -181,15 +177,12 @@ std::vector<MatrixFinding> viewFindings(const dmat4 &m, const std::optional<dmat
     std::vector<MatrixFinding> found;
     const glm::dmat3 axes = glm::dmat3(m) / m[3][3];
     const double determinant = glm::determinant(axes), scale = std::cbrt(std::abs(determinant));
-    const glm::dmat3 squared = axes * glm::transpose(axes) / (scale * scale);
-    double off = 0.0;
-    for (int i = 0; i < 9; ++i)
-        off = std::max(off, std::abs(squared[i / 3][i % 3] - (i / 3 == i % 3 ? 1.0 : 0.0)));
+    const glm::dmat3 squared = axes * glm::transpose(axes), same(1.0);
     constexpr double kRigid = 1e-4;
-    if (off > kRigid) {
+    if (largestDifference(squared / (scale * scale), same) > kRigid) {
         double longest = 0.0;
         for (int i = 0; i < 3; ++i)
-            longest = std::max(longest, glm::length(dvec3(axes[0][i], axes[1][i], axes[2][i])));
+            longest = std::max(longest, glm::length(glm::row(axes, i)));
         found.push_back({MatrixFault::Scaled, MatrixRepair::None, longest});
     } else if (std::abs(scale - 1.0) > kRigid) {
         found.push_back({MatrixFault::Scaled, MatrixRepair::WithoutScale, scale});
@@ -202,11 +195,7 @@ std::vector<MatrixFinding> viewFindings(const dmat4 &m, const std::optional<dmat
         std::erase_if(found, [](const MatrixFinding &one) { return one.fault == MatrixFault::Scaled; });
         found.insert(found.begin(), {MatrixFault::Rounded, MatrixRepair::Orthonormal, *printedOff});
     } else if (found.empty() && m[3][3] > 0.0 && !geometry::axesOff(m)) { // too skew for the formulas
-        const glm::dmat3 fromRight = axes * glm::transpose(axes) - glm::dmat3(1.0);
-        double largest = 0.0;
-        for (int i = 0; i < 9; ++i)
-            largest = std::max(largest, std::abs(fromRight[i / 3][i % 3]));
-        found.push_back({MatrixFault::Rounded, MatrixRepair::Orthonormal, largest});
+        found.push_back({MatrixFault::Rounded, MatrixRepair::Orthonormal, largestDifference(squared, same)});
     }
     const dmat4 inverse = glm::inverse(m);
     constexpr double kInTheMiddle = 0.5;
@@ -255,40 +244,6 @@ std::string number(double value)
 }
 
 } // namespace
-
-namespace {
-
-dmat4 withoutNegativeZeros(dmat4 m)
-{
-    for (int i = 0; i < 16; ++i)
-        m[i / 4][i % 4] += 0.0;
-    return m;
-}
-
-} // namespace
-
-std::string_view idOf(MatrixFault fault)
-{
-    switch (fault) {
-    case MatrixFault::Transposed: return "transposed";
-    case MatrixFault::Inverse: return "inverse";
-    case MatrixFault::Exchanged: return "exchanged";
-    case MatrixFault::UnknownForm: return "unknown-form";
-    case MatrixFault::DepthZeroToOne: return "depth-zero-to-one";
-    case MatrixFault::DepthReversed: return "depth-reversed";
-    case MatrixFault::FarAtInfinity: return "far-at-infinity";
-    case MatrixFault::YDown: return "y-down";
-    case MatrixFault::Mirrored: return "mirrored";
-    case MatrixFault::LeftHanded: return "left-handed";
-    case MatrixFault::Negated: return "negated";
-    case MatrixFault::Rounded: return "rounded";
-    case MatrixFault::OtherOrder: return "other-order";
-    case MatrixFault::OrderOfOthers: return "order-of-others";
-    case MatrixFault::OrderOpen: return "order-open";
-    case MatrixFault::Scaled: break;
-    }
-    return "scaled";
-}
 
 std::vector<MatrixFinding> findings(const dmat4 &matrix, MatrixRole role, const std::optional<NdcDepth> &ndcDepth,
                                     const std::optional<dmat4> &clipFromEye)

@@ -7,7 +7,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace unprojector::matrices {
@@ -64,11 +63,6 @@ struct MatrixFinding {
     /// [0, 1] is possible; then the matrix is read so already.
     double other = std::numeric_limits<double>::quiet_NaN();
 };
-
-/// The fixed name of a fault: "transposed", "inverse", "exchanged", "unknown-form",
-/// "depth-zero-to-one", "depth-reversed", "far-at-infinity", "y-down", "mirrored", "left-handed",
-/// "negated", "rounded", "scaled", "other-order", "order-of-others", "order-open".
-std::string_view idOf(MatrixFault fault);
 
 /// Returns the findings of a matrix; changes nothing. After a finding that changes the order or
 /// inverts, the search stops. Rounding residue of a zero counts as zero, and printed numbers count

@@ -114,11 +114,10 @@ void MatrixPaste::takeNumbers(MatrixRole role, std::string_view text)
                    : parts->projection ? parts->projection
                                        : partOf(*parts, MatrixRole::View);
     if (!here.own) {
-        here.error = PasteError();
-        here.error->all = error.all;
-        here.error->part = role == MatrixRole::View         ? PastedPart::View
-                           : role == MatrixRole::Projection ? PastedPart::Projection
-                                                            : PastedPart::Product;
+        here.error = countError(role == MatrixRole::View         ? PastedPart::View
+                                : role == MatrixRole::Projection ? PastedPart::Projection
+                                                                 : PastedPart::Product,
+                                0, kEntries, error.all);
     }
 }
 

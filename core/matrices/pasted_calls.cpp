@@ -1,7 +1,9 @@
 #include "core/matrices/pasted_calls.h"
 
 #include "core/base/number_text.h"
+#include "core/base/text_scanner.h"
 #include "core/base/translation.h"
+#include "core/geometry/error_text.h"
 #include "core/geometry/numbers.h"
 #include "core/geometry/projection.h"
 #include "core/matrices/argument_reader.h"
@@ -10,7 +12,6 @@
 #include "core/matrices/call_signature.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -52,7 +53,7 @@ public:
     {
     }
 
-    Result<PastedCalls, PasteError> read()
+    PastedCalls read()
     {
         for (const CallText &call : callTexts(m_text)) {
             readAssignments(call.at);
@@ -61,17 +62,13 @@ public:
                 readCall(call, *signature);
             else
                 readThree(call);
-            if (m_error)
-                return *m_error;
             if (isLeftOut(call) && std::find(m_leftOut.begin(), m_leftOut.end(), call.written) == m_leftOut.end())
                 m_leftOut.push_back(call.written);
         }
         if (m_read.hasAny)
             readAssignments(m_text.size());
-        if (!m_error && !m_three.name.empty())
+        if (!m_three.name.empty())
             setThreeView();
-        if (m_error)
-            return *m_error;
         if (std::optional<PastedMatrix> &view = m_read.parts.view) {
             for (const std::string &one : m_leftOut)
                 view->call += tr(". %1 is ignored: the view is read without it", one);
@@ -95,17 +92,24 @@ private:
         blank(call.at, call.end);
     }
 
-    void fail(const CallText &call, CallFault fault, const std::string &argument = {})
+    /// Fails for parameters that no projection or view has.
+    static void require(const CallText &call, const Check &valid)
     {
-        m_error = PasteError();
-        m_error->call = call.written;
-        m_error->fault = fault;
-        m_error->argument = argument;
+        if (!valid)
+            failCall(call.written + ": " + geometry::errorText(valid.error()));
     }
-    void fail(const CallText &call, const Error &wrong)
+    [[noreturn]] static void failCount(const CallText &call, std::size_t found, std::size_t wanted)
     {
-        fail(call, CallFault::Parameters);
-        m_error->parameters = wrong;
+        failCall(tr("%1: %2 arguments found, %3 are needed", call.written, found, wanted));
+    }
+
+    /// The value of an argument, or of a number assigned to a name.
+    ArgumentNumber number(const std::string &name, const std::string &argument) const
+    {
+        const auto value = m_arguments.number(argument);
+        if (!value)
+            failCall(tr("%1: the argument '%2' is not a number. Put its value there", name, argument));
+        return *value;
     }
 
     /// The numbers of a call, starting at an argument.
@@ -113,24 +117,21 @@ private:
     {
         std::vector<double> values;
         for (std::size_t i = first; i < first + count; ++i) {
-            const auto number = m_arguments.number(call.arguments[i]);
-            if (!number) {
-                fail(call, CallFault::NoNumber, call.arguments[i]);
-                return {};
-            }
-            values.push_back(number->value);
-            if (!number->wholeQuotient.empty())
-                m_wholeQuotient = *number;
+            const ArgumentNumber one = number(call.written, call.arguments[i]);
+            values.push_back(one.value);
+            if (!one.wholeQuotient.empty())
+                m_wholeQuotient = one;
         }
         return values;
     }
 
-    std::optional<glm::dvec3> vector(const CallText &call, std::size_t index)
+    glm::dvec3 vector(const CallText &call, std::size_t index) const
     {
         const auto value = m_arguments.vector(call.arguments[index]);
         if (!value)
-            fail(call, CallFault::NoVector, call.arguments[index]);
-        return value;
+            failCall(tr("%1: the argument '%2' is not a vector of numbers. Put three numbers there", call.written,
+                        call.arguments[index]));
+        return *value;
     }
 
     void readCall(CallText call, const CallSignature &signature)
@@ -140,28 +141,21 @@ private:
         if (call.arguments.size() >= signature.firstArgument)
             call.arguments.erase(call.arguments.begin(),
                                  call.arguments.begin() + std::ptrdiff_t(signature.firstArgument));
-        if (const std::optional<KeywordFault> wrong = sortByKeyword(call.arguments, signature.shape)) {
-            fail(call, wrong->fault, wrong->keyword);
-            return;
-        }
-        const bool isCamera = call.name.ends_with("Camera");
-        if (isCamera) {
+        sortByKeyword(call, signature.shape);
+        if (call.name.ends_with("Camera")) {
             addDefaults(call, signature);
             m_camera = call.variable;
         }
         const std::size_t wanted = argumentCount(signature.shape);
         const auto missing = std::size_t(std::count(call.arguments.begin(), call.arguments.end(), std::string()));
-        if (call.arguments.size() != wanted || missing > 0) {
-            fail(call, CallFault::Count);
-            m_error->found = call.arguments.size() - missing;
-            m_error->wanted = wanted;
-        } else if (signature.shape == CallShape::Viewport) {
+        if (call.arguments.size() != wanted || missing > 0)
+            failCount(call, call.arguments.size() - missing, wanted);
+        if (signature.shape == CallShape::Viewport)
             readViewport(call);
-        } else if (isProjection(signature.shape)) {
+        else if (isProjection(signature.shape))
             readProjection(call, signature);
-        } else {
+        else
             readView(call, signature);
-        }
     }
 
     /// Adds the default arguments of three.js.
@@ -180,25 +174,18 @@ private:
     void readViewport(const CallText &call)
     {
         const std::vector<double> v = numbers(call, 0, 4);
-        if (m_error || m_read.parts.viewport)
+        if (m_read.parts.viewport)
             return;
         const Viewport viewport{v[0], v[1], v[2], v[3]};
-        if (const Check valid = geometry::check(viewport); !valid)
-            fail(call, valid.error());
-        else
-            m_read.parts.viewport = viewport;
+        require(call, geometry::check(viewport));
+        m_read.parts.viewport = viewport;
     }
 
     void readProjection(const CallText &call, const CallSignature &signature)
     {
         std::string said;
         const CallVolume volume = volumeOf(call, signature, said);
-        if (m_error)
-            return;
-        if (const Check valid = check(volume, signature.isPerspective); !valid) {
-            fail(call, valid.error());
-            return;
-        }
+        require(call, check(volume, signature.isPerspective));
         if (m_read.parts.projection) {
             m_read.parts.projection->call += tr(". %1 follows and is ignored: one projection is read", call.written);
             return;
@@ -226,8 +213,6 @@ private:
     {
         const std::vector<double> v = numbers(call, 0, call.arguments.size());
         CallVolume volume;
-        if (m_error)
-            return volume;
         switch (signature.shape) {
         case CallShape::FieldOfView: return volumeOf(call, signature, v[0], v[1], v[2], v[3], said);
         case CallShape::FieldOfViewOfSize: return volumeOf(call, signature, v[0], v[1] / v[2], v[3], v[4], said);
@@ -250,16 +235,13 @@ private:
         lens.aspect = aspect;
         lens.nearDistance = nearDistance;
         lens.farDistance = farDistance;
-        if (!signature.areDegrees && angle >= kPi) {
-            fail(call, CallFault::Radians, numberText(angle));
-            return {};
-        }
+        if (!signature.areDegrees && angle >= kPi)
+            failCall(tr("%1: the angle is in radians and must be smaller than pi. You entered %2", call.written,
+                        numberText(angle)));
         if (const double fov = lens.verticalFov.radians.value; !(fov > 0.0 && fov < kPi))
-            fail(call, Error{ErrorCode::FieldOfViewOutOfRange, fov});
-        else if (!(std::abs(aspect) > 0.0) || !std::isfinite(aspect))
-            fail(call, Error{ErrorCode::AspectNotPositive, aspect});
-        if (m_error)
-            return {};
+            require(call, Error{ErrorCode::FieldOfViewOutOfRange, fov});
+        if (!(std::abs(aspect) > 0.0) || !std::isfinite(aspect))
+            require(call, Error{ErrorCode::AspectNotPositive, aspect});
         said = tr("%1: fovy %2°, aspect %3, near %4, far %5", call.written, numberText(lens.verticalFov.degrees()),
                   numberText(aspect), numberText(nearDistance), numberText(farDistance));
         if (signature.areDegrees && angle < kPi)
@@ -274,20 +256,15 @@ private:
         glm::dvec3 eye(0.0), center(0.0), up(0.0);
         if (signature.shape == CallShape::LookAtNumbers) {
             const std::vector<double> v = numbers(call, 0, 9);
-            if (m_error)
-                return;
             eye = {v[0], v[1], v[2]};
             center = {v[3], v[4], v[5]};
             up = {v[6], v[7], v[8]};
         } else {
-            const auto first = vector(call, 0);
-            const auto second = first ? vector(call, 1) : std::nullopt;
-            const auto third = second ? vector(call, 2) : std::nullopt;
-            if (!third)
-                return;
-            eye = *first;
-            center = signature.shape == CallShape::LookTo ? eye + *second : *second;
-            up = *third;
+            eye = vector(call, 0);
+            center = vector(call, 1);
+            if (signature.shape == CallShape::LookTo)
+                center += eye;
+            up = vector(call, 2);
         }
         setView(call, signature, {WorldPoint(eye), WorldPoint(center), WorldVector(up)});
     }
@@ -295,10 +272,8 @@ private:
     void setView(const CallText &call, const CallSignature &signature, const LookAt &camera)
     {
         const Result<glm::dmat4> matrix = matrices::eyeFromWorld(camera, signature.isLeftHanded);
-        if (!matrix) {
-            fail(call, matrix.error());
-            return;
-        }
+        if (!matrix)
+            require(call, matrix.error());
         if (m_read.parts.view) {
             m_read.parts.view->call += tr(". %1 follows and is ignored: one view is read", call.written);
             return;
@@ -338,29 +313,24 @@ private:
         if ((!isPosition && !isUp && !isLookAt) || !isCamera(object))
             return;
         blank(call);
-        std::optional<glm::dvec3> point;
+        glm::dvec3 point(0.0);
         if (call.arguments.size() == 1) {
             point = vector(call, 0);
         } else if (call.arguments.size() == 3) {
             const std::vector<double> v = numbers(call, 0, 3);
-            if (!m_error)
-                point = glm::dvec3(v[0], v[1], v[2]);
+            point = {v[0], v[1], v[2]};
         } else {
-            fail(call, CallFault::Count);
-            m_error->found = call.arguments.size();
-            m_error->wanted = 3;
+            failCount(call, call.arguments.size(), 3);
         }
-        if (!point)
-            return;
         if (isUp) {
-            m_three.up = *point;
+            m_three.up = point;
             return;
         }
         m_three.name = object;
         if (isPosition) {
-            m_three.position = *point;
+            m_three.position = point;
         } else {
-            m_three.direction = *point - m_three.position;
+            m_three.direction = point - m_three.position;
             m_three.upThen = m_three.up;
         }
     }
@@ -384,17 +354,14 @@ private:
     {
         if (!m_camera.empty())
             return object == m_camera;
-        std::string small = object;
-        std::transform(small.begin(), small.end(), small.begin(),
-                       [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
-        return small.find("cam") != small.npos;
+        return base::lowerCase(object).find("cam") != std::string::npos;
     }
 
     /// Reads the assignments to single members of the camera before a position: camera.position.z =
     /// 5.
     void readAssignments(std::size_t end)
     {
-        for (; m_nextAssignment < m_assignments.size() && m_assignments[m_nextAssignment].at < end && !m_error;
+        for (; m_nextAssignment < m_assignments.size() && m_assignments[m_nextAssignment].at < end;
              ++m_nextAssignment) {
             const AssignmentText &one = m_assignments[m_nextAssignment];
             const std::size_t dot = one.name.rfind('.');
@@ -420,15 +387,9 @@ private:
 
     void move(const AssignmentText &to, const std::string &object, int axis)
     {
-        const auto value = m_arguments.number(to.value);
-        if (!value) {
-            CallText written;
-            written.written = to.name;
-            fail(written, CallFault::NoNumber, to.value);
-            return;
-        }
+        const double value = number(to.name, to.value).value;
         m_three.name = object;
-        m_three.position[axis] = value->value;
+        m_three.position[axis] = value;
     }
 
     std::string_view m_program;
@@ -438,7 +399,6 @@ private:
     std::size_t m_nextAssignment = 0;
     std::string m_rest;
     PastedCalls m_read;
-    std::optional<PasteError> m_error;
     ArgumentNumber m_wholeQuotient;     ///< of the current call
     std::vector<std::string> m_leftOut; ///< names of calls that change the view
     std::string m_camera;               ///< the variable that holds the three.js camera
@@ -458,7 +418,13 @@ private:
 Result<PastedCalls, PasteError> pastedCalls(std::string_view text)
 {
     constexpr std::size_t kLongest = 100'000; // too long for a text of a few calls
-    return text.size() > kLongest ? PastedCalls() : Reader(text).read();
+    if (text.size() > kLongest)
+        return PastedCalls();
+    try {
+        return Reader(text).read();
+    } catch (PasteError &error) {
+        return std::move(error);
+    }
 }
 
 } // namespace unprojector::matrices

@@ -2,7 +2,6 @@
 
 #include "core/base/translation.h"
 #include "core/geometry/condition_number.h"
-#include "core/geometry/error_text.h"
 #include "core/matrices/pasted_numbers.h"
 
 #include <glm/matrix.hpp>
@@ -254,16 +253,6 @@ void sort(std::vector<PastedNumber> &numbers, Parts &parts)
     }
 }
 
-PasteError countError(const Part &part, std::size_t all)
-{
-    PasteError error;
-    error.part = part.part;
-    error.found = part.numbers.size();
-    error.wanted = part.wanted();
-    error.all = all;
-    return error;
-}
-
 } // namespace
 
 NumberOrder orderOf(MatrixForm form)
@@ -301,15 +290,11 @@ glm::dmat4 meantMatrix(const PastedMatrix &matrix, NumberOrder order)
     return matrix.isInverse && !isSingular(m) ? glm::inverse(m) : m;
 }
 
-bool lacksInverse(const PastedMatrix &matrix)
-{
-    return matrix.isInverse && isSingular(matrixOf(matrix.numbers, orderOf(matrix.form)));
-}
-
 std::string inverseText(const PastedMatrix &matrix)
 {
-    return base::tr(lacksInverse(matrix) ? "by its name it is an inverse, but it is singular: it is used unchanged"
-                                         : "by its name it is an inverse: it is inverted");
+    return base::tr(isSingular(matrixOf(matrix.numbers, orderOf(matrix.form)))
+                        ? "by its name it is an inverse, but it is singular: it is used unchanged"
+                        : "by its name it is an inverse: it is inverted");
 }
 
 bool isWindowsOwn(const DepthRange &range)
@@ -341,42 +326,17 @@ const char *nameOf(PastedPart part)
     return "viewport";
 }
 
-namespace {
-
-std::string callText(const PasteError &error)
+PasteError countError(PastedPart part, std::size_t found, std::size_t wanted, std::size_t all)
 {
-    switch (error.fault) {
-    case CallFault::NoNumber:
-        return base::tr("%1: the argument '%2' is not a number. Put its value there", error.call, error.argument);
-    case CallFault::NoVector:
-        return base::tr("%1: the argument '%2' is not a vector of numbers. Put three numbers there", error.call,
-                        error.argument);
-    case CallFault::Count:
-        return base::tr("%1: %2 arguments found, %3 are needed", error.call, error.found, error.wanted);
-    case CallFault::UnknownKeyword:
-        return base::tr("%1: the argument '%2' is not known. Use the names of the call's own arguments, or none",
-                        error.call, error.argument);
-    case CallFault::RepeatedKeyword:
-        return base::tr("%1: the argument '%2' is given twice. Remove one of them", error.call, error.argument);
-    case CallFault::Radians:
-        return base::tr("%1: the angle is in radians and must be smaller than pi. You entered %2", error.call,
-                        error.argument);
-    case CallFault::Parameters: break;
-    }
-    return error.call + ": " + geometry::errorText(error.parameters);
-}
-
-} // namespace
-
-std::string reasonText(const PasteError &error)
-{
-    if (!error.call.empty())
-        return callText(error);
-    if (!error.word.empty())
-        return base::tr("\"%1\" is not a finite number", error.word);
-    return base::tr(error.found == 1 ? "%1 number found, %2 are needed" : "%1 numbers found, %2 are needed",
-                    error.found, error.wanted)
-           + (error.part == PastedPart::Viewport ? base::tr(": x y width height, or 16 of a matrix") : std::string());
+    PasteError error{
+        base::tr(found == 1 ? "%1 number found, %2 are needed" : "%1 numbers found, %2 are needed", found, wanted)};
+    if (part == PastedPart::Viewport)
+        error.text += base::tr(": x y width height, or 16 of a matrix");
+    error.part = part;
+    error.found = found;
+    error.wanted = wanted;
+    error.all = all;
+    return error;
 }
 
 Result<PastedMatrix, PasteError> pastedMatrix(std::string_view text)
@@ -388,9 +348,7 @@ Result<PastedMatrix, PasteError> pastedMatrix(std::string_view text)
     completeRows(numbers);
     if (numbers.size() == kEntries)
         return assembled(numbers);
-    PasteError error;
-    error.found = error.all = numbers.size();
-    return error;
+    return countError(PastedPart::ModelView, numbers.size(), kEntries, numbers.size());
 }
 
 namespace {
@@ -415,7 +373,7 @@ Result<PastedScene, PasteError> sceneOf(std::string_view text, bool isComplete)
             scene.inversesLeft.push_back(part);
         const bool isNeeded = std::find(needed.begin(), needed.end(), part) != needed.end();
         if ((isNeeded || parts.has(part)) && !parts[part].isWhole())
-            return countError(parts[part], count);
+            return countError(part, parts[part].numbers.size(), parts[part].wanted(), count);
     }
     const auto matrix = [&parts](PastedPart part) -> std::optional<PastedMatrix> {
         if (!parts.has(part))

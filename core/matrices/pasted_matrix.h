@@ -50,9 +50,7 @@ glm::dmat4 matrixOf(const std::array<double, 16> &numbers, NumberOrder order);
 /// singular matrix is returned unchanged.
 glm::dmat4 meantMatrix(const PastedMatrix &matrix, NumberOrder order);
 
-/// Returns whether the matrix is singular although its name says it is an inverse.
-bool lacksInverse(const PastedMatrix &matrix);
-/// Describes the handling of a matrix that is named as an inverse, in the language of base::tr().
+/// Describes the handling of a matrix whose name says it is an inverse, in the language of base::tr().
 std::string inverseText(const PastedMatrix &matrix);
 
 struct ViewportAndDepths {
@@ -87,30 +85,18 @@ struct PastedScene {
     std::vector<PastedPart> inversesLeft; ///< parts whose inverse is also in the text; the inverse is ignored
 };
 
-/// The fault of a call, see pastedCalls.
-enum class CallFault {
-    NoNumber,        ///< an argument
-    NoVector,        ///< an argument
-    Count,           ///< found, wanted: arguments
-    UnknownKeyword,  ///< argument: a keyword that the call does not have
-    RepeatedKeyword, ///< argument: a keyword of an argument that is given twice
-    Radians,         ///< argument: an angle that is only plausible in degrees
-    Parameters       ///< parameters: no projection or view has them
-};
-
+/// Why a text gives no matrices.
 struct PasteError {
-    std::string word;                 ///< the number that is not finite; empty if the count is wrong
-    std::size_t line = 0, column = 0; ///< of the word, from 1
+    std::string text;                 ///< in the language of base::tr(), without position and part
+    std::size_t line = 0, column = 0; ///< of a number that is not finite, from 1; 0: another error
     PastedPart part = PastedPart::ModelView;
     std::size_t found = 0, wanted = 16;
-    std::size_t all = 0; ///< numbers in the text
-    std::string call{};  ///< the call that cannot be read, "glm::perspective"; empty if the error is not about a call
-    CallFault fault = CallFault::NoNumber;
-    std::string argument{}; ///< of the call, as written
-    geometry::Error parameters{geometry::ErrorCode::NotFinite};
+    std::size_t all = 0;   ///< numbers in the text
+    bool isOfCall = false; ///< the error is about a call, which the text names; see pastedCalls
 };
-/// Describes the error in the language of base::tr(), without position and part.
-std::string reasonText(const PasteError &error);
+/// The error of a part with another count of numbers than it needs.
+/// @param all  numbers in the text
+PasteError countError(PastedPart part, std::size_t found, std::size_t wanted, std::size_t all);
 
 /// Reads one matrix. Skips brackets, commas, quotes and words, as well as subscripts (m[3], m(0,1),
 /// "3":) and the numbers in comments, that is lines that begin with #, % or //.

@@ -1,5 +1,7 @@
 #include "core/matrices/pasted_names.h"
 
+#include "core/base/text_scanner.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
@@ -58,7 +60,7 @@ std::vector<std::string> wordsOf(std::string_view names)
         if (is(std::isalpha, c)) {
             if (!is(std::isalpha, before) || (is(std::islower, before) && is(std::isupper, c)))
                 words.emplace_back();
-            words.back() += inSmallLetters({&c, 1});
+            words.back() += base::lowerCase({&c, 1});
         }
         before = c;
     }
@@ -129,26 +131,19 @@ std::optional<NamedPart> namedByAll(std::string_view names)
     return part ? std::optional(NamedPart{*part, isInverse}) : std::nullopt;
 }
 
-bool isAnyOf(const std::string &word, std::initializer_list<std::string_view> words)
+/// @param words  between blanks
+bool isAnyOf(const std::string &word, std::string_view words)
 {
-    return std::find(words.begin(), words.end(), word) != words.end();
+    return words.find(' ' + word + ' ') != words.npos;
 }
 
 } // namespace
-
-std::string inSmallLetters(std::string_view text)
-{
-    std::string result(text);
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
-    return result;
-}
 
 std::optional<NamedPart> namedBy(std::string_view names)
 {
     constexpr std::size_t kShort = 2; // the p of "ray.p" is no projection
     const std::string_view last = names.substr(names.find_last_of('.') + 1);
-    if (names.find(' ') == names.npos && last.size() > kShort && !inSmallLetters(last).starts_with("matrix")) {
+    if (names.find(' ') == names.npos && last.size() > kShort && !base::lowerCase(last).starts_with("matrix")) {
         if (const auto named = namedByAll(last))
             return named;
     }
@@ -167,62 +162,17 @@ bool isAside(const std::string &letters)
 {
     if (letters.ends_with("shape")) // view.shape (4, 4)
         return true;
-    return isAnyOf(letters, {"near",
-                             "far",
-                             "znear",
-                             "zfar",
-                             "nearplane",
-                             "farplane",
-                             "fov",
-                             "fovy",
-                             "fovx",
-                             "fieldofview",
-                             "aspect",
-                             "aspectratio",
-                             "cx",
-                             "cy",
-                             "fx",
-                             "fy",
-                             "focal",
-                             "focallength",
-                             "depth",
-                             "time",
-                             "frame",
-                             "fps",
-                             "zoom",
-                             "dpr",
-                             "pixelratio",
-                             "mouse",
-                             "cursor",
-                             "click",
-                             "mousepos",
-                             "mouseposition",
-                             "pixel",
-                             "length",
-                             "bytelength",
-                             "byteoffset",
-                             "modifiedtime",
-                             "referencecount",
-                             "cuda",
-                             "shape",
-                             "torchsize",
-                             "dtype",
-                             "ndim",
-                             "rows",
-                             "cols",
-                             "columns",
-                             "channels",
-                             "mps",
-                             "devicepixelratio",
-                             "winz",
-                             "winx",
-                             "winy"});
+    return isAnyOf(letters, " near far znear zfar nearplane farplane fov fovy fovx fieldofview aspect "
+                            "aspectratio cx cy fx fy focal focallength depth time frame fps zoom dpr "
+                            "pixelratio mouse cursor click mousepos mouseposition pixel length bytelength "
+                            "byteoffset modifiedtime referencecount cuda shape torchsize dtype ndim rows cols "
+                            "columns channels mps devicepixelratio winz winx winy ");
 }
 
 bool isSize(const std::string &letters)
 {
-    return isAnyOf(letters, {"screen", "size", "resolution", "screensize", "windowsize", "imagesize", "canvas",
-                             "canvassize", "framebuffer", "framebuffersize"});
+    return isAnyOf(letters, " screen size resolution screensize windowsize imagesize canvas canvassize "
+                            "framebuffer framebuffersize ");
 }
 
 } // namespace unprojector::matrices

@@ -14,9 +14,6 @@ struct NamedPart {
     bool isInverse = false; ///< the name is of the part's inverse: "projectionMatrixInverse", "cameraToWorld"
 };
 
-/// The text with ASCII letters in lower case.
-std::string inSmallLetters(std::string_view text);
-
 /// The part that names tell: "gl_ModelViewMatrix", "model view", "P*V". The last name of a path
 /// counts, if it tells one: "cam.viewProjection" is a product.
 std::optional<NamedPart> namedBy(std::string_view names);

@@ -1,5 +1,7 @@
 #include "core/matrices/pasted_numbers.h"
 
+#include "core/base/text_scanner.h"
+#include "core/base/translation.h"
 #include "core/matrices/call_syntax.h"
 #include "core/matrices/paste_marks.h"
 #include "core/matrices/pasted_names.h"
@@ -263,11 +265,7 @@ private:
 
     PasteError wordError(const std::string &word, std::size_t start) const
     {
-        PasteError error;
-        error.word = word;
-        error.line = m_line + 1;
-        error.column = start - m_lineStart + 1;
-        return error;
+        return {base::tr("\"%1\" is not a finite number", word), m_line + 1, start - m_lineStart + 1};
     }
 
     std::optional<PasteError> readWord()
@@ -354,10 +352,10 @@ private:
         constexpr std::size_t kLongestName = 80;
         const bool isJoined = !m_name.empty() && m_name.size() < kLongestName
                               && (between.find_first_not_of(" *\t") == between.npos
-                                  || (between == "(" && inSmallLetters(m_name).ends_with("inverse")));
+                                  || (between == "(" && base::lowerCase(m_name).ends_with("inverse")));
         m_name = isJoined ? m_name + ' ' + word : word;
         m_nameEnd = m_at;
-        m_words.push_back(inSmallLetters(word));
+        m_words.push_back(base::lowerCase(word));
         m_subscripts = subscriptsOfName(m_words.back());
         m_factor = 1.0;
         const std::string letters = lettersOf(m_name);

@@ -29,7 +29,7 @@ struct PastedNumbers {
 
 /// The numbers of matrices and viewports. A width and a height are the viewport 0 0 width height,
 /// if the text names no other.
-/// @return the word, line and column of NotFinite
+/// @return the line and column of a number that is not finite
 geometry::Result<PastedNumbers, PasteError> pastedNumbers(std::string_view text);
 
 } // namespace unprojector::matrices

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <variant>
 
 namespace unprojector::matrices {
@@ -40,63 +41,6 @@ Result<Point<Target>> affine(const glm::dmat4 &targetFromSource, const Result<Po
     });
 }
 
-/// Adds the points after the window point.
-PipelinePoints withWidget(const Pipeline &pipeline, PipelinePoints points)
-{
-    const Surface &surface = pipeline.setup.surface;
-    points.device =
-        next<DeviceSpace>(points.window, [&](const WindowPoint &p) { return finite(deviceFromWindow(surface, p)); });
-    points.widget =
-        next<WidgetSpace>(points.device, [&](const DevicePoint &p) { return finite(widgetFromDevice(surface, p)); });
-    return points;
-}
-
-/// Adds the window point and those after it.
-PipelinePoints withWindow(const Pipeline &pipeline, PipelinePoints points)
-{
-    const Setup &setup = pipeline.setup;
-    points.window = next<WindowSpace>(
-        points.ndc, [&](const NdcPoint &p) { return finite(windowFromNdc(setup.viewport, setup.depthRange, p)); });
-    return withWidget(pipeline, points);
-}
-
-/// Adds the NDC point and those after it.
-PipelinePoints withNdc(const Pipeline &pipeline, PipelinePoints points)
-{
-    points.ndc = next<NdcSpace>(points.clip, [](const ClipPoint &p) -> Result<NdcPoint> {
-        if (p.w == 0.0)
-            return Error{ErrorCode::PointAtInfinity};
-        return finite(NdcPoint(glm::dvec3(p.coordinates()) / p.w));
-    });
-    return withWindow(pipeline, points);
-}
-
-/// Adds the clip point and those after it.
-PipelinePoints withClip(const Pipeline &pipeline, PipelinePoints points)
-{
-    const glm::dmat4 &projection = pipeline.matrix(PipelineStage::ProjectionMatrix, PipelineDirection::Forward);
-    points.clip = next<ClipSpace>(points.eye, [&](const EyePoint &p) {
-        return finite(ClipPoint(projection * glm::dvec4(p.coordinates(), 1.0)));
-    });
-    return withNdc(pipeline, points);
-}
-
-/// Adds the eye point and those after it.
-PipelinePoints withEye(const Pipeline &pipeline, PipelinePoints points)
-{
-    points.eye = affine<EyeSpace>(pipeline.matrix(PipelineStage::ViewMatrix, PipelineDirection::Forward), points.world);
-    return withClip(pipeline, points);
-}
-
-/// Adds the world and object point from the eye point.
-PipelinePoints withObject(const Pipeline &pipeline, PipelinePoints points)
-{
-    const auto matrix = [&](PipelineStage stage) { return pipeline.matrix(stage, PipelineDirection::Backward); };
-    points.world = affine<WorldSpace>(matrix(PipelineStage::ViewMatrix), points.eye);
-    points.object = affine<ObjectSpace>(matrix(PipelineStage::ModelMatrix), points.world);
-    return points;
-}
-
 /// The eye point of a homogeneous clip-space point before the projection: divided by its own w'.
 Result<EyePoint> divided(const glm::dvec4 &eye)
 {
@@ -113,68 +57,70 @@ std::optional<glm::dvec4> undivided(const Pipeline &pipeline, const Result<NdcPo
            * glm::dvec4(ndc->coordinates(), 1.0);
 }
 
-/// Adds the eye, clip, world and object point from the NDC point.
-PipelinePoints withUndivided(const Pipeline &pipeline, PipelinePoints points)
+// The spaces of a pipeline, by their index in GivenPoint.
+constexpr std::size_t kObject = 0, kWorld = 1, kEye = 2, kClip = 3, kNdc = 4, kWindow = 5;
+
+/// Computes the points of all spaces behind the given one.
+void addForward(const Pipeline &pipeline, PipelinePoints &points, std::size_t given)
 {
-    points.undividedEye = undivided(pipeline, points.ndc);
-    points.eye = next<EyeSpace>(points.ndc, [&](const NdcPoint &) { return divided(*points.undividedEye); });
-    points.clip = next<ClipSpace>(points.eye, [&](const EyePoint &) {
-        return finite(ClipPoint(glm::dvec4(points.ndc->coordinates(), 1.0) / points.undividedEye->w));
-    });
-    return withObject(pipeline, points);
+    const auto matrix = [&](PipelineStage stage) { return pipeline.matrix(stage, PipelineDirection::Forward); };
+    const Setup &setup = pipeline.setup;
+    if (given <= kObject)
+        points.world = affine<WorldSpace>(matrix(PipelineStage::ModelMatrix), points.object);
+    if (given <= kWorld)
+        points.eye = affine<EyeSpace>(matrix(PipelineStage::ViewMatrix), points.world);
+    if (given <= kEye)
+        points.clip = next<ClipSpace>(points.eye, [&](const EyePoint &p) {
+            return finite(ClipPoint(matrix(PipelineStage::ProjectionMatrix) * glm::dvec4(p.coordinates(), 1.0)));
+        });
+    if (given <= kClip)
+        points.ndc = next<NdcSpace>(points.clip, [](const ClipPoint &p) -> Result<NdcPoint> {
+            if (p.w == 0.0)
+                return Error{ErrorCode::PointAtInfinity};
+            return finite(NdcPoint(glm::dvec3(p.coordinates()) / p.w));
+        });
+    if (given <= kNdc)
+        points.window = next<WindowSpace>(
+            points.ndc, [&](const NdcPoint &p) { return finite(windowFromNdc(setup.viewport, setup.depthRange, p)); });
+    points.device = next<DeviceSpace>(points.window,
+                                      [&](const WindowPoint &p) { return finite(deviceFromWindow(setup.surface, p)); });
+    points.widget = next<WidgetSpace>(points.device,
+                                      [&](const DevicePoint &p) { return finite(widgetFromDevice(setup.surface, p)); });
 }
 
-// Each of these functions starts from the given point; the steps above compute the other points.
-
-PipelinePoints from(const Pipeline &pipeline, const ObjectPoint &point)
+/// Computes the points of all spaces before the given one.
+void addBackward(const Pipeline &pipeline, PipelinePoints &points, std::size_t given)
 {
-    PipelinePoints points;
-    points.object = finite(point);
-    points.world =
-        affine<WorldSpace>(pipeline.matrix(PipelineStage::ModelMatrix, PipelineDirection::Forward), points.object);
-    return withEye(pipeline, points);
+    const auto matrix = [&](PipelineStage stage) { return pipeline.matrix(stage, PipelineDirection::Backward); };
+    if (given >= kWindow)
+        points.ndc = affine<NdcSpace>(matrix(PipelineStage::ViewportMatrix), points.window);
+    if (given >= kNdc) {
+        points.undividedEye = undivided(pipeline, points.ndc);
+        points.eye = next<EyeSpace>(points.ndc, [&](const NdcPoint &) { return divided(*points.undividedEye); });
+        points.clip = next<ClipSpace>(points.eye, [&](const EyePoint &) {
+            return finite(ClipPoint(glm::dvec4(points.ndc->coordinates(), 1.0) / points.undividedEye->w));
+        });
+    } else if (given == kClip) {
+        points.eye = next<EyeSpace>(points.clip, [&](const ClipPoint &p) {
+            return divided(matrix(PipelineStage::ProjectionMatrix) * p.coordinates());
+        });
+    }
+    if (given >= kEye)
+        points.world = affine<WorldSpace>(matrix(PipelineStage::ViewMatrix), points.eye);
+    if (given >= kWorld)
+        points.object = affine<ObjectSpace>(matrix(PipelineStage::ModelMatrix), points.world);
 }
 
-PipelinePoints from(const Pipeline &pipeline, const WorldPoint &point)
+template <class P>
+PipelinePoints from(const Pipeline &pipeline, const P &point)
 {
     PipelinePoints points;
-    points.world = finite(point);
-    points.object =
-        affine<ObjectSpace>(pipeline.matrix(PipelineStage::ModelMatrix, PipelineDirection::Backward), points.world);
-    return withEye(pipeline, points);
-}
-
-PipelinePoints from(const Pipeline &pipeline, const EyePoint &point)
-{
-    PipelinePoints points;
-    points.eye = finite(point);
-    return withClip(pipeline, withObject(pipeline, points));
-}
-
-PipelinePoints from(const Pipeline &pipeline, const ClipPoint &point)
-{
-    PipelinePoints points;
-    points.clip = finite(point);
-    points.eye = next<EyeSpace>(points.clip, [&](const ClipPoint &p) {
-        return divided(pipeline.matrix(PipelineStage::ProjectionMatrix, PipelineDirection::Backward) * p.coordinates());
-    });
-    return withNdc(pipeline, withObject(pipeline, points));
-}
-
-PipelinePoints from(const Pipeline &pipeline, const NdcPoint &point)
-{
-    PipelinePoints points;
-    points.ndc = finite(point);
-    return withWindow(pipeline, withUndivided(pipeline, points));
-}
-
-PipelinePoints from(const Pipeline &pipeline, const WindowPoint &point)
-{
-    PipelinePoints points;
-    points.window = finite(point);
-    points.ndc =
-        affine<NdcSpace>(pipeline.matrix(PipelineStage::ViewportMatrix, PipelineDirection::Backward), points.window);
-    return withWidget(pipeline, withUndivided(pipeline, points));
+    const auto results = std::tie(points.object, points.world, points.eye, points.clip, points.ndc, points.window);
+    std::get<Result<P> &>(results) = finite(point);
+    const std::size_t given = decltype(GivenPoint::point)(point).index();
+    addBackward(pipeline, points, given);
+    addForward(pipeline, points, given);
+    return points;
 }
 
 } // namespace

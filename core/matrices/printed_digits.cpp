@@ -2,14 +2,12 @@
 
 #include "core/geometry/view_matrix.h"
 
-#include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
 
 namespace unprojector::matrices {
-namespace {
 
 double largestDifference(const glm::dmat3 &a, const glm::dmat3 &b)
 {
@@ -19,7 +17,12 @@ double largestDifference(const glm::dmat3 &a, const glm::dmat3 &b)
     return largest;
 }
 
-} // namespace
+glm::dmat4 withoutNegativeZeros(glm::dmat4 matrix)
+{
+    for (int i = 0; i < 16; ++i)
+        matrix[i / 4][i % 4] += 0.0;
+    return matrix;
+}
 
 double printedUnit(const glm::dmat4 &matrix)
 {
@@ -68,8 +71,7 @@ std::optional<double> roundedOff(const glm::dmat4 &eyeFromWorld)
     // from the rounded ones.
     if (!(largestDifference(glm::dmat3(orthonormal(eyeFromWorld)), axes) <= 0.75 * unit))
         return std::nullopt;
-    const glm::dmat3 off = axes * glm::transpose(axes);
-    return largestDifference(off, glm::dmat3(1.0));
+    return largestDifference(axes * glm::transpose(axes), glm::dmat3(1.0));
 }
 
 } // namespace unprojector::matrices

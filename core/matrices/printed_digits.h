@@ -1,10 +1,17 @@
 #pragma once
 
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 
 #include <optional>
 
 namespace unprojector::matrices {
+
+/// The largest |entry| of a - b.
+double largestDifference(const glm::dmat3 &a, const glm::dmat3 &b);
+
+/// The matrix with 0 in place of -0.
+glm::dmat4 withoutNegativeZeros(glm::dmat4 matrix);
 
 /// The unit of the last decimal that a matrix was printed with, 0.01 to 0.000001, if no entry has
 /// more decimals.

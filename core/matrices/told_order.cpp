@@ -14,12 +14,7 @@ namespace {
 bool isSame(const glm::dmat4 &a, const glm::dmat4 &b)
 {
     constexpr double kRounding = 1e-9;
-    double size = 0.0, off = 0.0;
-    for (int i = 0; i < 16; ++i) {
-        size = std::max(size, std::abs(a[i / 4][i % 4]));
-        off = std::max(off, std::abs(a[i / 4][i % 4] - b[i / 4][i % 4]));
-    }
-    return off <= kRounding * size;
+    return largestEntry(a - b) <= kRounding * largestEntry(a);
 }
 
 bool has(const std::vector<MatrixFinding> &found, MatrixFault fault)

@@ -297,11 +297,11 @@ void ForeignCameraBox::showRead(const ForeignCamera &camera)
 
 void ForeignCameraBox::showFault()
 {
-    const CameraError &error = m_camera->error();
+    const base::Error &error = m_camera->error();
     QString place = QString::fromStdString(error.file);
     if (error.line > 0)
         place = place.isEmpty() ? tr("line %1").arg(error.line) : tr("%1, line %2").arg(place).arg(error.line);
-    const QString reason = withFieldNames(ended(error.reason));
+    const QString reason = withFieldNames(ended(base::Error{error.text, error.subject}.message()));
     m_fault = place.isEmpty() ? reason : tr("%1: %2", "a place in a text, what is wrong").arg(place, reason);
     m_said->clear();
     if (m_isRead)

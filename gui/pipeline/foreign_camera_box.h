@@ -21,7 +21,7 @@ namespace unprojector::gui {
 class ForeignCameraBox : public QWidget {
     Q_OBJECT
 public:
-    using Camera = geometry::Result<cameras::SceneCamera, cameras::CameraError>;
+    using Camera = base::Expected<cameras::SceneCamera, base::Error>;
 
     explicit ForeignCameraBox(QWidget *parent = nullptr);
 

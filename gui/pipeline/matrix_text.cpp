@@ -121,10 +121,10 @@ QString repairName(const MatrixFinding &finding, NumberOrder order)
 
 QString errorText(const PasteError &error, MatrixRole role)
 {
-    const std::string reason = reasonText(error);
-    if (!error.call.empty())
+    const std::string &reason = error.text;
+    if (error.isOfCall)
         return ended(reason);
-    if (!error.word.empty())
+    if (error.line > 0)
         return MatrixText::tr("In line %1, column %2: %3").arg(error.line).arg(error.column).arg(ended(reason));
     if (error.all > error.wanted && error.found == 0)
         return MatrixText::tr("There is no matrix of this kind among these %1 numbers: %2.")

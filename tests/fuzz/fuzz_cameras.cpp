@@ -30,13 +30,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     if (!camera)
         return 0;
     if (!*camera) {
-        fuzz::require(!camera->error().reason.empty(), "an error has a reason");
+        fuzz::require(!camera->error().text.empty(), "an error has a reason");
         return 0;
     }
     const geometry::Box box{glm::dvec3(-1.0), glm::dvec3(1.0)};
     const auto scene = sceneCamera(**camera, choices, size % 7 == 1 ? std::nullopt : std::optional(box));
     if (!scene) {
-        fuzz::require(!scene.error().reason.empty(), "an error has a reason");
+        fuzz::require(!scene.error().text.empty(), "an error has a reason");
         return 0;
     }
     fuzz::require(scene->size.width > 0 && scene->size.height > 0, "a camera has a size");

@@ -109,10 +109,11 @@ GivenTexts givenTexts(const std::vector<std::string> &words, const std::string &
     return given;
 }
 
-std::string cameraErrorText(const CameraError &error, const std::string &name)
+void refuseCamera(base::Error error, const GivenTexts &given)
 {
-    const std::string file = error.file.empty() ? name : error.file;
-    return file + (error.line > 0 ? ':' + std::to_string(error.line) : std::string()) + ": " + error.reason;
+    if (error.file.empty())
+        error.file = given.name;
+    refuse(error.message());
 }
 
 namespace {
@@ -176,7 +177,7 @@ SceneLens sceneLens(const std::string &option, const Setup &setup, const std::st
         refuse("--distortion " + option + ": "
                + tr("this is neither a file of a camera nor a list k1,k2,p1,p2,k3 of numbers"));
     if (!*read)
-        refuse(cameraErrorText(read->error(), given.name));
+        refuseCamera(read->error(), given);
     const ForeignCamera &camera = **read;
     if (!camera.distortion)
         refuse(given.name + ": " + tr("there are no distortion coefficients; leave --distortion out"));

@@ -60,8 +60,8 @@ struct GivenTexts {
 /// @param option  the name of a text of words
 GivenTexts givenTexts(const std::vector<std::string> &words, const std::string &option);
 
-/// "camera.yml:3: K: it has 8 numbers".
-std::string cameraErrorText(const cameras::CameraError &error, const std::string &name);
+/// Refuses texts of a camera: "camera.yml:3: K: it has 8 numbers".
+[[noreturn]] void refuseCamera(base::Error error, const GivenTexts &given);
 
 /// A lens that distorts the image of a scene's pinhole.
 struct SceneLens {

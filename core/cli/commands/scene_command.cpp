@@ -81,14 +81,14 @@ std::optional<ExitCode> runCameraScene(const SceneOptions &options, const GivenT
     if (!read)
         return std::nullopt;
     if (!*read)
-        refuse(cameraErrorText(read->error(), given.name));
+        refuseCamera(read->error(), given);
     SceneFile scene;
     InputFiles inputs = given.files;
     const Box bounds = addObjects(options, inputs, scene);
     const ForeignCamera &camera = **read;
     const auto converted = sceneCamera(camera, choices, bounds.isEmpty() ? std::nullopt : std::optional(bounds));
     if (!converted)
-        refuse(cameraErrorText(converted.error(), given.name));
+        refuseCamera(converted.error(), given);
     if (converted->distortion)
         refuse(given.name + ": "
                + tr("the lens distorts the image (%1), and a scene has no lens. If the pixels are those of the "
@@ -110,10 +110,8 @@ std::optional<ExitCode> runCameraScene(const SceneOptions &options, const GivenT
 
 std::string pasteErrorText(const PasteError &error, const std::string &name)
 {
-    const std::string place = error.word.empty()
-                                  ? ": " + std::string(nameOf(error.part))
-                                  : ':' + std::to_string(error.line) + ':' + std::to_string(error.column);
-    return name + place + ": " + reasonText(error);
+    const char *part = error.isOfCall || error.line > 0 ? "" : nameOf(error.part);
+    return base::Error{error.text, part, name, int(error.line), int(error.column)}.message();
 }
 
 /// Sets the window's size: the requested one, or up to the viewport's edge.
@@ -321,14 +319,13 @@ Result<PastedScene, PasteError> partsOf(const SceneOptions &options, const std::
     const auto size = imageSize(options);
     if (!parts.viewport && !parts.viewportMatrix && size)
         parts.viewport = Viewport{0.0, 0.0, double(size->width), double(size->height)};
-    PasteError missing;
-    missing.part = !parts.projection                 ? PastedPart::Projection
-                   : !parts.view && !parts.modelView ? PastedPart::View
-                                                     : PastedPart::Viewport;
-    missing.wanted = missing.part == PastedPart::Viewport ? 4 : 16;
-    const bool isWhole =
-        parts.projection && (parts.view || parts.modelView) && (parts.viewport || parts.viewportMatrix);
-    return isWhole ? Result<PastedScene, PasteError>(parts) : Result<PastedScene, PasteError>(missing);
+    if (!parts.projection)
+        return countError(PastedPart::Projection, 0, 16, 0);
+    if (!parts.view && !parts.modelView)
+        return countError(PastedPart::View, 0, 16, 0);
+    if (!parts.viewport && !parts.viewportMatrix)
+        return countError(PastedPart::Viewport, 0, 4, 0);
+    return parts;
 }
 
 /// The first given option that is only about matrices.
@@ -354,7 +351,7 @@ ExitCode sceneFromMatrices(const SceneOptions &options, const GivenTexts &given)
         if (camera)
             refuse(tr("%1: the text is of a camera, and %2 is only about matrices; leave it out", given.name,
                       optionAboutMatrices(options)));
-        if (error.word.empty() && error.all == 0 && given.files.empty() && words.size() == 1)
+        if (error.line == 0 && error.all == 0 && !error.isOfCall && given.files.empty() && words.size() == 1)
             refuse(words[0] + ": " + tr("there is no such file"));
         if (options.fromMatrices.empty())
             refuse(tr("%1: no camera of a known program, and no matrices (%2); the manual lists the programs under "

@@ -64,7 +64,8 @@ QString reasonOf(const std::vector<NamedText> &texts, const CameraChoices &choic
     const auto read = readCamera(texts, choices);
     if (!read)
         return QStringLiteral("not recognised");
-    return *read ? QStringLiteral("read") : QString::fromStdString(read->error().reason);
+    return *read ? QStringLiteral("read")
+                 : QString::fromStdString(base::Error{read->error().text, read->error().subject}.message());
 }
 
 QString assumedOf(const std::vector<NamedText> &texts, const CameraChoices &choices)
@@ -170,10 +171,10 @@ private slots:
             texts[0].text = respelled(texts[0].text, kSpellings[spelling]);
         const auto read = readCamera(texts, choicesOf(example));
         QVERIFY(read);
-        QVERIFY2(*read, *read ? "" : (*read).error().reason.c_str());
+        QVERIFY2(*read, *read ? "" : (*read).error().message().c_str());
         QVERIFY(QString::fromStdString(example.name).startsWith(QString::fromStdString((*read)->program)));
         const auto scene = sceneCamera(**read, choicesOf(example), std::nullopt);
-        QVERIFY2(scene, scene ? "" : scene.error().reason.c_str());
+        QVERIFY2(scene, scene ? "" : scene.error().message().c_str());
         const double side = std::max(scene->size.width, scene->size.height);
         for (const CameraExample::Point &point : example.points) {
             const glm::dvec2 pixel = pixelOf(*scene, point);
@@ -479,7 +480,7 @@ private slots:
                                    "clip_end = 100.0");
         const auto read = readCamera(texts, {});
         QVERIFY(read);
-        QVERIFY2(*read, *read ? "" : (*read).error().reason.c_str());
+        QVERIFY2(*read, *read ? "" : (*read).error().message().c_str());
         QVERIFY((*read)->projection && (*read)->projection->clipFromEye[2][3] == 0.0);
     }
 

@@ -34,10 +34,10 @@ std::string join(const std::vector<std::string> &sentences)
     return text;
 }
 
-geometry::Result<ForeignCamera, CameraError> read(const std::string &text, const CameraChoices &choices = {})
+base::Expected<ForeignCamera, base::Error> read(const std::string &text, const CameraChoices &choices = {})
 {
     const auto camera = readCamera(std::vector<NamedText>{{"camera.txt", text}}, choices);
-    return camera ? *camera : CameraError{{}, 0, "not recognised"};
+    return camera ? *camera : base::Error{"not recognised"};
 }
 
 /// The scene's camera of a text; fails the test where there is none.
@@ -46,12 +46,12 @@ SceneCamera sceneOf(const std::string &text, const CameraChoices &choices = {},
 {
     const auto camera = read(text, choices);
     if (!camera) {
-        QTest::qFail(camera.error().reason.c_str(), __FILE__, __LINE__);
+        QTest::qFail(camera.error().message().c_str(), __FILE__, __LINE__);
         return {};
     }
     const auto scene = sceneCamera(*camera, choices, objects);
     if (!scene) {
-        QTest::qFail(scene.error().reason.c_str(), __FILE__, __LINE__);
+        QTest::qFail(scene.error().message().c_str(), __FILE__, __LINE__);
         return {};
     }
     return *scene;
@@ -61,9 +61,10 @@ QString reasonOf(const std::string &text, const CameraChoices &choices = {})
 {
     const auto camera = read(text, choices);
     if (!camera)
-        return QString::fromStdString(camera.error().reason) + QStringLiteral(" @%1").arg(camera.error().line);
+        return QString::fromStdString(base::Error{camera.error().text, camera.error().subject}.message())
+               + QStringLiteral(" @%1").arg(camera.error().line);
     const auto scene = sceneCamera(*camera, choices, std::nullopt);
-    return scene ? QString() : QString::fromStdString(scene.error().reason);
+    return scene ? QString() : QString::fromStdString(scene.error().text);
 }
 
 /// The pixel of a world point, counted from the image's top-left corner.

@@ -77,7 +77,7 @@ PastedCalls read(const QString &text)
 {
     const auto calls = pastedCalls(text.toStdString());
     if (!calls || !calls->hasAny) {
-        qWarning("%s: %s", qPrintable(text), calls ? "no call" : reasonText(calls.error()).c_str());
+        qWarning("%s: %s", qPrintable(text), calls ? "no call" : calls.error().text.c_str());
         return {};
     }
     return *calls;
@@ -403,7 +403,7 @@ private slots:
         MatrixPaste paste;
         paste.setText(MatrixRole::Projection, text.toStdString());
         QVERIFY(paste.error(MatrixRole::Projection));
-        const QString reason = QString::fromStdString(reasonText(*paste.error(MatrixRole::Projection)));
+        const QString reason = QString::fromStdString(paste.error(MatrixRole::Projection)->text);
         QVERIFY2(message.endsWith(u' ') || message.count(u' ') == 1 ? reason.startsWith(message) : reason == message,
                  qPrintable(reason));
     }
@@ -459,7 +459,7 @@ private slots:
         paste.setText(MatrixRole::Projection, "int width = 800;\ngluPerspective(45.0, 4.0 / 3.0, 0.1, 100.0);\n"
                                               "view = [1, 0, 0, 0,  0, 1, 0, 0,  0, 0, 1, 0,  0, 0, -5, 1]");
         QVERIFY2(!paste.error(MatrixRole::Projection),
-                 paste.error(MatrixRole::Projection) ? reasonText(*paste.error(MatrixRole::Projection)).c_str() : "");
+                 paste.error(MatrixRole::Projection) ? paste.error(MatrixRole::Projection)->text.c_str() : "");
         QVERIFY(paste.matrix(MatrixRole::Projection));
         QVERIFY(paste.matrix(MatrixRole::View) == std::optional(glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -5))));
     }

@@ -151,7 +151,7 @@ private slots:
             "view 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\nprojection 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n";
         for (const std::string &text : {matrices + sizes.toStdString(), sizes.toStdString() + '\n' + matrices}) {
             const auto scene = pastedScene(text);
-            QVERIFY2(scene, scene ? "" : reasonText(scene.error()).c_str());
+            QVERIFY2(scene, scene ? "" : scene.error().text.c_str());
             QVERIFY(scene->viewport && *scene->viewport == (Viewport{0, 0, 800, 600}));
             QCOMPARE(asideOf(text.c_str()), aside);
         }

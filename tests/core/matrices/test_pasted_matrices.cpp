@@ -1,5 +1,6 @@
 // Matrices as other programs write them, and the program's findings on them.
 
+#include "tests/core/matrices/fault_names.h"
 #include "tests/support/test.h"
 
 #include "core/geometry/view_matrix.h"
@@ -205,10 +206,12 @@ private slots:
         QFETCH(QString, word);
         const auto pasted = pastedMatrix(text.toStdString());
         QVERIFY(!pasted);
-        QCOMPARE(QString::fromStdString(pasted.error().word), word);
+        QCOMPARE(pasted.error().line > 0, !word.isEmpty());
         QCOMPARE(int(pasted.error().found), found);
-        if (!word.isEmpty())
-            QCOMPARE(std::pair(pasted.error().line, pasted.error().column), std::pair(std::size_t(2), std::size_t(4)));
+        if (word.isEmpty())
+            return;
+        QVERIFY(QString::fromStdString(pasted.error().text).startsWith(u'"' + word + u'"'));
+        QCOMPARE(std::pair(pasted.error().line, pasted.error().column), std::pair(std::size_t(2), std::size_t(4)));
     }
 
     void aSceneIsSortedByNames_data()

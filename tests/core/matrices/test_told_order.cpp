@@ -1,5 +1,6 @@
 // The order of the numbers of pasted matrices, as the command's options and the window's dialog
 // give it.
+#include "tests/core/matrices/fault_names.h"
 #include "tests/support/test.h"
 
 #include "core/matrices/matrix_paste.h"
