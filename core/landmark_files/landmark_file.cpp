@@ -23,70 +23,32 @@ struct FormatRow {
     ReadLandmarks (*read)(std::string_view);
     std::string (*write)(std::span<const LandmarkSet>, Notes &); ///< null for csvText
     bool holdsSpecimens, holdsCurves;
-    FormatCapabilities holds;
+    unsigned held;
+    std::vector<std::string_view> ownKeys = {};
 };
 
 const FormatRow &rowOf(Format format)
 {
     static const std::array<FormatRow, kFormats.size()> kRows{{
-        {"csv",
-         readCsv,
-         nullptr,
-         true,
-         true,
-         {.names = true,
-          .objects = true,
-          .anchors = true,
-          .uncertainties = true,
-          .notes = true,
-          .colors = true,
-          .hidden = true,
-          .keys = true,
-          .absences = true,
-          .specimenName = true,
-          .placings = true,
-          .mesh = true,
-          .unit = true}},
-        {"pp", readMeshLab, meshLabText, false, false, {.names = true, .specimenKeys = true, .mesh = true}},
-        {"pptpl",
-         readMeshLabTemplate,
-         meshLabTemplateText,
-         false,
-         false,
-         {.names = true, .positions = false, .absences = true}},
-        {"mrk.json",
-         readSlicerJson,
-         slicerJsonText,
-         true,
-         true,
-         {.names = true,
-          .notes = true,
-          .hidden = true,
-          .keys = true,
-          .absences = true,
-          .specimenKeys = true,
-          .specimenName = true,
-          .unit = true}},
+        {"csv", readCsv, nullptr, true, true, ~HeldSpecimenKeys},
+        {"pp", readMeshLab, meshLabText, false, false, HeldNames | HeldPositions | HeldSpecimenKeys | HeldMesh},
+        {"pptpl", readMeshLabTemplate, meshLabTemplateText, false, false, HeldNames | HeldAbsences},
+        {"mrk.json", readSlicerJson, slicerJsonText, true, true,
+         HeldNames | HeldPositions | HeldNotes | HeldHidden | HeldKeys | HeldAbsences | HeldSpecimenKeys
+             | HeldSpecimenName | HeldUnit},
         {"fcsv",
          readSlicerCsv,
          slicerCsvText,
          false,
          false,
-         {.names = true,
-          .notes = true,
-          .hidden = true,
-          .absences = true,
-          .ownKeys = {"id", "ow", "ox", "oy", "oz", "selected", "locked", "associatedNodeID", "autoCreated"}}},
-        {"pts", readIdav, idavText, false, false, {.names = true}},
-        {"tps",
-         readTps,
-         tpsText,
-         true,
-         true,
-         {.specimenKeys = true, .specimenName = true, .placings = true, .mesh = true}},
-        {"nts", readNts, ntsText, true, false, {.specimenName = true}},
-        {"landmarkAscii", readAmira, nullptr, false, false, {}},
-        {"ljson", readLandmarker, nullptr, false, false, {}},
+         HeldNames | HeldPositions | HeldNotes | HeldHidden | HeldAbsences,
+         {"id", "ow", "ox", "oy", "oz", "selected", "locked", "associatedNodeID", "autoCreated"}},
+        {"pts", readIdav, idavText, false, false, HeldNames | HeldPositions},
+        {"tps", readTps, tpsText, true, true,
+         HeldPositions | HeldSpecimenKeys | HeldSpecimenName | HeldPlacings | HeldMesh},
+        {"nts", readNts, ntsText, true, false, HeldPositions | HeldSpecimenName},
+        {"landmarkAscii", readAmira, nullptr, false, false, 0},
+        {"ljson", readLandmarker, nullptr, false, false, 0},
     }};
     return kRows[static_cast<std::size_t>(format)];
 }
@@ -202,7 +164,7 @@ std::string textOf(std::span<const LandmarkSet> sets, Format format, CellTexts t
     if (sets.size() != 1 && !row.holdsSpecimens)
         fail(0, tr(".%1 holds one specimen, and there are %2; take .csv, .tps, .nts or .mrk.json", row.suffix,
                    sets.size()));
-    addLosses(notes, sets, row.holds);
+    addLosses(notes, sets, row.held, row.ownKeys);
     return row.write ? row.write(sets, notes) : csvText(sets, texts, notes, absent);
 }
 

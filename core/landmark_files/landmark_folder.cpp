@@ -63,12 +63,6 @@ bool isResultTable(const std::filesystem::path &file)
                && cell(first + 2).ends_with("_z"));
 }
 
-bool isModel(const std::string &suffix)
-{
-    constexpr std::array<std::string_view, 6> kSuffixes{".obj", ".stl", ".ply", ".off", ".gltf", ".glb"};
-    return std::find(kSuffixes.begin(), kSuffixes.end(), lowerCase(suffix)) != kSuffixes.end();
-}
-
 /// What a file's landmarks are of: its scan, else the file itself.
 std::filesystem::path sourceOf(const std::filesystem::path &file)
 {
@@ -162,12 +156,13 @@ std::string specimenOf(const std::filesystem::path &file)
     const std::filesystem::path scan = scanOf(file).filename();
     if (scan.empty())
         return utf8FromPath(stem);
-    return utf8FromPath(isModel(utf8FromPath(scan.extension())) ? scan.stem() : scan);
+    return utf8FromPath(isModelName(scan) ? scan.stem() : scan);
 }
 
 bool isModelName(const std::filesystem::path &file)
 {
-    return isModel(utf8FromPath(file.extension()));
+    constexpr std::array<std::string_view, 6> kSuffixes{".obj", ".stl", ".ply", ".off", ".gltf", ".glb"};
+    return std::find(kSuffixes.begin(), kSuffixes.end(), lowerCase(utf8FromPath(file.extension()))) != kSuffixes.end();
 }
 
 int placingOf(const std::filesystem::path &file)

@@ -77,6 +77,17 @@ bool isMissingWord(std::string_view word)
     return std::find(kWords.begin(), kWords.end(), lowerCase(word)) != kWords.end();
 }
 
+bool isNoPosition(const base::Json &value)
+{
+    const auto isNothing = [](const base::Json &each) {
+        return each.is_null()
+               || (each.is_string()
+                   && (trimmed(each.get_ref<const std::string &>()).empty()
+                       || isMissingWord(trimmed(each.get_ref<const std::string &>()))));
+    };
+    return isNothing(value) || (value.is_array() && std::all_of(value.begin(), value.end(), isNothing));
+}
+
 Landmark landmarkAt(std::span<const std::string_view> words, std::size_t line,
                     const std::function<bool(std::string_view)> &isMissing)
 {
@@ -135,40 +146,40 @@ constexpr NoteText kKeysLeftOut{marked("the other values of %1 landmark are left
 
 /// A property of landmarks that a format may lack.
 struct Loss {
-    bool FormatCapabilities::*isHeld;
+    unsigned held;
     NoteText text;
     bool (*has)(const Landmark &);
     bool isOfEveryTable = true;
 };
 constexpr std::array kLosses{
-    Loss{&FormatCapabilities::names,
+    Loss{HeldNames,
          {marked("the names of %1 landmark are left out; only their order is kept"),
           marked("the names of %1 landmarks are left out; only their order is kept")},
          [](const Landmark &l) { return !l.name.empty(); },
          false},
     Loss{
-        &FormatCapabilities::positions,
+        HeldPositions,
         {marked("the coordinates of %1 landmark are left out"), marked("the coordinates of %1 landmarks are left out")},
         [](const Landmark &l) { return l.isPlaced(); },
         false},
-    Loss{&FormatCapabilities::objects,
+    Loss{HeldObjects,
          {marked("the objects of %1 landmark are left out"), marked("the objects of %1 landmarks are left out")},
          [](const Landmark &l) { return !l.object.empty(); }},
-    Loss{&FormatCapabilities::anchors,
+    Loss{HeldAnchors,
          {marked("the anchor of %1 landmark (triangle, vertex or edge) is left out"),
           marked("the anchors of %1 landmarks (triangles, vertices or edges) are left out")},
          [](const Landmark &l) { return !std::holds_alternative<Free>(l.anchor); }},
-    Loss{&FormatCapabilities::uncertainties,
+    Loss{HeldUncertainties,
          {marked("the uncertainties of %1 landmark are left out"),
           marked("the uncertainties of %1 landmarks are left out")},
          [](const Landmark &l) { return l.uncertainty.has_value(); }},
-    Loss{&FormatCapabilities::notes,
+    Loss{HeldNotes,
          {marked("the notes of %1 landmark are left out"), marked("the notes of %1 landmarks are left out")},
          [](const Landmark &l) { return !l.note.empty(); }},
-    Loss{&FormatCapabilities::colors,
+    Loss{HeldColors,
          {marked("the colours of %1 landmark are left out"), marked("the colours of %1 landmarks are left out")},
          [](const Landmark &l) { return l.color.has_value(); }},
-    Loss{&FormatCapabilities::hidden,
+    Loss{HeldHidden,
          {marked("%1 hidden landmark is written as any other"), marked("%1 hidden landmarks are written as any other")},
          [](const Landmark &l) { return l.isHidden; }},
 };
@@ -246,34 +257,35 @@ bool isOfEveryTable(const base::Note &note)
                           [&](const Loss &loss) { return loss.isOfEveryTable && loss.text.one == note.one; });
 }
 
-void addLosses(Notes &notes, std::span<const LandmarkSet> sets, const FormatCapabilities &format)
+void addLosses(Notes &notes, std::span<const LandmarkSet> sets, unsigned held,
+               std::span<const std::string_view> ownKeys)
 {
     for (const Loss &loss : kLosses) {
         for (const LandmarkSet &set : sets) {
-            if (!(format.*loss.isHeld))
+            if (!(held & loss.held))
                 notes.add(loss.text, static_cast<std::size_t>(
                                          std::count_if(set.landmarks.begin(), set.landmarks.end(), loss.has)));
         }
     }
-    if (!format.absences)
+    if (!(held & HeldAbsences))
         noteAbsences(notes, sets);
     Keys keys, specimenKeys;
     for (const LandmarkSet &set : sets) {
         for (const Landmark &landmark : set.landmarks) {
-            if (!format.keys)
-                keys.add(landmark.extra.json(), format.ownKeys);
+            if (!(held & HeldKeys))
+                keys.add(landmark.extra.json(), ownKeys);
         }
-        if (!format.specimenKeys)
+        if (!(held & HeldSpecimenKeys))
             specimenKeys.add(set.extra.json());
-        if (!format.specimenName && !set.name.empty())
+        if (!(held & HeldSpecimenName) && !set.name.empty())
             notes.add({marked("the name of the specimen, \"%1\", is left out")}, 1, {set.name});
-        if (!format.placings && set.placing > 1)
+        if (!(held & HeldPlacings) && set.placing > 1)
             notes.add({marked("the placing of %1 specimen, which is not its first, is left out"),
                        marked("the placings of %1 specimens, which are not their first, are left out")});
         notes.add(kMeasuresLeftOut, set.measures.size()); // they have a file of their own
-        if (!format.mesh && !set.mesh.empty())
+        if (!(held & HeldMesh) && !set.mesh.empty())
             notes.add(kMeshLeftOut, 1, {set.mesh});
-        if (!format.unit && !set.unit.empty())
+        if (!(held & HeldUnit) && !set.unit.empty())
             notes.add({marked("the unit, %1, is left out")}, 1, {set.unit});
     }
     notes.addKeys(keys.list, keys.count);

@@ -61,6 +61,8 @@ double numberOf(std::string_view word, std::size_t line, std::string_view what);
 std::uint32_t countOf(std::string_view word, std::size_t line, std::string_view what);
 /// True if a word means "no number": NA, NaN, N/A, #N/A, null or none, in any case.
 bool isMissingWord(std::string_view word);
+/// True if a value is a program's position of a missing point: null, "", "NA", [] or three times null.
+bool isNoPosition(const base::Json &value);
 /// Parses two or three coordinates: a landmark without a position if all are missing.
 landmarks::Landmark landmarkAt(std::span<const std::string_view> words, std::size_t line,
                                const std::function<bool(std::string_view)> &isMissing = isMissingWord);
@@ -120,16 +122,29 @@ inline constexpr NoteText kNameChanged{base::marked("the name \"%1\" as \"%2\"")
 /// Returns whether the note is about a property that tables of coordinates never have.
 bool isOfEveryTable(const base::Note &note);
 
-/// The properties that a format can hold.
-struct FormatCapabilities {
-    bool names = false, positions = true, objects = false, anchors = false, uncertainties = false, notes = false,
-         colors = false, hidden = false, keys = false;
-    bool absences = false; ///< the reasons why landmarks have no position
-    bool specimenKeys = false, specimenName = false, placings = false, mesh = false, unit = false;
-    std::vector<std::string_view> ownKeys = {}; ///< keys of landmarks that have a place of their own
+/// The properties that a format can hold, as bits.
+enum Held : unsigned {
+    HeldNames = 1,
+    HeldPositions = 2,
+    HeldObjects = 4,
+    HeldAnchors = 8,
+    HeldUncertainties = 0x10,
+    HeldNotes = 0x20,
+    HeldColors = 0x40,
+    HeldHidden = 0x80,
+    HeldKeys = 0x100,
+    HeldAbsences = 0x200, ///< the reasons why landmarks have no position
+    HeldSpecimenKeys = 0x400,
+    HeldSpecimenName = 0x800,
+    HeldPlacings = 0x1000,
+    HeldMesh = 0x2000,
+    HeldUnit = 0x4000
 };
 /// Adds notes about properties of the sets that the format cannot hold.
-void addLosses(Notes &notes, std::span<const landmarks::LandmarkSet> sets, const FormatCapabilities &format);
+/// @param held     bits of Held
+/// @param ownKeys  keys of landmarks that have a place of their own
+void addLosses(Notes &notes, std::span<const landmarks::LandmarkSet> sets, unsigned held,
+               std::span<const std::string_view> ownKeys = {});
 
 /// The semilandmarks of a curve that a file has beside the landmarks: all without an end that is
 /// one of them, by its name and by its position.

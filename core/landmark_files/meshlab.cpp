@@ -150,18 +150,12 @@ void forEachPiece(std::string_view text, const std::string &root, const Outline 
     }
 }
 
-std::optional<std::string> attributeOf(const Tree &element, const char *name)
-{
-    const auto value = element.get_optional<std::string>(Tree::path_type(std::string("<xmlattr>/") + name, '/'));
-    return value ? std::optional(*value) : std::nullopt;
-}
-
 Json attributesOf(const Tree &element)
 {
     Json attributes = Json::object();
     if (const auto child = element.get_child_optional("<xmlattr>")) {
         for (const auto &[name, value] : *child)
-            attributes[name] = value.data();
+            attributes.emplace(name, value.data());
     }
     return attributes;
 }
@@ -171,9 +165,9 @@ void readDocumentData(const Tree &data, LandmarkSet &set)
     Json others = Json::object();
     for (const auto &[tag, element] : data) {
         if (tag == kFileName)
-            set.mesh = attributeOf(element, "name").value_or(std::string());
+            set.mesh = attributesOf(element).value("name", "");
         else if (tag != "<xmlattr>" && tag != "<xmlcomment>"
-                 && (tag != kTemplateName || attributeOf(element, "name") != ""))
+                 && (tag != kTemplateName || attributesOf(element).value("name", "?") != ""))
             others[tag] = attributesOf(element);
     }
     if (!others.empty())
@@ -182,21 +176,21 @@ void readDocumentData(const Tree &data, LandmarkSet &set)
 
 Landmark pointOf(const Tree &point, std::size_t line, std::size_t number, bool isTemplate, Notes &notes)
 {
+    Json attributes = attributesOf(point);
     Landmark landmark;
-    landmark.name = attributeOf(point, "name").value_or(std::string());
+    landmark.name = attributes.value("name", "");
     const std::string who =
         tr("point %1", number + 1) + (landmark.name.empty() ? "" : " (" + base::quoted(landmark.name) + ')');
     glm::dvec3 v(0.0);
-    const std::string active = attributeOf(point, "active").value_or("1");
+    const std::string active = attributes.value("active", "1");
     if (active != "0" && active != "1")
         fail(line, tr("active of %1 is %2; write 1, or 0 where it is not placed", who, base::quoted(active)));
-    const bool isMissing = std::all_of(kAxes.begin(), kAxes.end(), [&point](const char *axis) {
-        return isMissingWord(attributeOf(point, axis).value_or(std::string()));
+    const bool isMissing = std::all_of(kAxes.begin(), kAxes.end(), [&attributes](const char *axis) {
+        return isMissingWord(attributes.value(axis, ""));
     });
     for (std::size_t i = 0; i < kAxes.size() && !isTemplate && !isMissing; ++i) {
-        const std::optional<std::string> value = attributeOf(point, kAxes[i]);
-        if (value)
-            v[static_cast<int>(i)] = numberOf(*value, line, tr("%1 of %2", kAxes[i], who));
+        if (attributes.contains(kAxes[i]))
+            v[static_cast<int>(i)] = numberOf(attributes.value(kAxes[i], ""), line, tr("%1 of %2", kAxes[i], who));
         else if (active == "1")
             fail(line, tr("%1 of %2 is missing; give it, or write active=\"0\"", kAxes[i], who));
     }
@@ -204,12 +198,10 @@ Landmark pointOf(const Tree &point, std::size_t line, std::size_t number, bool i
         landmark.world = WorldPoint(v);
     else if (v != glm::dvec3(0.0))
         notes.add(kHadPosition);
-    constexpr std::array kKnown{"x", "y", "z", "active", "name"};
-    const Json attributes = attributesOf(point);
-    for (auto it = attributes.begin(); it != attributes.end(); ++it) {
-        if (std::find(kKnown.begin(), kKnown.end(), it.key()) == kKnown.end())
-            landmark.extra.edit()[it.key()] = *it;
-    }
+    for (const char *known : {"x", "y", "z", "active", "name"})
+        attributes.erase(known);
+    if (!attributes.empty())
+        landmark.extra = base::JsonValue(std::move(attributes));
     return landmark;
 }
 

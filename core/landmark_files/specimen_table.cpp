@@ -183,26 +183,32 @@ std::string reasonsOf(const ProtocolColumns &protocol, std::size_t specimen)
     return reasons;
 }
 
-/// A number as the text of a cell; null, which is written as NA, for none.
-nlohmann::ordered_json cellOf(const std::optional<double> &value)
+/// The numbers of a protocol for a specimen, by their columns.
+std::vector<std::pair<std::string, std::optional<double>>> numbersOf(const ProtocolColumns &protocol,
+                                                                     std::size_t specimen)
 {
-    if (!value)
-        return nullptr;
-    std::string text;
-    base::appendNumber(text, *value);
-    return text;
+    std::vector<std::pair<std::string, std::optional<double>>> numbers;
+    for (std::size_t m = 0; m < protocol.measures.size(); ++m) {
+        const std::optional<Measure> &measure = protocol.values[specimen][m].measure;
+        const std::string &name = protocol.measures[m].name;
+        numbers.emplace_back(name, measure ? std::optional(measure->value) : std::nullopt);
+        numbers.emplace_back(name + "_error", measure ? measure->error : std::nullopt);
+    }
+    return numbers;
 }
 
 /// Puts the values into columns of their own, which are the same in each row of a specimen.
 void addProtocol(std::vector<LandmarkSet> &sets, const ProtocolColumns &protocol, Notes &notes)
 {
     for (std::size_t i = 0; i < sets.size() && !protocol.measures.empty(); ++i) {
-        nlohmann::ordered_json columns;
-        for (std::size_t m = 0; m < protocol.measures.size(); ++m) {
-            const std::optional<Measure> &measure = protocol.values[i][m].measure;
-            const std::string &name = protocol.measures[m].name;
-            columns[name] = cellOf(measure ? std::optional(measure->value) : std::nullopt);
-            columns[name + "_error"] = cellOf(measure ? measure->error : std::nullopt);
+        base::Json columns;
+        for (const auto &[name, number] : numbersOf(protocol, i)) {
+            base::Json &cell = columns[name]; // null, which is written as NA, for none
+            if (!number)
+                continue;
+            std::string text;
+            base::appendNumber(text, *number);
+            cell = text;
         }
         columns[kNoteColumn] = reasonsOf(protocol, i);
         for (Landmark &landmark : sets[i].landmarks) {
@@ -219,20 +225,7 @@ std::string wideText(std::span<const LandmarkSet> sets, const ProtocolColumns &p
                      Notes &notes)
 {
     // A row per specimen has names and coordinates by design: there are no notes about the rest.
-    addLosses(notes, sets,
-              {.names = true,
-               .objects = true,
-               .anchors = true,
-               .uncertainties = true,
-               .notes = true,
-               .colors = true,
-               .hidden = true,
-               .keys = true,
-               .absences = true,
-               .specimenKeys = true,
-               .specimenName = true,
-               .placings = true,
-               .mesh = true});
+    addLosses(notes, sets, ~HeldUnit);
     const bool hasPlacings = hasSeveralPlacings(sets);
     std::string text;
     base::RowWriter row(text, texts);
@@ -241,10 +234,8 @@ std::string wideText(std::span<const LandmarkSet> sets, const ProtocolColumns &p
         for (const char *axis : {"_x", "_y", "_z"})
             row.text(landmark.name + axis);
     }
-    for (const KeptMeasure &measure : protocol.measures) {
-        for (const char *part : {"", "_error"})
-            row.text(measure.name + part);
-    }
+    for (const auto &[name, number] : numbersOf(protocol, 0))
+        row.text(name);
     if (!protocol.measures.empty())
         row.plain(kNoteColumn);
     row.endRow();
@@ -256,11 +247,8 @@ std::string wideText(std::span<const LandmarkSet> sets, const ProtocolColumns &p
             for (int axis = 0; axis < 3; ++axis)
                 row.numberOr("NA", landmark.world ? std::optional((*landmark.world)[axis]) : std::nullopt);
         }
-        for (std::size_t m = 0; m < protocol.measures.size(); ++m) {
-            const std::optional<Measure> &measure = protocol.values[i][m].measure;
-            row.numberOr("NA", measure ? std::optional(measure->value) : std::nullopt);
-            row.numberOr("NA", measure ? measure->error : std::nullopt);
-        }
+        for (const auto &[name, number] : numbersOf(protocol, i))
+            row.numberOr("NA", number);
         if (!protocol.measures.empty())
             row.text(reasonsOf(protocol, i));
         row.endRow();

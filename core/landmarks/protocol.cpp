@@ -11,11 +11,6 @@
 namespace unprojector::landmarks {
 using base::tr;
 
-std::optional<std::size_t> landmarkNamed(const LandmarkSet &set, const std::string &name)
-{
-    return indexOfName(set.landmarks, name);
-}
-
 namespace {
 
 /// Returns whether a name, in this spelling or another, means several landmarks of a set.
@@ -66,21 +61,15 @@ Measured measured(MeasureKind kind, std::span<const Landmark *const> points)
 
 MeasureSize sizeOf(MeasureKind kind)
 {
-    switch (kind) {
-    case MeasureKind::Distance: return {2, 2};
-    case MeasureKind::Angle: return {3, 3};
-    case MeasureKind::Height: return {4, 4};
-    case MeasureKind::Length:
-    case MeasureKind::Surface: break;
-    }
-    return {};
+    constexpr std::array<MeasureSize, kMeasureKinds.size()> kSizes{{{2, 2}, {3, 3}, {4, 4}}}; // others: 2 or more
+    return kSizes[static_cast<std::size_t>(kind)];
 }
 
 ProtocolValue valueOf(const KeptMeasure &measure, const LandmarkSet &set, const SurfaceLength &surface)
 {
     std::vector<const Landmark *> points;
     for (const std::string &name : measure.landmarks) {
-        const std::optional<std::size_t> index = landmarkNamed(set, name);
+        const std::optional<std::size_t> index = indexOfName(set.landmarks, name);
         if (!index)
             return {std::nullopt, tr("no landmark has the name \"%1\"", name)};
         if (isNameOfSeveral(name, set.landmarks[*index].name, set))

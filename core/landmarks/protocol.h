@@ -32,9 +32,6 @@ struct ProtocolValue {
     std::string reason;             ///< why there is no value, a clause; empty if there is one
 };
 
-/// The index of the landmark with this name; else of the first with the same nameKey.
-std::optional<std::size_t> landmarkNamed(const LandmarkSet &set, const std::string &name);
-
 /// Measures the landmarks of a set with the names of the measure. A name counts in every spelling
 /// of the same nameKey, if no landmark has it exactly. Hidden landmarks are measured too.
 /// @param surface  for measures along the surface; empty: they have no value

@@ -104,15 +104,13 @@ OneWay oneWayOf(const std::vector<Repeats> &specimens)
 /// The two-way analysis of variance: specimens by placings, each specimen with all placings.
 struct TwoWay {
     Squares specimens, placings, error;
-    double weight = 0.0; ///< of n, as degrees of freedom
-    double counted = 0.0;
+    double counted = 0.0; ///< n times the degrees of freedom of specimens
 
     void add(const TwoWay &other)
     {
         specimens.add(other.specimens);
         placings.add(other.placings);
         error.add(other.error);
-        weight += other.weight;
         counted += other.counted;
     }
     /// @param k  number of placings
@@ -120,7 +118,7 @@ struct TwoWay {
     {
         if (specimens.freedom < 1.0 || placings.freedom < 1.0 || error.freedom < 1.0)
             return std::nullopt;
-        const double n = counted / weight;
+        const double n = counted / specimens.freedom;
         const double off = error.mean();
         return ifFinite((specimens.mean() - off)
                         / (specimens.mean() + (k - 1.0) * off + k * (placings.mean() - off) / n));
@@ -156,8 +154,7 @@ TwoWay twoWayOf(const std::vector<Repeats> &specimens, const std::vector<int> &p
     found.specimens.freedom = n - 1.0;
     found.placings.freedom = k - 1.0;
     found.error.freedom = (n - 1.0) * (k - 1.0);
-    found.weight = n - 1.0;
-    found.counted = n * found.weight;
+    found.counted = n * found.specimens.freedom;
     for (const glm::dvec3 &offset : offsets)
         found.placings.sum += n * square(offset);
     for (const Repeats *specimen : complete) {

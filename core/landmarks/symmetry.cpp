@@ -245,25 +245,18 @@ std::optional<Symmetry> symmetryOf(std::span<const Landmark> landmarks, std::spa
     const std::optional<Fit> fit = fitOf(landmarks, pairs);
     if (!fit)
         return std::nullopt;
-    Symmetry symmetry{fit->plane, fit->counted, 0.0, {}, {}};
-    const std::vector<std::optional<double>> values = asymmetriesOf(landmarks, pairs, fit->plane);
-    for (const std::optional<double> &value : values)
-        symmetry.asymmetries.push_back(value ? std::optional(Measure{*value, 0.0}) : std::nullopt);
-    symmetry.distances.resize(landmarks.size());
-    for (const std::size_t i : fit->counted)
-        symmetry.distances[i] = Measure{fit->plane.distanceTo(*landmarks[i].world), 0.0};
     const bool isKnown = std::all_of(fit->counted.begin(), fit->counted.end(),
                                      [&](std::size_t i) { return landmarks[i].uncertainty.has_value(); });
-    if (!isKnown) {
-        symmetry.offsetError = std::nullopt;
-        for (auto *measures : {&symmetry.asymmetries, &symmetry.distances}) {
-            for (std::optional<Measure> &one : *measures) {
-                if (one)
-                    one->error = std::nullopt;
-            }
-        }
+    const std::optional<double> error = isKnown ? std::optional(0.0) : std::nullopt;
+    Symmetry symmetry{fit->plane, fit->counted, error, {}, {}};
+    const std::vector<std::optional<double>> values = asymmetriesOf(landmarks, pairs, fit->plane);
+    for (const std::optional<double> &value : values)
+        symmetry.asymmetries.push_back(value ? std::optional(Measure{*value, error}) : std::nullopt);
+    symmetry.distances.resize(landmarks.size());
+    for (const std::size_t i : fit->counted)
+        symmetry.distances[i] = Measure{fit->plane.distanceTo(*landmarks[i].world), error};
+    if (!isKnown)
         return symmetry;
-    }
     const glm::dvec3 n = fit->plane.normal.coordinates();
     const double count = static_cast<double>(fit->counted.size());
     const auto fromCenter = [&](std::size_t i) { return landmarks[i].world->coordinates() - fit->center; };

@@ -337,7 +337,7 @@ Check SceneLandmarks::rename(std::size_t index, const QString &name)
     const std::string wanted = name.trimmed().toStdString();
     for (landmarks::KeptMeasure &measure : set.measures) {
         for (std::string &point : measure.landmarks) {
-            if (landmarks::landmarkNamed(set, point) == index && !wanted.empty())
+            if (landmarks::indexOfName(set.landmarks, point) == index && !wanted.empty())
                 point = wanted;
         }
     }

@@ -1,6 +1,7 @@
 #include "gui/landmarks/protocol_rows.h"
 
 #include "core/geometry/numbers.h"
+#include "core/landmarks/name_key.h"
 #include "core/landmarks/protocol.h"
 #include "gui/text/landmark_text.h"
 
@@ -119,7 +120,7 @@ std::vector<std::size_t> indicesOf(const KeptMeasure &measure, const LandmarkSet
 {
     std::vector<std::size_t> indices;
     for (const std::string &name : measure.landmarks) {
-        const std::optional<std::size_t> index = landmarks::landmarkNamed(set, name);
+        const std::optional<std::size_t> index = landmarks::indexOfName(set.landmarks, name);
         if (!index)
             return {};
         indices.push_back(*index);
@@ -163,7 +164,7 @@ std::optional<KeptMeasure> keptMeasureOf(const ShownMeasure &shown, const Landma
     std::string names;
     for (const std::size_t point : points) {
         const std::string &name = set.landmarks[point].name;
-        if (name.empty() || landmarks::landmarkNamed(set, name) != point)
+        if (name.empty() || landmarks::indexOfName(set.landmarks, name) != point)
             return std::nullopt;
         measure.landmarks.push_back(name);
         names += (names.empty() ? "" : "-") + name;
