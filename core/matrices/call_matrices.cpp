@@ -6,7 +6,7 @@
 namespace unprojector::matrices {
 using namespace geometry;
 
-Check check(const CallVolume &v, bool isPerspective)
+Check check(const Ortho &v, bool isPerspective)
 {
     if (isPerspective && std::min(v.nearDistance, v.farDistance) <= 0.0)
         return Error{ErrorCode::NearNotPositive, std::min(v.nearDistance, v.farDistance)};
@@ -19,7 +19,7 @@ Check check(const CallVolume &v, bool isPerspective)
     return std::monostate{};
 }
 
-glm::dmat4 clipFromEye(const CallVolume &v, const CallSignature &signature)
+glm::dmat4 clipFromEye(const Ortho &v, const CallSignature &signature)
 {
     const double n = v.nearDistance, f = v.farDistance, width = v.right - v.left, height = v.top - v.bottom;
     const bool isZeroToOne = signature.ndcDepth == NdcDepth::ZeroToOne;

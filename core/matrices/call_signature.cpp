@@ -2,7 +2,9 @@
 
 #include "core/matrices/call_syntax.h"
 
+#include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 
 namespace unprojector::matrices {
@@ -17,18 +19,15 @@ struct Named {
 };
 
 /// The entry of a table under a name, or nothing.
-template <std::size_t Count>
-std::optional<CallSignature> found(const std::array<Named, Count> &table, std::string_view name)
+/// @param shared  what all entries have in common
+std::optional<CallSignature> found(std::span<const Named> table, std::string_view name, CallSignature shared)
 {
-    for (const Named &one : table) {
-        if (one.name != name)
-            continue;
-        CallSignature signature;
-        signature.shape = one.shape;
-        signature.isPerspective = one.isPerspective;
-        return signature;
-    }
-    return std::nullopt;
+    const auto entry = std::find_if(table.begin(), table.end(), [name](const Named &one) { return one.name == name; });
+    if (entry == table.end())
+        return std::nullopt;
+    shared.shape = entry->shape;
+    shared.isPerspective = entry->isPerspective;
+    return shared;
 }
 
 bool takeEnd(std::string_view &name, std::string_view end)
@@ -49,10 +48,7 @@ std::optional<CallSignature> ofOpenGl(std::string_view name)
                                            {"gluOrtho2D", CallShape::EdgesOnly, false},
                                            {"gluLookAt", CallShape::LookAtNumbers},
                                            {"glViewport", CallShape::Viewport}}};
-    std::optional<CallSignature> signature = found(kCalls, name);
-    if (signature)
-        signature->areDegrees = true;
-    return signature;
+    return found(kCalls, name, {.areDegrees = true});
 }
 
 /// The signature of PyBullet's functions.
@@ -61,12 +57,7 @@ std::optional<CallSignature> ofPyBullet(std::string_view name)
     constexpr std::array<Named, 3> kCalls{{{"computeViewMatrix", CallShape::LookAtPoints},
                                            {"computeProjectionMatrixFOV", CallShape::FieldOfView},
                                            {"computeProjectionMatrix", CallShape::Edges}}};
-    std::optional<CallSignature> signature = found(kCalls, name);
-    if (signature) {
-        signature->areDegrees = true;
-        signature->dropsRest = false;
-    }
-    return signature;
+    return found(kCalls, name, {.areDegrees = true, .dropsRest = false});
 }
 
 /// The signature of Android's Matrix: setLookAtM(result, offset, …).
@@ -76,12 +67,7 @@ std::optional<CallSignature> ofAndroid(std::string_view name)
                                            {"perspectiveM", CallShape::FieldOfView},
                                            {"frustumM", CallShape::Edges},
                                            {"orthoM", CallShape::Edges, false}}};
-    std::optional<CallSignature> signature = found(kCalls, name);
-    if (signature) {
-        signature->areDegrees = true;
-        signature->firstArgument = 2;
-    }
-    return signature;
+    return found(kCalls, name, {.areDegrees = true, .firstArgument = 2});
 }
 
 /// The signature of glam's functions: Mat4::perspective_rh_gl. Without _gl, NDC depths are from 0.
@@ -95,12 +81,8 @@ std::optional<CallSignature> ofGlam(std::string_view name)
     const bool isOpenGl = takeEnd(name, "_gl"), isLeftHanded = takeEnd(name, "_lh");
     if (!isLeftHanded && !takeEnd(name, "_rh"))
         return std::nullopt;
-    std::optional<CallSignature> signature = found(kCalls, name);
-    if (signature) {
-        signature->isLeftHanded = isLeftHanded;
-        signature->ndcDepth = isOpenGl ? NdcDepth::MinusOneToOne : NdcDepth::ZeroToOne;
-    }
-    return signature;
+    return found(kCalls, name,
+                 {.isLeftHanded = isLeftHanded, .ndcDepth = isOpenGl ? NdcDepth::MinusOneToOne : NdcDepth::ZeroToOne});
 }
 
 /// The signature for GLM's names, which QMatrix4x4 and gl-matrix share: "perspectiveLH_ZO".
@@ -129,15 +111,14 @@ std::optional<CallSignature> ofGlm(const CallText &call, std::string_view progra
         isLeftHanded = true;
     else if (takeEnd(name, "RH"))
         isLeftHanded = false;
-    std::optional<CallSignature> signature = found(kCalls, name);
-    if (!signature)
-        return std::nullopt;
-    signature->isLeftHanded = isLeftHanded;
-    signature->ndcDepth = isZeroToOne ? NdcDepth::ZeroToOne : NdcDepth::MinusOneToOne;
-    signature->areDegrees = isQt;
-    signature->dropsRest = !isGlMatrix;
-    signature->firstArgument = isGlMatrix ? 1 : 0;
-    if (name == "ortho" && call.arguments.size() == argumentCount(CallShape::EdgesOnly))
+    std::optional<CallSignature> signature =
+        found(kCalls, name,
+              {.isLeftHanded = isLeftHanded,
+               .ndcDepth = isZeroToOne ? NdcDepth::ZeroToOne : NdcDepth::MinusOneToOne,
+               .areDegrees = isQt,
+               .dropsRest = !isGlMatrix,
+               .firstArgument = isGlMatrix ? std::size_t{1} : std::size_t{0}});
+    if (signature && name == "ortho" && call.arguments.size() == argumentCount(CallShape::EdgesOnly))
         signature->shape = CallShape::EdgesOnly;
     return signature;
 }
@@ -146,16 +127,11 @@ std::optional<CallSignature> ofThree(std::string_view name)
 {
     constexpr std::array<Named, 2> kCalls{
         {{"PerspectiveCamera", CallShape::FieldOfView}, {"OrthographicCamera", CallShape::EdgesTopFirst, false}}};
-    std::optional<CallSignature> signature = found(kCalls, name);
-    if (signature) {
-        signature->areDegrees = true;
-        signature->dropsRest = false;
-    }
-    return signature;
+    return found(kCalls, name, {.areDegrees = true, .dropsRest = false});
 }
 
 /// The signature for names that DirectXMath and System.Numerics share: "PerspectiveOffCenter".
-std::optional<CallSignature> ofMatrix(std::string_view name)
+std::optional<CallSignature> ofMatrix(std::string_view name, CallSignature shared)
 {
     constexpr std::array<Named, 10> kCalls{{{"PerspectiveFov", CallShape::FieldOfView},
                                             {"Ortho", CallShape::Size, false},
@@ -167,10 +143,7 @@ std::optional<CallSignature> ofMatrix(std::string_view name)
                                             {"OrthographicOffCenter", CallShape::Edges, false},
                                             {"LookAt", CallShape::LookAtPoints},
                                             {"LookTo", CallShape::LookTo}}};
-    std::optional<CallSignature> signature = found(kCalls, name);
-    if (signature)
-        signature->ndcDepth = NdcDepth::ZeroToOne;
-    return signature;
+    return found(kCalls, name, shared);
 }
 
 /// The signature of DirectXMath, of D3DX, whose first argument is the result, and of SharpDX's
@@ -189,12 +162,9 @@ std::optional<CallSignature> ofDirectXMath(const CallText &call)
     const bool isLeftHanded = takeEnd(name, "LH");
     if (!isLeftHanded && !takeEnd(name, "RH"))
         return std::nullopt;
-    std::optional<CallSignature> signature = ofMatrix(name);
-    if (signature) {
-        signature->isLeftHanded = isLeftHanded;
-        signature->firstArgument = isD3dx ? 1 : 0;
-    }
-    return signature;
+    return ofMatrix(name, {.isLeftHanded = isLeftHanded,
+                           .ndcDepth = NdcDepth::ZeroToOne,
+                           .firstArgument = isD3dx ? std::size_t{1} : std::size_t{0}});
 }
 
 std::optional<CallSignature> ofNumerics(const CallText &call)
@@ -205,14 +175,10 @@ std::optional<CallSignature> ofNumerics(const CallText &call)
         return std::nullopt;
     name.remove_prefix(kPrefix.size());
     const bool isLeftHanded = takeEnd(name, "LeftHanded");
-    std::optional<CallSignature> signature = ofMatrix(name);
-    if (!signature)
-        return std::nullopt;
-    signature->isLeftHanded = isLeftHanded;
     const std::string type = syntax::lastName(call.object);
-    if (type == "Matrix4" || type == "Matrix4d") // OpenTK
-        signature->ndcDepth = NdcDepth::MinusOneToOne;
-    return signature;
+    const bool isOpenTk = type == "Matrix4" || type == "Matrix4d";
+    return ofMatrix(
+        name, {.isLeftHanded = isLeftHanded, .ndcDepth = isOpenTk ? NdcDepth::MinusOneToOne : NdcDepth::ZeroToOne});
 }
 
 } // namespace
@@ -242,16 +208,10 @@ std::size_t argumentCount(CallShape shape)
 
 std::optional<CallSignature> signatureOf(const CallText &call, std::string_view program)
 {
-    if (auto signature = ofOpenGl(call.name))
-        return signature;
-    if (auto signature = ofThree(call.name))
-        return signature;
-    if (auto signature = ofPyBullet(call.name))
-        return signature;
-    if (auto signature = ofAndroid(call.name))
-        return signature;
-    if (auto signature = ofGlam(call.name))
-        return signature;
+    for (const auto of : {ofOpenGl, ofThree, ofPyBullet, ofAndroid, ofGlam}) {
+        if (auto signature = of(call.name))
+            return signature;
+    }
     if (auto signature = ofDirectXMath(call))
         return signature;
     if (auto signature = ofNumerics(call))

@@ -34,42 +34,17 @@ float rounded(double value)
     return std::copysign(std::numeric_limits<float>::infinity(), static_cast<float>(std::copysign(1.0, value)));
 }
 
-bool isInfinite(const std::string &text)
-{
-    return text.find("inf") != std::string::npos;
-}
-
 /// Adds a decimal point: a literal of C, C++ and Python must not read as an integer.
-std::string withPoint(std::string text)
+std::string withPoint(const std::string &text)
 {
-    if (text.find_first_of(".e") == std::string::npos)
-        text += ".0";
-    return text;
+    return text.find_first_of(".e") == text.npos ? text + ".0" : text;
 }
 
-std::string cNumber(double value, Digits digits)
+/// The number with its power of ten written out.
+std::string withPower(const std::string &text)
 {
-    const std::string text = numberText(value, digits);
-    if (isInfinite(text))
-        return value < 0.0 ? "-INFINITY" : "INFINITY";
-    return withPoint(text) + (digits == Digits::Float ? "f" : "");
-}
-
-std::string numPyNumber(double value, Digits digits)
-{
-    const std::string text = numberText(value, digits);
-    if (isInfinite(text))
-        return value < 0.0 ? "-np.inf" : "np.inf";
-    return withPoint(text);
-}
-
-std::string latexNumber(double value, Digits digits)
-{
-    std::string text = numberText(value, digits);
-    if (isInfinite(text))
-        return value < 0.0 ? "-\\infty" : "\\infty";
     const std::size_t e = text.find('e');
-    if (e == std::string::npos)
+    if (e == text.npos)
         return text;
     int exponent = 0;
     const char *digitsBegin = text.data() + e + (text[e + 1] == '+' ? 2 : 1);
@@ -77,18 +52,31 @@ std::string latexNumber(double value, Digits digits)
     return text.substr(0, e) + " \\cdot 10^{" + std::to_string(exponent) + "}";
 }
 
-using NumberWriter = std::string (*)(double, Digits);
+std::string written(double value, MatrixSyntax syntax, Digits digits)
+{
+    const std::string text = numberText(value, digits), sign = value < 0.0 ? "-" : "";
+    const bool isInfinite = text.find("inf") != text.npos;
+    switch (syntax) {
+    case MatrixSyntax::Text:
+    case MatrixSyntax::Csv: break;
+    case MatrixSyntax::CArray:
+    case MatrixSyntax::Glm:
+        return isInfinite ? sign + "INFINITY" : withPoint(text) + (digits == Digits::Float ? "f" : "");
+    case MatrixSyntax::NumPy: return isInfinite ? sign + "np.inf" : withPoint(text);
+    case MatrixSyntax::Latex: return isInfinite ? sign + "\\infty" : withPower(text);
+    }
+    return text;
+}
 
 /// Lines of four entries, each column aligned at its decimal points.
-std::array<std::array<std::string, 4>, 4> alignedRows(const glm::dmat4 &matrix, MatrixLayout layout, Digits digits,
-                                                      NumberWriter write)
+std::array<std::array<std::string, 4>, 4> alignedRows(const glm::dmat4 &matrix, const MatrixFormat &format)
 {
     std::array<std::array<std::string, 4>, 4> rows;
     for (int column = 0; column < 4; ++column) {
         std::vector<std::string> texts;
         texts.reserve(4);
         for (int row = 0; row < 4; ++row)
-            texts.push_back(write(entryAt(matrix, layout, row, column), digits));
+            texts.push_back(written(entryAt(matrix, format.layout, row, column), format.syntax, format.digits));
         alignAtDecimalPoint(texts);
         for (std::size_t row = 0; row < 4; ++row)
             rows[row][static_cast<std::size_t>(column)] = std::move(texts[row]);
@@ -96,7 +84,9 @@ std::array<std::array<std::string, 4>, 4> alignedRows(const glm::dmat4 &matrix, 
     return rows;
 }
 
-std::string joined(const std::array<std::string, 4> &entries, std::string_view separator)
+/// @tparam Texts  of the entries
+template <class Texts>
+std::string joined(const Texts &entries, std::string_view separator)
 {
     std::string line;
     for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -114,13 +104,13 @@ std::string trimmedRight(std::string line)
 }
 
 /// Four numbers a line, one line a column of the matrix, as OpenGL and GLM take them.
-std::string columnLines(const glm::dmat4 &matrix, Digits digits)
+std::string columnLines(const glm::dmat4 &matrix, const MatrixFormat &format)
 {
     std::string lines;
     for (int column = 0; column < 4; ++column) {
         lines += "    ";
         for (int row = 0; row < 4; ++row) {
-            lines += cNumber(matrix[column][row], digits);
+            lines += written(matrix[column][row], format.syntax, format.digits);
             if (row < 3)
                 lines += ", ";
         }
@@ -172,30 +162,27 @@ std::string formatted(const glm::dmat4 &matrix, const MatrixFormat &format, std:
     const std::string variable(name);
     std::string text;
     switch (format.syntax) {
-    case MatrixSyntax::Text: {
-        const auto plain = [](double value, Digits digits) { return numberText(value, digits); };
-        for (const auto &row : alignedRows(matrix, format.layout, format.digits, plain))
+    case MatrixSyntax::Text:
+        for (const auto &row : alignedRows(matrix, format))
             text += trimmedRight(joined(row, "  ")) + '\n';
         break;
-    }
     case MatrixSyntax::CArray:
         text = std::string("const ") + (isFloat ? "float " : "double ") + variable + "[16] = {\n"
-               + columnLines(matrix, format.digits) + "\n};\n";
+               + columnLines(matrix, format) + "\n};\n";
         break;
     case MatrixSyntax::Glm:
         text = std::string("const glm::") + (isFloat ? "mat4 " : "dmat4 ") + variable + "(\n"
-               + columnLines(matrix, format.digits) + ");\n";
+               + columnLines(matrix, format) + ");\n";
         break;
-    case MatrixSyntax::NumPy: {
+    case MatrixSyntax::NumPy:
         text = variable + " = np.array([\n";
-        for (const auto &row : alignedRows(matrix, format.layout, format.digits, numPyNumber))
+        for (const auto &row : alignedRows(matrix, format))
             text += "    [" + joined(row, ", ") + "],\n";
         text += isFloat ? "], dtype=np.float32)\n" : "])\n";
         break;
-    }
     case MatrixSyntax::Latex: {
         text = "\\mathrm{" + variable + "} =\n\\begin{bmatrix}\n";
-        const auto rows = alignedRows(matrix, format.layout, format.digits, latexNumber);
+        const auto rows = alignedRows(matrix, format);
         for (std::size_t row = 0; row < rows.size(); ++row)
             text += "  " + trimmedRight(joined(rows[row], " & ")) + (row + 1 < rows.size() ? " \\\\\n" : "\n");
         text += "\\end{bmatrix}\n";
@@ -217,30 +204,24 @@ std::string formatted(const std::vector<double> &numbers, MatrixSyntax syntax, s
 {
     const std::string variable(name), count = std::to_string(numbers.size());
     const bool isAlone = numbers.size() == 1;
-    const auto listed = [&numbers](NumberWriter write, std::string_view separator) {
-        std::string list;
-        for (std::size_t i = 0; i < numbers.size(); ++i)
-            list += (i > 0 ? std::string(separator) : std::string()) + write(numbers[i], Digits::Double);
-        return list;
-    };
-    const auto plain = [](double value, Digits digits) { return numberText(value, digits); };
+    std::vector<std::string> texts;
+    for (const double number : numbers)
+        texts.push_back(written(number, syntax, Digits::Double));
     switch (syntax) {
-    case MatrixSyntax::Text: return listed(plain, " ") + '\n';
-    case MatrixSyntax::Csv: return listed(plain, ",") + '\n';
+    case MatrixSyntax::Text: return joined(texts, " ") + '\n';
+    case MatrixSyntax::Csv: return joined(texts, ",") + '\n';
     case MatrixSyntax::CArray:
-        return "const double " + variable
-               + (isAlone ? " = " + listed(cNumber, "") : "[" + count + "] = {" + listed(cNumber, ", ") + "}") + ";\n";
     case MatrixSyntax::Glm:
-        return isAlone ? "const double " + variable + " = " + listed(cNumber, "") + ";\n"
-                       : "const glm::dvec" + count + ' ' + variable + '(' + listed(cNumber, ", ") + ");\n";
+        if (isAlone)
+            return "const double " + variable + " = " + texts[0] + ";\n";
+        return syntax == MatrixSyntax::Glm
+                   ? "const glm::dvec" + count + ' ' + variable + '(' + joined(texts, ", ") + ");\n"
+                   : "const double " + variable + '[' + count + "] = {" + joined(texts, ", ") + "};\n";
     case MatrixSyntax::NumPy:
-        return variable + " = " + (isAlone ? listed(numPyNumber, "") : "np.array([" + listed(numPyNumber, ", ") + "])")
-               + '\n';
+        return variable + " = " + (isAlone ? texts[0] : "np.array([" + joined(texts, ", ") + "])") + '\n';
     case MatrixSyntax::Latex:
         return "\\mathrm{" + variable + "} = "
-               + (isAlone ? listed(latexNumber, "")
-                          : "\\begin{bmatrix} " + listed(latexNumber, " \\\\ ") + " \\end{bmatrix}")
-               + '\n';
+               + (isAlone ? texts[0] : "\\begin{bmatrix} " + joined(texts, " \\\\ ") + " \\end{bmatrix}") + '\n';
     }
     return {};
 }

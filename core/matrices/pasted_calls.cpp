@@ -184,7 +184,7 @@ private:
     void readProjection(const CallText &call, const CallSignature &signature)
     {
         std::string said;
-        const CallVolume volume = volumeOf(call, signature, said);
+        const Ortho volume = volumeOf(call, signature, said);
         require(call, check(volume, signature.isPerspective));
         if (m_read.parts.projection) {
             m_read.parts.projection->call += tr(". %1 follows and is ignored: one projection is read", call.written);
@@ -209,16 +209,16 @@ private:
         return tr("; right-handed, NDC depths from 0 to 1");
     }
 
-    CallVolume volumeOf(const CallText &call, const CallSignature &signature, std::string &said)
+    Ortho volumeOf(const CallText &call, const CallSignature &signature, std::string &said)
     {
         const std::vector<double> v = numbers(call, 0, call.arguments.size());
-        CallVolume volume;
+        Ortho volume;
         switch (signature.shape) {
         case CallShape::FieldOfView: return volumeOf(call, signature, v[0], v[1], v[2], v[3], said);
         case CallShape::FieldOfViewOfSize: return volumeOf(call, signature, v[0], v[1] / v[2], v[3], v[4], said);
         case CallShape::Size: volume = {-v[0] / 2.0, v[0] / 2.0, -v[1] / 2.0, v[1] / 2.0, v[2], v[3]}; break;
         case CallShape::EdgesTopFirst: volume = {v[0], v[1], v[3], v[2], v[4], v[5]}; break;
-        case CallShape::EdgesOnly: volume = {v[0], v[1], v[2], v[3]}; break;
+        case CallShape::EdgesOnly: volume = {v[0], v[1], v[2], v[3], -1.0, 1.0}; break;
         default: volume = {v[0], v[1], v[2], v[3], v[4], v[5]}; break;
         }
         said = tr("%1: left %2, right %3, bottom %4, top %5, near %6, far %7", call.written, numberText(volume.left),
@@ -227,8 +227,8 @@ private:
         return volume;
     }
 
-    CallVolume volumeOf(const CallText &call, const CallSignature &signature, double angle, double aspect,
-                        double nearDistance, double farDistance, std::string &said)
+    Ortho volumeOf(const CallText &call, const CallSignature &signature, double angle, double aspect,
+                   double nearDistance, double farDistance, std::string &said)
     {
         Perspective lens;
         lens.verticalFov = signature.areDegrees ? Angle::fromDegrees(angle) : Angle(angle);
