@@ -213,14 +213,14 @@ std::pair<double, double> clipDistances(const ForeignCamera &camera, const Camer
 }
 
 /// A reading of a pose.
-struct Reading {
+struct PoseReading {
     PoseDirection direction;
     EyeAxes axes;
     double seen = 0.0; ///< the part of the objects in the image
 };
 
 /// All readings that neither the file nor the choices exclude; the program's usual one first.
-std::vector<Reading> possibleReadings(const ForeignCamera &camera, const CameraChoices &choices)
+std::vector<PoseReading> possibleReadings(const ForeignCamera &camera, const CameraChoices &choices)
 {
     std::vector<PoseDirection> directions{choices.direction.value_or(camera.direction)};
     if (!choices.direction && !camera.isDirectionCertain)
@@ -233,7 +233,7 @@ std::vector<Reading> possibleReadings(const ForeignCamera &camera, const CameraC
                 axes.push_back(other);
         }
     }
-    std::vector<Reading> readings;
+    std::vector<PoseReading> readings;
     for (const PoseDirection direction : directions) {
         for (const EyeAxes ofEye : axes)
             readings.push_back({direction, ofEye});
@@ -241,23 +241,25 @@ std::vector<Reading> possibleReadings(const ForeignCamera &camera, const CameraC
     return readings;
 }
 
-glm::dmat4 eyeFromWorldOf(const ForeignCamera &camera, const glm::dmat4 &pose, const Reading &reading)
+glm::dmat4 eyeFromWorldOf(const ForeignCamera &camera, const glm::dmat4 &pose, const PoseReading &reading)
 {
     const glm::dmat4 cameraFromWorld = reading.direction == PoseDirection::WorldToCamera ? pose : affineInverse(pose);
     return eyeFromCamera(reading.axes) * cameraFromWorld * affineInverse(camera.rightHandedFromWorld);
 }
 
 /// Says by which reading the pose was read, and why.
-void sayReading(const ForeignCamera &camera, const std::vector<Reading> &readings, const Reading &taken,
+void sayReading(const ForeignCamera &camera, const std::vector<PoseReading> &readings, const PoseReading &taken,
                 bool haveObjects, std::vector<std::string> &assumed)
 {
     const bool isAnother = taken.direction != readings.front().direction || taken.axes != readings.front().axes;
     const auto isOpen = [&](auto part) {
-        return std::any_of(readings.begin(), readings.end(), [&](const Reading &r) { return r.*part != taken.*part; });
+        return std::any_of(readings.begin(), readings.end(),
+                           [&](const PoseReading &r) { return r.*part != taken.*part; });
     };
-    const bool isDirectionOpen = isOpen(&Reading::direction), areAxesOpen = isOpen(&Reading::axes);
-    const auto others = std::count_if(readings.begin(), readings.end(), [&](const Reading &r) { return r.seen > 0.0; })
-                        - (taken.seen > 0.0 ? 1 : 0);
+    const bool isDirectionOpen = isOpen(&PoseReading::direction), areAxesOpen = isOpen(&PoseReading::axes);
+    const auto others =
+        std::count_if(readings.begin(), readings.end(), [&](const PoseReading &r) { return r.seen > 0.0; })
+        - (taken.seen > 0.0 ? 1 : 0);
     const std::string because =
         !haveObjects ? tr("as %1 usually writes it. No objects decide it: give them with --objects", camera.program)
         : taken.seen == 0.0 ? tr("as %1 usually writes it. No reading shows the objects", camera.program)
@@ -276,17 +278,12 @@ void sayReading(const ForeignCamera &camera, const std::vector<Reading> &reading
 /// @param scene  as read
 std::string remedyOf(const ForeignCamera &camera, const SceneCamera &scene, const Box &objects)
 {
-    const Reading reading{scene.direction, scene.axes};
+    const PoseReading reading{scene.direction, scene.axes};
     const glm::dmat4 pose = camera.pose.value_or(glm::dmat4(1.0));
     const glm::dmat3 turn(pose);
-    const auto withParts = [](const glm::dmat3 &rotation, const glm::dvec3 &shift) {
-        glm::dmat4 m(rotation);
-        m[3] = glm::dvec4(shift, 1.0);
-        return m;
-    };
     const glm::dvec3 shift(pose[3]);
     const glm::dmat4 clip = clipFromEye(camera, scene);
-    const auto shows = [&](const glm::dmat4 &other, const Reading &by) {
+    const auto shows = [&](const glm::dmat4 &other, const PoseReading &by) {
         return seenPart(clip, eyeFromWorldOf(camera, other, by), objects) > 0.0;
     };
     for (const EyeAxes axes : {scene.axes, EyeAxes::RightDownAhead, EyeAxes::RightUpBack}) {
@@ -295,12 +292,12 @@ std::string remedyOf(const ForeignCamera &camera, const SceneCamera &scene, cons
                 return tr("with --pose %1 --axes %2 it would", keyOf(direction), keyOf(axes));
         }
     }
-    if (shows(withParts(glm::transpose(turn), shift), reading))
+    if (shows(rigid(glm::transpose(turn), shift), reading))
         return tr("with its rotation transposed it would; check the order of the rotation's numbers");
-    if (scene.direction == PoseDirection::WorldToCamera && shows(withParts(turn, -(turn * shift)), reading))
+    if (scene.direction == PoseDirection::WorldToCamera && shows(rigid(turn, -(turn * shift)), reading))
         return tr("with t as the camera's position C it would; give t = -R C");
     for (const double factor : {1e3, 1e-3, 1e2, 1e-2}) {
-        if (shows(withParts(turn, factor * shift), reading))
+        if (shows(rigid(turn, factor * shift), reading))
             return tr("with a translation %1 times as long it would; check the units", shortestText(factor));
     }
     return tr("check the pose and its units");
@@ -348,12 +345,12 @@ SceneCamera converted(const ForeignCamera &camera, const CameraChoices &choices,
     if (!camera.pose)
         scene.assumed.push_back(tr("The file has no pose: the camera stands in the world's origin and looks along its "
                                    "own axis."));
-    const std::vector<Reading> all = possibleReadings(camera, choices);
-    std::vector<Reading> readings = camera.pose ? all : std::vector<Reading>{all.front()};
+    const std::vector<PoseReading> all = possibleReadings(camera, choices);
+    std::vector<PoseReading> readings = camera.pose ? all : std::vector<PoseReading>{all.front()};
     const bool haveObjects = objects && !objects->isEmpty();
-    std::optional<Reading> taken;
+    std::optional<PoseReading> taken;
     std::vector<std::string> said;
-    for (Reading &reading : readings) {
+    for (PoseReading &reading : readings) {
         std::vector<std::string> changes;
         const glm::dmat4 pose = rigidPose(camera.pose.value_or(glm::dmat4(1.0)), reading.direction, changes);
         const glm::dmat4 eyeFromWorld = eyeFromWorldOf(camera, pose, reading);

@@ -46,7 +46,7 @@ void readList(Reading &reading, const Json &list)
 }
 
 /// Scales an axis by -1.
-glm::dmat4 turned(bool y, bool z)
+glm::dmat4 flipped(bool y, bool z)
 {
     glm::dmat4 m(1.0);
     m[1][1] = y ? -1.0 : 1.0;
@@ -57,7 +57,7 @@ glm::dmat4 turned(bool y, bool z)
 /// OpenGL's projection from that of splatting: y up, and an eye that looks along -z.
 MatrixProjection projectionOf(const glm::dmat4 &clipFromCamera)
 {
-    return {turned(true, false) * clipFromCamera * turned(true, true), NdcDepth::ZeroToOne};
+    return {flipped(true, false) * clipFromCamera * flipped(true, true), NdcDepth::ZeroToOne};
 }
 
 /// The matrix without the entries that are only the rounding of single precision.
@@ -94,7 +94,7 @@ void readMatrices(Reading &reading)
     } else if (view && angleX && angleY) {
         reading.setVerticalAngle(*angleY, std::tan(*angleX / 2.0) / std::tan(*angleY / 2.0));
     } else if (product) {
-        const auto apart = matrices::decomposed(turned(true, false) * *product);
+        const auto apart = matrices::decomposed(flipped(true, false) * *product);
         if (!apart)
             reading.failAt("fullprojtransform", tr("full_proj_transform is not a perspective times a view; give "
                                                    "world_view_transform too"));
