@@ -12,13 +12,7 @@ namespace unprojector::maps {
 struct PointArrays {
     std::vector<double> x, y, z;
 
-    void resize(std::size_t count)
-    {
-        x.resize(count);
-        y.resize(count);
-        z.resize(count);
-    }
-    unproject::BatchOutput<double> output() { return {x.data(), y.data(), z.data()}; }
+    explicit PointArrays(std::size_t count) : x(count), y(count), z(count) {}
     geometry::WorldPoint world(std::size_t i) const { return {x[i], y[i], z[i]}; }
     geometry::EyePoint eye(std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
@@ -27,24 +21,20 @@ struct PointArrays {
 struct ElementArrays {
     std::vector<double> px, py, depth;
 
-    void clear()
-    {
-        px.clear();
-        py.clear();
-        depth.clear();
-    }
     void add(const geometry::DevicePoint &position, double windowDepth)
     {
         px.push_back(position.x);
         py.push_back(position.y);
         depth.push_back(windowDepth);
     }
-    std::size_t count() const { return px.size(); }
-
-    void unproject(const unproject::ClickBatch &batch, PointArrays &points) const
+    /// @param batch  a ClickBatch or a BatchUnprojection
+    template <class Batch>
+    PointArrays unprojected(const Batch &batch) const
     {
-        points.resize(count());
-        batch({px.data(), py.data(), depth.data()}, points.output(), count());
+        PointArrays points(px.size());
+        batch(unproject::BatchInput<double>{px.data(), py.data(), depth.data()},
+              unproject::BatchOutput<double>{points.x.data(), points.y.data(), points.z.data()}, px.size());
+        return points;
     }
 };
 
@@ -54,7 +44,7 @@ struct RowPixels {
     std::vector<geometry::DevicePixel> pixels; ///< in the same order
     std::vector<std::size_t> places;           ///< indices in the image
 
-    void read(const SurfaceImage &surfaces, int row);
+    RowPixels(const SurfaceImage &surfaces, int row);
 };
 
 } // namespace unprojector::maps

@@ -98,22 +98,22 @@ Result<OtherPoints> pointsWith(const MistakeMade &made, const Setup &setup, std:
         variants.push_back(variantsOf(made, *given, setup, geometry::worldFromObject(object.transform)));
     if (objects.empty())
         variants.push_back(variantsOf(made, *given, setup, glm::dmat4(1.0)));
-    return OtherPoints(
-        [given = *given, variants](const RowPixels &pixels, const SurfaceImage &surfaces, PointArrays &points) {
-            points.resize(pixels.pixels.size());
-            for (std::size_t k = 0; k < pixels.pixels.size(); ++k) {
-                doctor::Click click;
-                click.pixel = DevicePoint(pixels.elements.px[k], pixels.elements.py[k]);
-                click.depth = pixels.elements.depth[k];
-                const std::size_t object = variants.size() > 1 ? surfaces.objects[pixels.places[k]] : 0;
-                const doctor::Variant *const first = variants[object].data();
-                const glm::dvec3 point =
-                    doctor::answer(given, click, {&first, variants[object].size()}).value_or(glm::dvec3(kNoNumber));
-                points.x[k] = point.x;
-                points.y[k] = point.y;
-                points.z[k] = point.z;
-            }
-        });
+    return OtherPoints([given = *given, variants](const RowPixels &pixels, const SurfaceImage &surfaces) {
+        PointArrays points(pixels.pixels.size());
+        for (std::size_t k = 0; k < pixels.pixels.size(); ++k) {
+            doctor::Click click;
+            click.pixel = DevicePoint(pixels.elements.px[k], pixels.elements.py[k]);
+            click.depth = pixels.elements.depth[k];
+            const std::size_t object = variants.size() > 1 ? surfaces.objects[pixels.places[k]] : 0;
+            const doctor::Variant *const first = variants[object].data();
+            const glm::dvec3 point =
+                doctor::answer(given, click, {&first, variants[object].size()}).value_or(glm::dvec3(kNoNumber));
+            points.x[k] = point.x;
+            points.y[k] = point.y;
+            points.z[k] = point.z;
+        }
+        return points;
+    });
 }
 
 } // namespace
@@ -150,17 +150,17 @@ Result<OtherPoints> otherPoints(const Other &other, const Setup &setup, std::spa
     if (!batch)
         return batch.error();
     if (method)
-        return OtherPoints([batch = *batch](const RowPixels &pixels, const SurfaceImage &, PointArrays &points) {
-            pixels.elements.unproject(batch, points);
+        return OtherPoints([batch = *batch](const RowPixels &pixels, const SurfaceImage &) {
+            return pixels.elements.unprojected(batch);
         });
-    return OtherPoints([program = std::get<OtherProgram>(other), batch = *batch,
-                        setup](const RowPixels &pixels, const SurfaceImage &surfaces, PointArrays &points) {
+    return OtherPoints([program = std::get<OtherProgram>(other), batch = *batch, setup](const RowPixels &pixels,
+                                                                                        const SurfaceImage &surfaces) {
         ElementArrays elements;
         for (const DevicePixel &pixel : pixels.pixels) {
             const OtherClick click = clickOf(program, setup, pixel);
             elements.add(click.position, depthIn(surfaces, setup, click.depthFrom));
         }
-        elements.unproject(batch, points);
+        return elements.unprojected(batch);
     });
 }
 

@@ -10,7 +10,7 @@ namespace unprojector::maps {
 
 /// Computes another program's answers to the clicks on a row's pixels, one point per pixel; not
 /// finite where it has no answer.
-using OtherPoints = std::function<void(const RowPixels &, const SurfaceImage &, PointArrays &)>;
+using OtherPoints = std::function<PointArrays(const RowPixels &, const SurfaceImage &)>;
 
 /// Prepares these answers for a setup. Programs and mistakes answer by the inverted matrix.
 /// @param objects  of the scene that the surfaces belong to: a mistake of the model matrix uses the

@@ -20,66 +20,6 @@ using namespace unproject;
 
 namespace {
 
-/// The state of a map's worker: it computes rows of numbers and leaves NaN where there is none.
-class RowWorker {
-public:
-    RowWorker() = default;
-    virtual ~RowWorker() = default;
-    RowWorker(const RowWorker &) = delete;
-    RowWorker &operator=(const RowWorker &) = delete;
-
-    /// Computes one number for each point of a row.
-    virtual void row(const RowPixels &pixels, const PointArrays &formula, std::vector<double> &numbers) = 0;
-};
-
-/// Distance to the points of another method.
-class MethodRow : public RowWorker {
-public:
-    explicit MethodRow(const ClickBatch &other) : m_other(other) {}
-
-    void row(const RowPixels &pixels, const PointArrays &formula, std::vector<double> &numbers) override
-    {
-        pixels.elements.unproject(m_other, m_points);
-        for (std::size_t k = 0; k < numbers.size(); ++k)
-            numbers[k] = distance(formula.world(k), m_points.world(k));
-    }
-
-private:
-    const ClickBatch &m_other;
-    PointArrays m_points;
-};
-
-/// Distance of a method's points from the rays' hits on the mesh.
-class RayRow : public RowWorker {
-public:
-    /// @param method  null: the formulas, whose points are there already
-    RayRow(const PixelRays &rays, const SurfaceImage &surfaces, const ClickBatch *method)
-        : m_rays(rays), m_surfaces(surfaces), m_method(method)
-    {
-    }
-
-    void row(const RowPixels &pixels, const PointArrays &formula, std::vector<double> &numbers) override
-    {
-        if (numbers.empty())
-            return;
-        if (m_method != nullptr)
-            pixels.elements.unproject(*m_method, m_points);
-        const PointArrays &points = m_method != nullptr ? m_points : formula;
-        m_rays.ofRow(pixels.pixels.front().j, m_row);
-        for (std::size_t k = 0; k < numbers.size(); ++k) {
-            const ray::Ray<WorldSpace> &ray = m_row[static_cast<std::size_t>(pixels.pixels[k].i)];
-            numbers[k] = distance(points.world(k), ray.at(m_surfaces.ts[pixels.places[k]]));
-        }
-    }
-
-private:
-    const PixelRays &m_rays;
-    const SurfaceImage &m_surfaces;
-    const ClickBatch *m_method;
-    PointArrays m_points;
-    std::vector<ray::Ray<WorldSpace>> m_row;
-};
-
 /// The displacement of a point; 0 if the other answer equals the inverted matrix's. The remaining
 /// difference between the methods is rounding, not an effect of the mistake.
 double displacement(const WorldPoint &other, const WorldPoint &matrix, const WorldPoint &formula)
@@ -90,89 +30,16 @@ double displacement(const WorldPoint &other, const WorldPoint &matrix, const Wor
     return distance(formula, other);
 }
 
-/// Distance to the answer of a program or a mistake.
-class DisplacementRow : public RowWorker {
-public:
-    DisplacementRow(const OtherPoints &other, const SurfaceImage &surfaces, const ClickBatch &matrix)
-        : m_other(other), m_surfaces(surfaces), m_matrix(matrix)
-    {
-    }
-
-    void row(const RowPixels &pixels, const PointArrays &formula, std::vector<double> &numbers) override
-    {
-        m_other(pixels, m_surfaces, m_points);
-        pixels.elements.unproject(m_matrix, m_right);
-        for (std::size_t k = 0; k < numbers.size(); ++k)
-            numbers[k] = displacement(m_points.world(k), m_right.world(k), formula.world(k));
-    }
-
-private:
-    const OtherPoints &m_other;
-    const SurfaceImage &m_surfaces;
-    const ClickBatch &m_matrix;
-    PointArrays m_points, m_right; ///< the other answer, and the answer by the same matrix without its mistakes
-};
-
-class UncertaintyWorker : public RowWorker {
-public:
-    UncertaintyWorker(const UncertaintyRow &uncertainty, const SurfaceImage &surfaces, const ClickBatch &eye)
-        : m_uncertainty(uncertainty), m_surfaces(surfaces), m_eye(eye)
-    {
-    }
-
-    void row(const RowPixels &pixels, const PointArrays &formula, std::vector<double> &numbers) override
-    {
-        pixels.elements.unproject(m_eye, m_points);
-        for (std::size_t k = 0; k < numbers.size(); ++k)
-            numbers[k] = m_uncertainty.at(m_surfaces, pixels.pixels[k], m_points.eye(k), formula.world(k));
-    }
-
-private:
-    const UncertaintyRow &m_uncertainty;
-    const SurfaceImage &m_surfaces;
-    const ClickBatch &m_eye;
-    PointArrays m_points;
-};
-
-/// The data shared by a map's workers.
-struct Prepared {
-    ClickBatch formula;
-    std::optional<ClickBatch> matrix; ///< for the other answers
-    std::optional<ClickBatch> eye;    ///< the formulas' eye points
-    std::optional<PixelRays> rays;    ///< of the view
-    OtherPoints other;                ///< for a displacement
-    std::optional<UncertaintyRow> uncertainty;
-};
+/// Computes one number for each point of a row of a map; NaN where there is none. Any thread may call it.
+using RowNumbers = std::function<void(const SurfaceImage &surfaces, const RowPixels &pixels, const PointArrays &formula,
+                                      std::vector<double> &numbers)>;
 
 /// @param areMet  whether the surfaces were hit by rays
-Result<Prepared> prepared(const Question &question, const Unprojector &unprojector, bool areMet,
-                          std::span<const scene::SceneObject> objects)
+Result<RowNumbers> rowNumbers(const Question &question, const Unprojector &unprojector, bool areMet,
+                              std::span<const scene::SceneObject> objects)
 {
     const Setup &setup = unprojector.setup();
-    const Result<ClickBatch> formula = ClickBatch::of(Method::Formula, setup, {});
-    if (!formula)
-        return formula.error();
-    Prepared result{*formula, {}, {}, {}, {}, {}};
     const Quantity quantity = question.quantity;
-    if (quantity == Quantity::FormulaMatrix || quantity == Quantity::MatrixRay || quantity == Quantity::Displacement) {
-        const Result<ClickBatch> matrix = ClickBatch::of(Method::Matrix, setup, {});
-        if (!matrix)
-            return matrix.error();
-        result.matrix = *matrix;
-    }
-    if (quantity == Quantity::FormulaRay || quantity == Quantity::MatrixRay) {
-        const Result<PixelRays> rays = PixelRays::of(ray::ClickRays(unprojector));
-        if (!rays)
-            return rays.error();
-        result.rays = *rays;
-    }
-    if (quantity == Quantity::Displacement) {
-        const Result<OtherPoints> other =
-            otherPoints(question.other, setup, areMet ? objects : std::span<const scene::SceneObject>());
-        if (!other)
-            return other.error();
-        result.other = *other;
-    }
     if (quantity == Quantity::Uncertainty) {
         const Result<Setup> parameters = byParameters(setup);
         if (!parameters)
@@ -180,23 +47,73 @@ Result<Prepared> prepared(const Question &question, const Unprojector &unproject
         const Result<ClickBatch> eye = ClickBatch::of(Method::Formula, *parameters, {BatchSpace::Kind::Eye, {}});
         if (!eye)
             return eye.error();
-        result.eye = *eye;
-        result.uncertainty.emplace(*parameters, objects, question.cornerShiftPixels);
+        const auto uncertainty =
+            std::make_shared<const UncertaintyRow>(*parameters, objects, question.cornerShiftPixels);
+        return RowNumbers([eye = *eye, uncertainty](const SurfaceImage &surfaces, const RowPixels &pixels,
+                                                    const PointArrays &formula, std::vector<double> &numbers) {
+            const PointArrays points = pixels.elements.unprojected(eye);
+            for (std::size_t k = 0; k < numbers.size(); ++k)
+                numbers[k] = uncertainty->at(surfaces, pixels.pixels[k], points.eye(k), formula.world(k));
+        });
     }
-    return result;
+    std::optional<ClickBatch> matrix;
+    if (quantity != Quantity::FormulaRay) {
+        const Result<ClickBatch> batch = ClickBatch::of(Method::Matrix, setup, {});
+        if (!batch)
+            return batch.error();
+        matrix = *batch;
+    }
+    if (quantity == Quantity::FormulaMatrix)
+        return RowNumbers([matrix](const SurfaceImage &, const RowPixels &pixels, const PointArrays &formula,
+                                   std::vector<double> &numbers) {
+            const PointArrays points = pixels.elements.unprojected(*matrix);
+            for (std::size_t k = 0; k < numbers.size(); ++k)
+                numbers[k] = distance(formula.world(k), points.world(k));
+        });
+    if (quantity == Quantity::Displacement) {
+        const Result<OtherPoints> other =
+            otherPoints(question.other, setup, areMet ? objects : std::span<const scene::SceneObject>());
+        if (!other)
+            return other.error();
+        return RowNumbers([matrix, other = *other](const SurfaceImage &surfaces, const RowPixels &pixels,
+                                                   const PointArrays &formula, std::vector<double> &numbers) {
+            const PointArrays points = other(pixels, surfaces), right = pixels.elements.unprojected(*matrix);
+            for (std::size_t k = 0; k < numbers.size(); ++k)
+                numbers[k] = displacement(points.world(k), right.world(k), formula.world(k));
+        });
+    }
+    const Result<PixelRays> rays = PixelRays::of(ray::ClickRays(unprojector));
+    if (!rays)
+        return rays.error();
+    return RowNumbers([matrix, rays = *rays](const SurfaceImage &surfaces, const RowPixels &pixels,
+                                             const PointArrays &formula, std::vector<double> &numbers) {
+        if (numbers.empty())
+            return;
+        const PointArrays points = matrix ? pixels.elements.unprojected(*matrix) : formula;
+        const std::vector<ray::Ray<WorldSpace>> row = rays.ofRow(pixels.pixels.front().j);
+        for (std::size_t k = 0; k < numbers.size(); ++k) {
+            const ray::Ray<WorldSpace> &ray = row[static_cast<std::size_t>(pixels.pixels[k].i)];
+            numbers[k] = distance(points.world(k), ray.at(surfaces.ts[pixels.places[k]]));
+        }
+    });
 }
 
-std::unique_ptr<RowWorker> workerOf(Quantity quantity, const Prepared &prepared, const SurfaceImage &surfaces)
+/// The functions that compute a map's rows.
+struct Prepared {
+    ClickBatch formula;
+    RowNumbers numbers;
+};
+
+Result<Prepared> prepared(const Question &question, const Unprojector &unprojector, bool areMet,
+                          std::span<const scene::SceneObject> objects)
 {
-    switch (quantity) {
-    case Quantity::FormulaMatrix: return std::make_unique<MethodRow>(*prepared.matrix);
-    case Quantity::FormulaRay: return std::make_unique<RayRow>(*prepared.rays, surfaces, nullptr);
-    case Quantity::MatrixRay: return std::make_unique<RayRow>(*prepared.rays, surfaces, &*prepared.matrix);
-    case Quantity::Uncertainty:
-        return std::make_unique<UncertaintyWorker>(*prepared.uncertainty, surfaces, *prepared.eye);
-    case Quantity::Displacement: break;
-    }
-    return std::make_unique<DisplacementRow>(prepared.other, surfaces, *prepared.matrix);
+    const Result<ClickBatch> formula = ClickBatch::of(Method::Formula, unprojector.setup(), {});
+    if (!formula)
+        return formula.error();
+    const Result<RowNumbers> numbers = rowNumbers(question, unprojector, areMet, objects);
+    if (!numbers)
+        return numbers.error();
+    return Prepared{*formula, *numbers};
 }
 
 /// The number of surfaces in memory at a time: 12 MB, and some hundred milliseconds on a core.
@@ -234,15 +151,11 @@ bool setRows(PixelMap &map, const Rows &rows, const Question &question, const Pr
              const SurfaceImage &surfaces, const ray::Progress &progress)
 {
     return rowsInParallel(rows, map.widthPixels, progress, [&](std::span<const int> some) {
-        const std::unique_ptr<RowWorker> worker = workerOf(question.quantity, shared, surfaces);
-        RowPixels pixels;
-        PointArrays formula;
-        std::vector<double> numbers;
         for (const int j : some) {
-            pixels.read(surfaces, j);
-            pixels.elements.unproject(shared.formula, formula);
-            numbers.resize(pixels.places.size());
-            worker->row(pixels, formula, numbers);
+            const RowPixels pixels(surfaces, j);
+            const PointArrays formula = pixels.elements.unprojected(shared.formula);
+            std::vector<double> numbers(pixels.places.size());
+            shared.numbers(surfaces, pixels, formula, numbers);
             for (std::size_t k = 0; k < numbers.size(); ++k) {
                 const double unit = question.unit == Unit::Ulps ? ulpOfLargest(formula.world(k)) : 1.0;
                 const auto number = static_cast<float>(numbers[k] / unit);
@@ -257,14 +170,8 @@ bool setRows(PixelMap &map, const Rows &rows, const Question &question, const Pr
 
 std::string_view keyOf(Quantity quantity)
 {
-    switch (quantity) {
-    case Quantity::FormulaMatrix: return "formula-matrix";
-    case Quantity::FormulaRay: return "formula-ray";
-    case Quantity::MatrixRay: return "matrix-ray";
-    case Quantity::Uncertainty: return "uncertainty";
-    case Quantity::Displacement: return "displacement";
-    }
-    return {};
+    constexpr const char *kKeys[] = {"formula-matrix", "formula-ray", "matrix-ray", "uncertainty", "displacement"};
+    return kKeys[static_cast<std::size_t>(quantity)];
 }
 
 bool needsRays(Quantity quantity)
@@ -277,11 +184,8 @@ std::string noCloudsText()
     return base::tr("the points of clouds are left out; maps show surfaces");
 }
 
-void RowPixels::read(const SurfaceImage &surfaces, int row)
+RowPixels::RowPixels(const SurfaceImage &surfaces, int row)
 {
-    elements.clear();
-    pixels.clear();
-    places.clear();
     for (int i = 0; i < surfaces.widthPixels; ++i) {
         const std::size_t index = surfaces.indexOf(i, row);
         if (std::isnan(surfaces.depths[index]))

@@ -1,5 +1,7 @@
 #include "core/maps/pixel_rays.h"
 
+#include "core/geometry/finite.h"
+#include "core/maps/map_points.h"
 #include <cmath>
 #include <limits>
 
@@ -7,32 +9,15 @@ namespace unprojector::maps {
 using namespace geometry;
 using namespace unproject;
 
-namespace {
-
-/// Room for a row of points.
-struct Points {
-    std::vector<double> px, py, depth, x, y, z;
-
-    explicit Points(std::size_t count) : px(count), py(count), depth(count), x(count), y(count), z(count) {}
-    BatchInput<double> input() const { return {px.data(), py.data(), depth.data()}; }
-    BatchOutput<double> output() { return {x.data(), y.data(), z.data()}; }
-    WorldPoint point(std::size_t i) const { return {x[i], y[i], z[i]}; }
-};
-
-} // namespace
-
 PixelRays::PixelRays(const BatchUnprojection &unprojection, const Setup &setup, const DepthRange &depths)
     : m_unprojection(unprojection), m_width(static_cast<std::size_t>(setup.surface.widthPixels)), m_depths(depths),
       m_high(1.0)
 {
-    Points middle(1);
     const Viewport &v = setup.viewport;
     const DevicePoint at = deviceFromWindow(setup.surface, WindowPoint(v.x + v.width / 2.0, v.y + v.height / 2.0, 0.0));
-    middle.px[0] = at.x;
-    middle.py[0] = at.y;
-    middle.depth[0] = depths.atFar;
-    m_unprojection(middle.input(), middle.output(), 1);
-    if (!std::isfinite(middle.x[0] + middle.y[0] + middle.z[0])) {
+    ElementArrays middle;
+    middle.add(at, depths.atFar);
+    if (!isFinite(middle.unprojected(m_unprojection).world(0))) {
         m_depths.atFar = depths.atNear / 2.0 + depths.atFar / 2.0;
         m_high = std::numeric_limits<double>::infinity();
     }
@@ -49,22 +34,18 @@ Result<PixelRays> PixelRays::of(const ray::ClickRays &rays)
     return PixelRays(*unprojection, setup, rays.depths());
 }
 
-void PixelRays::ofRow(int row, std::vector<ray::Ray<WorldSpace>> &rays) const
+std::vector<ray::Ray<WorldSpace>> PixelRays::ofRow(int row) const
 {
-    Points from(m_width);
-    for (std::size_t i = 0; i < m_width; ++i) {
-        const DevicePoint center = pixelCenter({static_cast<int>(i), row});
-        from.px[i] = center.x;
-        from.py[i] = center.y;
-        from.depth[i] = m_depths.atNear;
-    }
-    Points to = from;
-    to.depth.assign(m_width, m_depths.atFar);
-    m_unprojection(from.input(), from.output(), m_width);
-    m_unprojection(to.input(), to.output(), m_width);
-    rays.resize(m_width);
+    ElementArrays elements;
     for (std::size_t i = 0; i < m_width; ++i)
-        rays[i] = {from.point(i), to.point(i) - from.point(i), 0.0, m_high};
+        elements.add(pixelCenter({static_cast<int>(i), row}), m_depths.atNear);
+    const PointArrays from = elements.unprojected(m_unprojection);
+    elements.depth.assign(m_width, m_depths.atFar);
+    const PointArrays to = elements.unprojected(m_unprojection);
+    std::vector<ray::Ray<WorldSpace>> rays(m_width);
+    for (std::size_t i = 0; i < m_width; ++i)
+        rays[i] = {from.world(i), to.world(i) - from.world(i), 0.0, m_high};
+    return rays;
 }
 
 } // namespace unprojector::maps

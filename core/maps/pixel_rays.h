@@ -15,9 +15,9 @@ public:
     ///         projection, byMatrix
     static geometry::Result<PixelRays> of(const ray::ClickRays &rays);
 
-    /// @param row   counted from the top
-    /// @param rays  receives one ray for each pixel of the width; not finite where there is none
-    void ofRow(int row, std::vector<ray::Ray<geometry::WorldSpace>> &rays) const;
+    /// @param row  counted from the top
+    /// @return one ray for each pixel of the width; not finite where there is none
+    std::vector<ray::Ray<geometry::WorldSpace>> ofRow(int row) const;
 
 private:
     PixelRays(const unproject::BatchUnprojection &unprojection, const geometry::Setup &setup,

@@ -2,9 +2,9 @@
 
 #include "core/maps/rows_in_parallel.h"
 
-#include <glm/mat4x4.hpp>
-
 #include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <limits>
 #include <numeric>
 #include <span>
@@ -18,31 +18,17 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// The window depth of world points, by the matrix.
-class WindowDepths {
-public:
-    explicit WindowDepths(const Setup &setup)
-        : m_range(setup.depthRange), m_isZeroToOne(ndcDepthOf(setup) == NdcDepth::ZeroToOne)
-    {
-        const glm::dmat4 matrix = clipFromWorld(setup).value();
-        for (int column = 0; column < 4; ++column) {
-            m_z[column] = matrix[column][2];
-            m_w[column] = matrix[column][3];
-        }
-    }
-
-    double of(const WorldPoint &point) const
-    {
+auto windowDepths(const Setup &setup)
+{
+    const glm::dmat4 rows = glm::transpose(clipFromWorld(setup).value());
+    const bool isZeroToOne = ndcDepthOf(setup) == NdcDepth::ZeroToOne;
+    return [z = rows[2], w = rows[3], range = setup.depthRange, isZeroToOne](const WorldPoint &point) {
         const glm::dvec4 place(point.coordinates(), 1.0);
-        const double ndc = glm::dot(m_z, place) / glm::dot(m_w, place);
-        const double share = m_isZeroToOne ? ndc : (ndc + 1.0) / 2.0;
-        return m_range.atNear + share * (m_range.atFar - m_range.atNear);
-    }
-
-private:
-    DepthRange m_range;
-    bool m_isZeroToOne;
-    glm::dvec4 m_z, m_w;
-};
+        const double ndc = glm::dot(z, place) / glm::dot(w, place);
+        const double share = isZeroToOne ? ndc : (ndc + 1.0) / 2.0;
+        return range.atNear + share * (range.atFar - range.atNear);
+    };
+}
 
 SurfaceImage emptyImage(const Setup &setup, const Rows &rows)
 {
@@ -76,18 +62,17 @@ std::optional<SurfaceImage> surfacesMet(const ray::SceneRays &rays, const PixelR
                                         const Rows &rowsMet, const ray::Progress &progress)
 {
     const Setup &setup = rays.rays().setup();
-    const WindowDepths depths(setup);
-    const auto [lowest, highest] = std::minmax({setup.depthRange.atNear, setup.depthRange.atFar});
+    const auto depthOf = windowDepths(setup);
+    const double low = std::min(setup.depthRange.atNear, setup.depthRange.atFar);
+    const double high = std::max(setup.depthRange.atNear, setup.depthRange.atFar);
     SurfaceImage image = emptyImage(setup, rowsMet);
     image.format = format;
     image.ts.assign(image.depths.size(), kNone);
     image.objects.assign(image.depths.size(), 0);
     image.triangles.assign(image.depths.size(), 0);
-    const double low = lowest, high = highest;
     const bool isWhole = rowsInParallel(rowsMet, image.widthPixels, progress, [&](std::span<const int> some) {
-        std::vector<ray::Ray<WorldSpace>> row;
         for (const int j : some) {
-            pixels.ofRow(j, row);
+            const std::vector<ray::Ray<WorldSpace>> row = pixels.ofRow(j);
             for (int i = 0; i < image.widthPixels; ++i) {
                 if (!isInViewport(setup, {i, j}))
                     continue;
@@ -97,7 +82,7 @@ std::optional<SurfaceImage> surfacesMet(const ray::SceneRays &rays, const PixelR
                     continue;
                 const std::size_t index = image.indexOf(i, j);
                 // Rounding to whole steps can leave the range, where no surface is drawn.
-                image.depths[index] = std::clamp(format.kept(depths.of(ray.at(met->hit.t))), low, high);
+                image.depths[index] = std::clamp(format.kept(depthOf(ray.at(met->hit.t))), low, high);
                 image.ts[index] = met->hit.t;
                 image.objects[index] = static_cast<std::uint32_t>(met->object);
                 image.triangles[index] = met->hit.triangle;
@@ -124,10 +109,4 @@ SurfaceImage surfacesAt(const Setup &setup, double depth, const Rows &rows)
     }
     return image;
 }
-
-SurfaceImage surfacesAt(const Setup &setup, double depth)
-{
-    return surfacesAt(setup, depth, allRows(setup));
-}
-
 } // namespace unprojector::maps

@@ -53,6 +53,4 @@ std::optional<SurfaceImage> surfacesMet(const ray::SceneRays &rays, const PixelR
 /// A surface of the same depth everywhere in the viewport.
 /// @pre the depth lies in the depth range. Throws std::bad_alloc.
 SurfaceImage surfacesAt(const geometry::Setup &setup, double depth, const Rows &rows);
-SurfaceImage surfacesAt(const geometry::Setup &setup, double depth);
-
 } // namespace unprojector::maps

@@ -193,7 +193,7 @@ private slots:
     void programsReadTheRowThatTheyRead()
     {
         Shown shown;
-        shown.surfaces = surfacesAt(shown.setup, 0.5);
+        shown.surfaces = surfacesAt(shown.setup, 0.5, allRows(shown.setup));
         // Two columns: in row 20 the depth is another one, in row 30 there is nothing.
         for (const int column : {20, 21}) {
             shown.surfaces.depths[shown.surfaces.indexOf(column, 20)] = 0.6;
@@ -217,7 +217,7 @@ private slots:
         whole.viewport = wholeSurface(whole.surface);
         shown.setup = whole;
         shown.unprojector = *Unprojector::of(whole);
-        shown.surfaces = surfacesAt(whole, 0.5);
+        shown.surfaces = surfacesAt(whole, 0.5, allRows(whole));
         const PixelMap map = shown.map({Quantity::Displacement, Unit::World, OtherProgram::Polyscope});
         QVERIFY(std::isnan(map.at({5, 0})));
         QVERIFY(!std::isnan(map.at({5, 1})));
@@ -270,8 +270,8 @@ private slots:
         setup.surface.devicePixelRatio = 2.0;
         const Unprojector unprojector = Unprojector::of(setup).value();
         const Other other = conventionNamed(QTest::currentDataTag())->other;
-        const auto map =
-            pixelMap({Quantity::Displacement, Unit::World, other}, unprojector, surfacesAt(setup, 0.5), {}, {});
+        const auto map = pixelMap({Quantity::Displacement, Unit::World, other}, unprojector,
+                                  surfacesAt(setup, 0.5, allRows(setup)), {}, {});
         const WorldPoint right =
             *unprojector.worldAt(Method::Formula, windowFromDevice(setup.surface, pixelCenter({20, 11}), 0.5));
         const WorldPoint wrong = *unprojector.worldAt(Method::Matrix, WindowPoint(x, y, 0.5));
@@ -300,7 +300,7 @@ private slots:
     void aDepthEverywhere()
     {
         const Setup setup = pictureWith(kPerspective);
-        const SurfaceImage surfaces = surfacesAt(setup, 0.25);
+        const SurfaceImage surfaces = surfacesAt(setup, 0.25, allRows(setup));
         QVERIFY(!surfaces.isMet());
         int inside = 0;
         for (const double depth : surfaces.depths)
