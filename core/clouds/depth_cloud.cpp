@@ -1,9 +1,12 @@
 #include "core/clouds/depth_cloud.h"
 
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 
 namespace unprojector::clouds {
@@ -12,40 +15,17 @@ using namespace unproject;
 
 namespace {
 
-template <class Scalar>
-bool isSafe(double number)
+/// True if a corner of the window has a coordinate near the limit of Scalar.
+/// @param at  the point of a device position at an end of the range
+template <class Scalar, class PointAt>
+bool reachesLimit(const Setup &setup, std::initializer_list<double> ends, const PointAt &at)
 {
-    return std::abs(number) < std::numeric_limits<Scalar>::max() / 4.0;
-}
-
-} // namespace
-
-template <class Scalar>
-bool canOverflow(const BatchUnprojection &unprojection, const Setup &g)
-{
-    const double w = g.surface.widthPixels, h = g.surface.heightPixels, n = g.depthRange.atNear, f = g.depthRange.atFar;
-    const std::array<double, 8> px{0, w, 0, w, 0, w, 0, w}, py{0, 0, h, h, 0, 0, h, h}, depth{n, n, n, n, f, f, f, f};
-    std::array<double, 8> x, y, z;
-    unprojection(BatchInput<double>{px.data(), py.data(), depth.data()},
-                 BatchOutput<double>{x.data(), y.data(), z.data()}, px.size());
-    for (const auto &column : {x, y, z}) {
-        for (const double value : column) {
-            if (!isSafe<Scalar>(value))
-                return true;
-        }
-    }
-    return false;
-}
-
-template <class Scalar>
-bool canOverflow(const PixelLines &lines, const Setup &setup, const ClipDistances &clip)
-{
+    constexpr double kSafe = std::numeric_limits<Scalar>::max() / 4.0;
     for (const double px : {0.0, double(setup.surface.widthPixels)}) {
         for (const double py : {0.0, double(setup.surface.heightPixels)}) {
-            const PixelLine line = lines.at(px, py);
-            for (const double distance : {clip.atNear, clip.atFar}) {
-                const glm::dvec3 point = line.start + distance * line.ahead;
-                if (!isSafe<Scalar>(point.x) || !isSafe<Scalar>(point.y) || !isSafe<Scalar>(point.z))
+            for (const double end : ends) {
+                const glm::dvec3 point = at(px, py, end);
+                if (!glm::all(glm::lessThan(glm::abs(point), glm::dvec3(kSafe))))
                     return true;
             }
         }
@@ -53,6 +33,27 @@ bool canOverflow(const PixelLines &lines, const Setup &setup, const ClipDistance
     return false;
 }
 
+} // namespace
+
+template <class Scalar>
+bool canOverflow(const BatchUnprojection &unprojection, const Setup &setup)
+{
+    return reachesLimit<Scalar>(
+        setup, {setup.depthRange.atNear, setup.depthRange.atFar}, [&](double px, double py, double depth) {
+            glm::dvec3 p;
+            unprojection(BatchInput<double>{&px, &py, &depth}, BatchOutput<double>{&p.x, &p.y, &p.z}, 1);
+            return p;
+        });
+}
+
+template <class Scalar>
+bool canOverflow(const PixelLines &lines, const Setup &setup, const ClipDistances &clip)
+{
+    return reachesLimit<Scalar>(setup, {clip.atNear, clip.atFar}, [&](double px, double py, double distance) {
+        const PixelLine line = lines.at(px, py);
+        return line.start + distance * line.ahead;
+    });
+}
 template bool canOverflow<float>(const BatchUnprojection &, const Setup &);
 template bool canOverflow<double>(const BatchUnprojection &, const Setup &);
 template bool canOverflow<float>(const PixelLines &, const Setup &, const ClipDistances &);
@@ -121,26 +122,13 @@ void DistanceCloud::row(std::size_t j, PointRow &points) const
 {
     m_rows.read(j, points.distances);
     const std::vector<double> &distances = points.distances.values;
-    const std::size_t width = distances.size();
-    for (std::vector<double> *column : {&points.px, &points.py, &points.x, &points.y, &points.z})
-        column->resize(width);
-    for (std::size_t i = 0; i < width; ++i) {
-        const DevicePoint center = pixelCenter({static_cast<int>(i), static_cast<int>(j)});
-        points.px[i] = center.x;
-        points.py[i] = center.y;
-    }
-    if (m_rows.isOfWindow()) {
-        m_unprojection(BatchInput<double>{points.px.data(), points.py.data(), distances.data()},
-                       BatchOutput<double>{points.x.data(), points.y.data(), points.z.data()}, width);
-        return;
-    }
-    for (std::size_t i = 0; i < width; ++i) {
-        const PixelLine line = m_lines.at(points.px[i], points.py[i]);
-        const glm::dvec3 point = line.start + distances[i] * line.ahead;
-        points.x[i] = point.x;
-        points.y[i] = point.y;
-        points.z[i] = point.z;
-    }
+    points.coordinates.resize(3 * distances.size());
+    const DevicePoint first = pixelCenter({0, static_cast<int>(j)});
+    const batch::DepthLine line{distances.data(), distances.size(), first.x, first.y};
+    if (m_rows.isOfWindow())
+        m_unprojection.line(line, points.coordinates.data());
+    else
+        m_lines.line(line, points.coordinates.data());
 }
 
 template class DepthCloud<float>;

@@ -64,7 +64,7 @@ private:
 /// The points of a row of pixels, one a pixel.
 struct PointRow {
     DistanceRow distances;
-    std::vector<double> px, py, x, y, z; ///< scratch where a pixel is not kept
+    std::vector<double> coordinates; ///< x, y, z of each pixel; scratch where it is not kept
 };
 
 /// Computes the points under the pixels of an image of any numbers, a row at a time, in double

@@ -108,7 +108,7 @@ void DepthValues::convert(std::size_t j, std::size_t first, DistanceRow &row) co
     const std::size_t width = row.values.size();
     row.kinds.resize(width);
     if (isOfWindow()) {
-        const double one = m_type.greatest > 0.0 ? m_type.greatest : 1.0; // whole numbers are shares
+        const double one = m_type.one();
         for (std::size_t i = 0; i < width; ++i) {
             const bool isMeasured = !isNoData(row.values[i]);
             row.values[i] /= one;
@@ -147,7 +147,7 @@ void DepthValues::convert(std::size_t j, std::size_t first, std::span<double> va
         std::ranges::replace_if(
             values, [this](double number) { return isNoData(number); }, kNaN);
     if (m_numbers.meaning == DepthMeaning::Buffer) {
-        const double one = m_type.greatest > 0.0 ? m_type.greatest : 1.0;
+        const double one = m_type.one();
         for (double &value : values) {
             const double depth = value / one;
             value = depth >= m_lowest && depth <= m_highest && depth != m_background ? depth : kNaN;
@@ -173,7 +173,7 @@ std::optional<DepthValues::Kept> DepthValues::kept() const
     const bool isBuffer = m_numbers.meaning == DepthMeaning::Buffer;
     if (!m_numbers.noData.empty() || (!isBuffer && (m_numbers.meaning != DepthMeaning::Z || m_clip.atNear < 0.0)))
         return std::nullopt;
-    const double divisor = !isBuffer ? m_numbers.scale.value_or(1.0) : m_type.greatest > 0.0 ? m_type.greatest : 1.0;
+    const double divisor = isBuffer ? m_type.one() : m_numbers.scale.value_or(1.0);
     const auto isKept = [&](float number) {
         std::array<double, 1> value{static_cast<double>(number)};
         convert(0, 0, value);

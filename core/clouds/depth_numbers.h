@@ -67,6 +67,8 @@ public:
     struct Type {
         bool isSingle = false; ///< single precision
         double greatest = 0.0; ///< of whole numbers: the greatest possible one; 0: fractions
+        /// The number that stands for 1 in depths of the window: whole numbers are shares.
+        double one() const { return greatest > 0.0 ? greatest : 1.0; }
     };
     /// @param lines  kept by reference; lines and clip are not used for window depths
     DepthValues(const Type &type, const DepthNumbers &numbers, const geometry::Setup &setup,

@@ -162,8 +162,9 @@ std::size_t writeDistances(const Cloud &c, ByteSink &sink, Extent &extent, Progr
     const auto eachPoint = [&](std::size_t j, const auto &use) {
         cloud.row(j, row);
         for (std::size_t i = 0; i < width; ++i) {
-            const std::array<Scalar, 3> point{static_cast<Scalar>(row.x[i]), static_cast<Scalar>(row.y[i]),
-                                              static_cast<Scalar>(row.z[i])};
+            const double *of = row.coordinates.data() + 3 * i;
+            const std::array<Scalar, 3> point{static_cast<Scalar>(of[0]), static_cast<Scalar>(of[1]),
+                                              static_cast<Scalar>(of[2])};
             if (row.distances.kinds[i] == PixelKind::Kept
                 && std::ranges::all_of(point, [](Scalar v) { return std::isfinite(v); }))
                 use(j * width + i, point);
