@@ -1,20 +1,12 @@
 #include "core/unproject/batch/batch_unproject.h"
 
-#include "core/unproject/batch/line_constants.h"
-
-#include <type_traits>
-
 namespace unprojector::unproject {
 using namespace geometry;
 
 Result<BatchUnprojection> BatchUnprojection::byFormula(const Setup &setup, const BatchSpace &space)
 {
     const Result<LineConstants> constants = lineConstants(setup, space);
-    if (!constants)
-        return constants.error();
-    if (constants->perspective)
-        return BatchUnprojection(Kind(Perspective{constants->numbers}));
-    return BatchUnprojection(Kind(Box{constants->numbers}));
+    return constants ? Result<BatchUnprojection>(BatchUnprojection(*constants)) : constants.error();
 }
 
 Result<BatchUnprojection> BatchUnprojection::byMatrix(const Setup &setup, const BatchSpace &space)
@@ -27,16 +19,15 @@ Result<BatchUnprojection> BatchUnprojection::byMatrix(const Setup &setup, const 
         for (int column = 0; column < 4; ++column)
             constants.rows[row][column] = (*inverse)[column][row];
     }
-    return BatchUnprojection(Kind(constants));
+    return BatchUnprojection(constants);
 }
 
-template <class Loops, class Call>
-auto BatchUnprojection::withLoop(const Loops &loops, const Call &call) const
+template <class Scalar, class Call>
+auto BatchUnprojection::withLoops(InstructionSet set, const Call &call) const
 {
-    if (const auto *perspective = std::get_if<Perspective>(&m_constants))
-        return call(loops.perspective, *perspective);
-    if (const auto *box = std::get_if<Box>(&m_constants))
-        return call(loops.box, *box);
+    const batch::LoopsOf<Scalar> &loops = batch::loopsOf<Scalar>(set);
+    if (const auto *line = std::get_if<LineConstants>(&m_constants))
+        return call(line->perspective ? loops.perspective : loops.box, line->numbers);
     return call(loops.matrix, *std::get_if<batch::MatrixConstants>(&m_constants));
 }
 
@@ -44,39 +35,22 @@ template <class Scalar>
 void BatchUnprojection::operator()(const BatchInput<Scalar> &input, const BatchOutput<Scalar> &output,
                                    std::size_t count, InstructionSet set) const
 {
-    const auto run = [&](const auto &loops) {
-        withLoop(loops, [&](auto loop, const auto &constants) {
-            loop(constants, input.px, input.py, input.depth, output.x, output.y, output.z, count);
-        });
-    };
-    if constexpr (std::is_same_v<Scalar, double>)
-        run(batch::kernelsOf(set).ofDoubles);
-    else
-        run(batch::kernelsOf(set).ofFloats);
+    withLoops<Scalar>(set, [&](const auto &loops, const auto &constants) {
+        loops.arrays(constants, input.px, input.py, input.depth, output.x, output.y, output.z, count);
+    });
 }
 
 template <class Scalar>
 std::size_t BatchUnprojection::operator()(const batch::DepthRow &row, Scalar *points, InstructionSet set) const
 {
-    const auto run = [&](const auto &loops) {
-        return withLoop(loops, [&](auto loop, const auto &constants) { return loop(constants, row, points); });
-    };
-    if constexpr (std::is_same_v<Scalar, double>)
-        return run(batch::kernelsOf(set).rowsOfDoubles);
-    else
-        return run(batch::kernelsOf(set).rowsOfFloats);
+    return withLoops<Scalar>(
+        set, [&](const auto &loops, const auto &constants) { return loops.row(constants, row, points); });
 }
 
 template <class Line, class Scalar>
 void BatchUnprojection::line(const Line &line, Scalar *points, InstructionSet set) const
 {
-    const auto run = [&](const auto &loops) {
-        withLoop(loops, [&](auto loop, const auto &constants) { loop(constants, line, points); });
-    };
-    if constexpr (std::is_same_v<Scalar, double>)
-        run(batch::kernelsOf(set).linesOfDoubles);
-    else
-        run(batch::kernelsOf(set).linesOfFloats);
+    withLoops<Scalar>(set, [&](const auto &loops, const auto &constants) { loops.line(constants, line, points); });
 }
 
 template void BatchUnprojection::operator()<double>(const BatchInput<double> &, const BatchOutput<double> &,

@@ -5,6 +5,7 @@
 #include "core/unproject/unprojector.h"
 
 #include <cstddef>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -21,6 +22,14 @@ const std::vector<InstructionSet> &availableInstructionSets();
 namespace batch {
 /// The loops compiled for a set.
 const Kernels &kernelsOf(InstructionSet set);
+template <class Scalar>
+const LoopsOf<Scalar> &loopsOf(InstructionSet set)
+{
+    if constexpr (std::is_same_v<Scalar, double>)
+        return kernelsOf(set).ofDoubles;
+    else
+        return kernelsOf(set).ofFloats;
+}
 } // namespace batch
 
 /// The picture elements of a batch, one array a coordinate. px, py: continuous device positions
@@ -85,17 +94,14 @@ public:
     void line(const Line &line, Scalar *points, InstructionSet set = availableInstructionSets().back()) const;
 
 private:
-    /// Calls the matching loop of a table with its constants.
-    template <class Loops, class Call>
-    auto withLoop(const Loops &loops, const Call &call) const;
+    using Constants = std::variant<LineConstants, batch::MatrixConstants>;
 
-    struct Perspective : batch::ClosedFormConstants {};
-    struct Box : batch::ClosedFormConstants {};
-    using Kind = std::variant<Perspective, Box, batch::MatrixConstants>;
+    explicit BatchUnprojection(const Constants &constants) : m_constants(constants) {}
+    /// Calls the method's loops with its constants.
+    template <class Scalar, class Call>
+    auto withLoops(InstructionSet set, const Call &call) const;
 
-    explicit BatchUnprojection(const Kind &constants) : m_constants(constants) {}
-
-    Kind m_constants;
+    Constants m_constants;
 };
 
 } // namespace unprojector::unproject

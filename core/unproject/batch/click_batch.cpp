@@ -235,7 +235,25 @@ Result<ClickBatch> ClickBatch::byFormula(const Unprojector &unprojector, BatchSp
     const TermSizes sizes = termSizes(axes, object);
     if (object)
         axes = placed(axes, *object);
-    return ClickBatch(Formula{unprojector, space, object, lens.isPerspective, constantsOf(lens, axes, sizes, setup)});
+    const batch::PreciseConstants constants = constantsOf(lens, axes, sizes, setup);
+    return ClickBatch([=, isPerspective = lens.isPerspective](const BatchInput<double> &input,
+                                                              const BatchOutput<double> &output, std::size_t count,
+                                                              InstructionSet set) {
+        const batch::ClickKernels &loops = batch::kernelsOf(set).clicks;
+        const batch::PreciseKernel loop = isPerspective ? loops.perspective : loops.box;
+        std::array<double, 1024> doubt;
+        for (std::size_t begin = 0; begin < count; begin += doubt.size()) {
+            const std::size_t part = std::min(doubt.size(), count - begin);
+            loop(constants, input.px + begin, input.py + begin, input.depth + begin, output.x + begin, output.y + begin,
+                 output.z + begin, doubt.data(), part);
+            for (std::size_t k = 0; k < part; ++k) {
+                const std::size_t i = begin + k;
+                if (doubt[k] != 0.0)
+                    put(clicked(unprojector, space, Method::Formula, windowOf(unprojector, input, i), object), output,
+                        i);
+            }
+        }
+    });
 }
 
 Result<ClickBatch> ClickBatch::byMatrix(const Setup &setup, BatchSpace::Kind space)
@@ -264,7 +282,10 @@ Result<ClickBatch> ClickBatch::byMatrix(const Setup &setup, BatchSpace::Kind spa
         for (int column = 0; column < 4; ++column)
             c.rows[row][column] = inverse[column][row];
     }
-    return ClickBatch(c);
+    return ClickBatch([c](const BatchInput<double> &input, const BatchOutput<double> &output, std::size_t count,
+                          InstructionSet set) {
+        batch::kernelsOf(set).clicks.matrix(c, input.px, input.py, input.depth, output.x, output.y, output.z, count);
+    });
 }
 
 Result<ClickBatch> ClickBatch::of(Method method, const Setup &setup, const BatchSpace &space)
@@ -289,7 +310,12 @@ Result<ClickBatch> ClickBatch::of(Method method, const Setup &setup, const Batch
         }
         if (const Result<ClickBatch> inDouble = byMatrix(setup, kind); !inDouble)
             return inDouble.error();
-        return ClickBatch(OneByOne{*unprojector, kind, method});
+        return ClickBatch([click = *unprojector, kind, method](const BatchInput<double> &input,
+                                                               const BatchOutput<double> &output, std::size_t count,
+                                                               InstructionSet) {
+            for (std::size_t i = 0; i < count; ++i)
+                put(clicked(click, kind, method, windowOf(click, input, i)), output, i);
+        });
     };
     const Result<ClickBatch> batch = batchBy();
     if (!batch || method == Method::Formula)
@@ -299,43 +325,10 @@ Result<ClickBatch> ClickBatch::of(Method method, const Setup &setup, const Batch
     return withObject;
 }
 
-void ClickBatch::run(const Formula &formula, const BatchInput<double> &input, const BatchOutput<double> &output,
-                     std::size_t count, InstructionSet set) const
-{
-    const batch::ClickKernels &loops = batch::kernelsOf(set).clicks;
-    const batch::PreciseKernel loop = formula.isPerspective ? loops.perspective : loops.box;
-    std::array<double, 1024> doubt;
-    for (std::size_t begin = 0; begin < count; begin += doubt.size()) {
-        const std::size_t part = std::min(doubt.size(), count - begin);
-        loop(formula.constants, input.px + begin, input.py + begin, input.depth + begin, output.x + begin,
-             output.y + begin, output.z + begin, doubt.data(), part);
-        for (std::size_t k = 0; k < part; ++k) {
-            const std::size_t i = begin + k;
-            if (doubt[k] != 0.0)
-                put(clicked(formula.unprojector, formula.space, Method::Formula,
-                            windowOf(formula.unprojector, input, i), formula.object),
-                    output, i);
-        }
-    }
-}
-
-void ClickBatch::run(const batch::ClickMatrixConstants &matrix, const BatchInput<double> &input,
-                     const BatchOutput<double> &output, std::size_t count, InstructionSet set) const
-{
-    batch::kernelsOf(set).clicks.matrix(matrix, input.px, input.py, input.depth, output.x, output.y, output.z, count);
-}
-
-void ClickBatch::run(const OneByOne &click, const BatchInput<double> &input, const BatchOutput<double> &output,
-                     std::size_t count, InstructionSet) const
-{
-    for (std::size_t i = 0; i < count; ++i)
-        put(clicked(click.unprojector, click.space, click.method, windowOf(click.unprojector, input, i)), output, i);
-}
-
 void ClickBatch::operator()(const BatchInput<double> &input, const BatchOutput<double> &output, std::size_t count,
                             InstructionSet set) const
 {
-    std::visit([&](const auto &loop) { run(loop, input, output, count, set); }, m_loop);
+    m_loop(input, output, count, set);
     for (std::size_t i = 0; m_object && i < count; ++i) {
         const Result<ObjectPoint> point = m_object->at(WorldPoint(output.x[i], output.y[i], output.z[i]));
         put(point ? point->coordinates() : glm::dvec3(std::numeric_limits<double>::quiet_NaN()), output, i);

@@ -4,8 +4,10 @@
 #include "core/unproject/object_from_world.h"
 #include "core/unproject/unprojector.h"
 
+#include <cstddef>
+#include <functional>
 #include <optional>
-#include <variant>
+#include <utility>
 
 namespace unprojector::unproject {
 
@@ -28,33 +30,14 @@ public:
                     InstructionSet set = availableInstructionSets().back()) const;
 
 private:
-    struct Formula {
-        Unprojector unprojector;
-        BatchSpace::Kind space;
-        std::optional<ObjectFromWorld> object; ///< for Kind::Object
-        bool isPerspective;
-        batch::PreciseConstants constants;
-    };
-    /// A method without a loop of its own.
-    struct OneByOne {
-        Unprojector unprojector;
-        BatchSpace::Kind space;
-        Method method;
-    };
-    using Loop = std::variant<Formula, batch::ClickMatrixConstants, OneByOne>;
+    /// Unprojects elements as operator() does, but to world space where an object's is computed from it.
+    using Loop =
+        std::function<void(const BatchInput<double> &, const BatchOutput<double> &, std::size_t count, InstructionSet)>;
 
-    explicit ClickBatch(const Loop &loop) : m_loop(loop) {}
-
+    explicit ClickBatch(Loop loop) : m_loop(std::move(loop)) {}
     static geometry::Result<ClickBatch> byFormula(const Unprojector &unprojector, BatchSpace::Kind space,
                                                   const std::optional<ObjectFromWorld> &object);
     static geometry::Result<ClickBatch> byMatrix(const geometry::Setup &setup, BatchSpace::Kind space);
-
-    void run(const Formula &formula, const BatchInput<double> &input, const BatchOutput<double> &output,
-             std::size_t count, InstructionSet set) const;
-    void run(const batch::ClickMatrixConstants &matrix, const BatchInput<double> &input,
-             const BatchOutput<double> &output, std::size_t count, InstructionSet set) const;
-    void run(const OneByOne &click, const BatchInput<double> &input, const BatchOutput<double> &output,
-             std::size_t count, InstructionSet set) const;
 
     Loop m_loop;
     std::optional<ObjectFromWorld> m_object; ///< for points in world space that belong in an object's

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-
 /// The arithmetic of core/unproject/batch, compiled once for each instruction set from
 /// batch/kernels.inl. It uses only additions, subtractions, products and quotients, each rounded
 /// once and none fused, so every instruction set gives the same digits. The loops of
@@ -66,12 +65,6 @@ template <class Scalar, class Constants>
 using Kernel = void (*)(const Constants &, const Scalar *px, const Scalar *py, const Scalar *depth, Scalar *x,
                         Scalar *y, Scalar *z, std::size_t count);
 
-template <class Scalar>
-struct KernelsOf {
-    Kernel<Scalar, ClosedFormConstants> perspective, box;
-    Kernel<Scalar, MatrixConstants> matrix;
-};
-
 /// @param doubt  0 if x, y and z are exactly a click's; else they are invalid, and slower code must
 ///         compute them
 using PreciseKernel = void (*)(const PreciseConstants &, const double *px, const double *py, const double *depth,
@@ -111,7 +104,7 @@ struct FloatLine {
 
 /// @param points  x, y, z of each pixel, one after the other
 template <class Scalar, class Constants>
-struct LineKernel {
+struct LineLoops {
     void (*ofDoubles)(const Constants &, const DepthLine &, Scalar *points);
     void (*ofFloats)(const Constants &, const FloatLine &, Scalar *points);
 
@@ -125,23 +118,21 @@ struct LineKernel {
     }
 };
 
-template <class Scalar>
-struct LineKernelsOf {
-    LineKernel<Scalar, ClosedFormConstants> perspective, box;
-    LineKernel<Scalar, MatrixConstants> matrix;
-    LineKernel<Scalar, ClosedFormConstants> perspectiveDistances;
-};
-
-/// @param points  room for count of them, x, y, z one after the other; the rest after the results
-///         is scratch
-/// @return the number of points written
+/// The loops of a method.
 template <class Scalar, class Constants>
-using RowKernel = std::size_t (*)(const Constants &, const DepthRow &, Scalar *points);
-
+struct Loops {
+    Kernel<Scalar, Constants> arrays;
+    /// @param points  room for count of them, x, y, z one after the other; the rest after the results
+    ///         is scratch
+    /// @return the number of points written
+    std::size_t (*row)(const Constants &, const DepthRow &, Scalar *points);
+    LineLoops<Scalar, Constants> line;
+};
 template <class Scalar>
-struct RowKernelsOf {
-    RowKernel<Scalar, ClosedFormConstants> perspective, box;
-    RowKernel<Scalar, MatrixConstants> matrix;
+struct LoopsOf {
+    Loops<Scalar, ClosedFormConstants> perspective, box;
+    Loops<Scalar, MatrixConstants> matrix;
+    LineLoops<Scalar, ClosedFormConstants> perspectiveDistances;
 };
 
 /// Points with an array for each coordinate, and the depths that they were computed from.
@@ -157,12 +148,8 @@ using PointsKernel = void (*)(const PointArrays &, double *points);
 
 /// The loops of one instruction set. They compute in double for every array type.
 struct Kernels {
-    KernelsOf<double> ofDoubles;
-    KernelsOf<float> ofFloats;
-    RowKernelsOf<double> rowsOfDoubles;
-    RowKernelsOf<float> rowsOfFloats;
-    LineKernelsOf<double> linesOfDoubles;
-    LineKernelsOf<float> linesOfFloats;
+    LoopsOf<double> ofDoubles;
+    LoopsOf<float> ofFloats;
     ClickKernels clicks;
     PointsKernel validPoints;
 };

@@ -102,145 +102,90 @@ const char *ahead(const Scalar *p)
     return reinterpret_cast<const char *>(reinterpret_cast<std::uintptr_t>(p) + kPrefetchBytes);
 }
 
-/// The loops over the points of six arrays.
-template <class Method, class Scalar>
-class Loop {
-public:
-    using Constants = typename Method::Constants;
-
-    Loop(const Constants &constants, const Scalar *px, const Scalar *py, const Scalar *depth, Scalar *x, Scalar *y,
-         Scalar *z)
-        : m_constants(constants), m_px(px), m_py(py), m_depth(depth), m_x(x), m_y(y), m_z(z)
-    {
+/// Calls step(from, to, i) for whole packs of arrays from index i on; the last points go through
+/// arrays of a pack's length.
+template <std::size_t kFrom, std::size_t kTo, class Scalar, class Step>
+void inPacks(const Scalar *const (&from)[kFrom], Scalar *const (&to)[kTo], std::size_t begin, std::size_t end,
+             const Step &step)
+{
+    std::size_t i = begin;
+    for (; i + Pack::kLanes <= end; i += Pack::kLanes)
+        step(from, to, i);
+    if (i >= end)
+        return;
+    Scalar in[kFrom][Pack::kLanes] = {}, out[kTo][Pack::kLanes];
+    const Scalar *lastFrom[kFrom];
+    Scalar *lastTo[kTo];
+    for (std::size_t of = 0; of < kFrom; ++of) {
+        for (std::size_t k = i; k < end; ++k)
+            in[of][k - i] = from[of][k];
+        lastFrom[of] = in[of];
     }
-
-    void run(std::size_t begin, std::size_t end) const
-    {
-        const std::size_t stopped = packs<false>(begin, end);
-        if (stopped < end)
-            rest(stopped, end);
+    for (std::size_t of = 0; of < kTo; ++of)
+        lastTo[of] = out[of];
+    step(lastFrom, lastTo, 0);
+    for (std::size_t of = 0; of < kTo; ++of) {
+        for (std::size_t k = i; k < end; ++k)
+            to[of][k] = out[of][k - i];
     }
+}
 
-    /// Returns whether whole cache lines of all three results begin at the same point.
-    bool canStream() const
-    {
-        const std::size_t offset = offsetInLine(m_x);
-        return offset % sizeof(Scalar) == 0 && offsetInLine(m_y) == offset && offsetInLine(m_z) == offset;
-    }
-
-    /// Writes past the caches.
-    /// @pre canStream()
-    void stream(std::size_t begin, std::size_t end) const
-    {
-        const std::size_t offset = offsetInLine(m_x + begin);
-        const std::size_t firstLine = begin + (offset == 0 ? 0 : (kCacheLine - offset) / sizeof(Scalar));
-        run(begin, firstLine);
-        const std::size_t stopped = packs<true>(firstLine, end);
-        Pack::finishStreaming();
-        run(stopped, end);
-    }
-
-private:
-    /// Processes whole packs.
-    /// @return where it stopped, less than a pack before the end
-    template <bool streams>
-    std::size_t packs(std::size_t begin, std::size_t end) const
-    {
-        std::size_t i = begin;
-        if constexpr (streams && Pack::kLanes * sizeof(Scalar) < kCacheLine / 2)
-            i = lines(begin, end);
-        for (; i + Pack::kLanes <= end; i += Pack::kLanes) {
-            if constexpr (streams)
-                prefetch(i);
-            Pack p[3];
-            unproject(i, p);
-            if constexpr (streams) {
-                p[0].stream(m_x + i);
-                p[1].stream(m_y + i);
-                p[2].stream(m_z + i);
-            } else {
-                p[0].store(m_x + i);
-                p[1].store(m_y + i);
-                p[2].store(m_z + i);
-            }
+/// Writes whole cache lines of the three results past the caches, each in one go: a line filled in
+/// small packs is written in parts, and takes several times as long.
+/// @pre a cache line of each result begins at `begin`
+/// @return where it stopped, less than a line before the end
+template <class Scalar, class Step>
+std::size_t inLines(const Scalar *const (&from)[3], Scalar *const (&to)[3], std::size_t begin, std::size_t end,
+                    const Step &step)
+{
+    constexpr std::size_t kPoints = kCacheLine / sizeof(Scalar);
+    alignas(kCacheLine) Scalar line[3][kPoints];
+    std::size_t i = begin;
+    for (; i + kPoints <= end; i += kPoints) {
+        for (const Scalar *of : from)
+            Pack::prefetch(ahead(of + i));
+        for (std::size_t k = 0; k < kPoints; k += Pack::kLanes) {
+            const Scalar *const part[3] = {from[0] + i + k, from[1] + i + k, from[2] + i + k};
+            Scalar *const points[3] = {line[0] + k, line[1] + k, line[2] + k};
+            step(part, points, 0);
         }
-        return i;
-    }
-
-    void prefetch(std::size_t i) const
-    {
-        Pack::prefetch(ahead(m_px + i));
-        Pack::prefetch(ahead(m_py + i));
-        Pack::prefetch(ahead(m_depth + i));
-    }
-
-    void unproject(std::size_t i, Pack (&p)[3]) const
-    {
-        Method(m_constants, Pack::loaded(m_py + i))
-            .unproject(m_constants, Pack::loaded(m_px + i), Pack::loaded(m_depth + i), p);
-    }
-
-    /// Writes whole cache lines past the caches, each in one go: a line filled in small packs is
-    /// written in parts, and takes several times as long.
-    /// @return where it stopped, less than a line before the end
-    std::size_t lines(std::size_t begin, std::size_t end) const
-    {
-        constexpr std::size_t kPoints = kCacheLine / sizeof(Scalar);
-        alignas(kCacheLine) Scalar line[3][kPoints];
-        std::size_t i = begin;
-        for (; i + kPoints <= end; i += kPoints) {
-            prefetch(i);
-            for (std::size_t k = 0; k < kPoints; k += Pack::kLanes) {
-                Pack p[3];
-                unproject(i + k, p);
-                p[0].store(line[0] + k);
-                p[1].store(line[1] + k);
-                p[2].store(line[2] + k);
-            }
-            Scalar *const to[3] = {m_x + i, m_y + i, m_z + i};
-            for (int axis = 0; axis < 3; ++axis) {
-                for (std::size_t k = 0; k < kPoints; k += Pack::kLanes)
-                    Pack::loaded(line[axis] + k).stream(to[axis] + k);
-            }
-        }
-        return i;
-    }
-
-    /// Processes the rest: fewer points than a pack has lanes.
-    void rest(std::size_t begin, std::size_t end) const
-    {
-        Scalar in[3][Pack::kLanes] = {}, out[3][Pack::kLanes];
-        for (std::size_t i = begin; i < end; ++i) {
-            in[0][i - begin] = m_px[i];
-            in[1][i - begin] = m_py[i];
-            in[2][i - begin] = m_depth[i];
-        }
-        Pack p[3];
-        Method(m_constants, Pack::loaded(in[1])).unproject(m_constants, Pack::loaded(in[0]), Pack::loaded(in[2]), p);
-        for (int k = 0; k < 3; ++k)
-            p[k].store(out[k]);
-        for (std::size_t i = begin; i < end; ++i) {
-            m_x[i] = out[0][i - begin];
-            m_y[i] = out[1][i - begin];
-            m_z[i] = out[2][i - begin];
+        for (int axis = 0; axis < 3; ++axis) {
+            for (std::size_t k = 0; k < kPoints; k += Pack::kLanes)
+                Pack::loaded(line[axis] + k).stream(to[axis] + i + k);
         }
     }
-
-    const Constants m_constants; // a copy, which no store can change
-    const Scalar *m_px, *m_py, *m_depth;
-    Scalar *m_x, *m_y, *m_z;
-};
+    Pack::finishStreaming();
+    return i;
+}
 
 template <class Method, class Scalar>
 void unproject(const typename Method::Constants &constants, const Scalar *px, const Scalar *py, const Scalar *depth,
                Scalar *x, Scalar *y, Scalar *z, std::size_t count)
 {
-    const Loop<Method, Scalar> loop(constants, px, py, depth, x, y, z);
-    if (3 * count * sizeof(Scalar) >= kStreamedBytes && loop.canStream())
-        loop.stream(0, count);
-    else
-        loop.run(0, count);
+    const typename Method::Constants c = constants; // no store can change it
+    const Scalar *const from[3] = {px, py, depth};
+    Scalar *const to[3] = {x, y, z};
+    const auto step = [&c](const Scalar *const(&in)[3], Scalar *const(&out)[3], std::size_t i) {
+        Pack p[3];
+        Method(c, Pack::loaded(in[1] + i)).unproject(c, Pack::loaded(in[0] + i), Pack::loaded(in[2] + i), p);
+        for (int k = 0; k < 3; ++k)
+            p[k].store(out[k] + i);
+    };
+    std::size_t done = 0;
+    if (const std::size_t offset = offsetInLine(x); 3 * count * sizeof(Scalar) >= kStreamedBytes
+                                                    && offset % sizeof(Scalar) == 0 && offsetInLine(y) == offset
+                                                    && offsetInLine(z) == offset) {
+        // A line's length of points is written twice where the results begin within a line. One call of inPacks
+        // less lets the compiler inline it and keep the constants in registers.
+        constexpr std::size_t kPoints = kCacheLine / sizeof(Scalar);
+        for (std::size_t i = 0; i < kPoints; i += Pack::kLanes)
+            step(from, to, i);
+        done = inLines(from, to, (kCacheLine - offset) / sizeof(Scalar) % kPoints, count, step);
+    }
+    inPacks(from, to, done, count, step);
 }
+
+#include "core/unproject/batch/precise.inl"
 
 /// A value outside every range of depths. A constant, because a call could compile the library's
 /// function for this instruction set.
@@ -248,18 +193,18 @@ constexpr float kNoDepth = std::numeric_limits<float>::quiet_NaN();
 
 constexpr unsigned kAllLanes = (1u << Pack::kLanes) - 1;
 
-/// The bound for coordinates in double that stay finite in another number type.
+/// The greatest coordinate in double that stays finite in another number type.
 template <class Scalar>
-constexpr double kTooLarge = std::numeric_limits<double>::infinity();
+constexpr double kGreatest = std::numeric_limits<double>::max();
 template <>
-constexpr double kTooLarge<float> = 0x1.ffffffp127; // the first that rounds to infinity
+constexpr double kGreatest<float> = 0x1.fffffefffffffp127; // the next one rounds to infinity
 
 template <class Scalar>
 unsigned finiteLanes(const Pack (&p)[3])
 {
     unsigned lanes = kAllLanes;
     for (const Pack &coordinates : p)
-        lanes &= coordinates.between(-kTooLarge<Scalar>, kTooLarge<Scalar>);
+        lanes &= coordinates.within(-kGreatest<Scalar>, kGreatest<Scalar>);
     return lanes;
 }
 
@@ -282,73 +227,55 @@ Scalar *appended(const Pack (&p)[3], unsigned lanes, Scalar *next)
     return next;
 }
 
+/// Calls step(values, px, points) for whole packs of a row's values; it returns where the next points
+/// go. The last values go through arrays of a pack's length.
+/// @return the end of the points
+template <class Number, class Scalar, class Step>
+Scalar *alongRow(const Number *values, std::size_t count, double firstX, Scalar *points, const Step &step)
+{
+    Pack px = Pack::counted() + Pack(firstX);
+    std::size_t i = 0;
+    for (; i + Pack::kLanes <= count; i += Pack::kLanes, px = px + Pack(double(Pack::kLanes)))
+        points = step(values + i, px, points);
+    if (i == count)
+        return points;
+    Number rest[Pack::kLanes];
+    for (std::size_t lane = 0; lane < Pack::kLanes; ++lane)
+        rest[lane] = i + lane < count ? values[i + lane] : static_cast<Number>(kNoDepth);
+    Scalar last[3 * Pack::kLanes];
+    const Scalar *const end = step(rest, px, last), *const full = last + 3 * (count - i);
+    for (const Scalar *from = last; from != end && from != full; ++from)
+        *points++ = *from;
+    return points;
+}
+
 template <class Method, class Scalar>
 std::size_t unprojectRow(const typename Method::Constants &constants, const DepthRow &row, Scalar *points)
 {
     const typename Method::Constants c = constants; // no store can change it
     const Method method(c, Pack(row.py));
-    const auto addPoints = [&](const float *depth, Pack px, Scalar *next) {
-        unsigned lanes = Pack::between(depth, row.lowest, row.highest);
-        if (lanes == 0)
-            return next;
-        Pack p[3];
-        method.unproject(c, px, Pack::loaded(depth), p);
-        if (row.canOverflow)
-            lanes &= finiteLanes<Scalar>(p);
-        return appended(p, lanes, next);
-    };
-    Scalar *next = points;
-    Pack px = Pack::counted() + Pack(row.px);
-    std::size_t i = 0;
-    for (; i + Pack::kLanes <= row.count; i += Pack::kLanes, px = px + Pack(double(Pack::kLanes)))
-        next = addPoints(row.depth + i, px, next);
-    if (i < row.count) {
-        float depth[Pack::kLanes];
-        Scalar last[3 * Pack::kLanes];
-        for (std::size_t lane = 0; lane < Pack::kLanes; ++lane)
-            depth[lane] = i + lane < row.count ? row.depth[i + lane] : kNoDepth;
-        const Scalar *end = addPoints(depth, px, last);
-        for (const Scalar *from = last; from != end; ++from)
-            *next++ = *from;
-    }
-    return static_cast<std::size_t>(next - points) / 3;
+    const Scalar *const end =
+        alongRow(row.depth, row.count, row.px, points, [&](const float *depth, Pack px, Scalar *next) {
+            const Pack d = Pack::loaded(depth);
+            unsigned lanes = d.within(static_cast<double>(row.lowest), static_cast<double>(row.highest));
+            if (lanes == 0)
+                return next;
+            Pack p[3];
+            method.unproject(c, px, d, p);
+            if (row.canOverflow)
+                lanes &= finiteLanes<Scalar>(p);
+            return appended(p, lanes, next);
+        });
+    return static_cast<std::size_t>(end - points) / 3;
 }
 
 /// Perspective with known distances instead of depths.
 class PerspectiveDistances : public Perspective {
 public:
     using Perspective::Perspective;
+
     void unproject(const Constants &c, Pack px, Pack distance, Pack (&p)[3]) const { atDistance(c, px, distance, p); }
 };
-
-template <class Method, class Scalar>
-void unprojectLine(const typename Method::Constants &constants, const DepthLine &line, Scalar *points)
-{
-    const typename Method::Constants c = constants; // no store can change it
-    const Method method(c, Pack(line.py));
-    Pack px = Pack::counted() + Pack(line.px);
-    std::size_t i = 0;
-    for (; i + Pack::kLanes <= line.count; i += Pack::kLanes, px = px + Pack(double(Pack::kLanes))) {
-        Pack p[3];
-        method.unproject(c, px, Pack::loaded(line.values + i), p);
-        Pack::storeInterleaved(p, points);
-        points += 3 * Pack::kLanes;
-    }
-    if (i == line.count)
-        return;
-    double values[Pack::kLanes] = {};
-    for (std::size_t lane = 0; i + lane < line.count; ++lane)
-        values[lane] = line.values[i + lane];
-    Pack p[3];
-    method.unproject(c, px, Pack::loaded(values), p);
-    Scalar last[3 * Pack::kLanes];
-    Pack::storeInterleaved(p, last);
-    for (std::size_t k = 0; k < 3 * (line.count - i); ++k)
-        points[k] = last[k];
-}
-
-/// The point of a pixel without one.
-constexpr double kNoCoordinate = std::numeric_limits<double>::quiet_NaN();
 
 /// Writes the points of a pack, NaN for those whose lane is not set.
 template <class Scalar>
@@ -357,7 +284,7 @@ void storeValid(const Pack (&p)[3], unsigned lanes, Scalar *to)
     Pack::storeInterleaved(p, to);
     for (std::size_t lane = 0; lanes != kAllLanes && lane < Pack::kLanes; ++lane) {
         for (int k = 0; (lanes >> lane & 1) == 0 && k < 3; ++k)
-            to[3 * lane + static_cast<std::size_t>(k)] = static_cast<Scalar>(kNoCoordinate);
+            to[3 * lane + static_cast<std::size_t>(k)] = static_cast<Scalar>(kNoDepth);
     }
 }
 
@@ -365,7 +292,7 @@ void storeValidPoints(const PointArrays &from, double *points)
 {
     const auto pack = [&](const double *x, const double *y, const double *z, const double *depth, double *to) {
         const Pack p[3] = {Pack::loaded(x), Pack::loaded(y), Pack::loaded(z)};
-        storeValid(p, Pack::between(depth, from.lowest, from.highest) & finiteLanes<double>(p), to);
+        storeValid(p, Pack::loaded(depth).within(from.lowest, from.highest) & finiteLanes<double>(p), to);
     };
     std::size_t i = 0;
     for (; i + Pack::kLanes <= from.count; i += Pack::kLanes)
@@ -384,34 +311,34 @@ void storeValidPoints(const PointArrays &from, double *points)
         points[k] = last[k - 3 * i];
 }
 
+template <class Method, class Scalar>
+void unprojectLine(const typename Method::Constants &constants, const DepthLine &line, Scalar *points)
+{
+    const typename Method::Constants c = constants; // no store can change it
+    const Method method(c, Pack(line.py));
+    alongRow(line.values, line.count, line.px, points, [&](const double *values, Pack px, Scalar *to) {
+        Pack p[3];
+        method.unproject(c, px, Pack::loaded(values), p);
+        Pack::storeInterleaved(p, to);
+        return to + 3 * Pack::kLanes;
+    });
+}
+
 template <class Method, bool divides, class Scalar>
 void unprojectFloats(const typename Method::Constants &constants, const FloatLine &line, Scalar *points)
 {
     const typename Method::Constants c = constants; // no store can change it
     const Method method(c, Pack(line.py));
     const Pack divisor(line.divisor);
-    const auto addPoints = [&](const float *values, Pack px, Scalar *to) {
-        const unsigned lanes = Pack::between(values, line.lowest, line.highest);
+    alongRow(line.values, line.count, line.px, points, [&](const float *values, Pack px, Scalar *to) {
         Pack value = Pack::loaded(values), p[3];
+        const unsigned lanes = value.within(static_cast<double>(line.lowest), static_cast<double>(line.highest));
         if constexpr (divides)
             value = value / divisor;
         method.unproject(c, px, value, p);
         storeValid(p, lanes, to);
         return to + 3 * Pack::kLanes;
-    };
-    Pack px = Pack::counted() + Pack(line.px);
-    std::size_t i = 0;
-    for (; i + Pack::kLanes <= line.count; i += Pack::kLanes, px = px + Pack(double(Pack::kLanes)))
-        points = addPoints(line.values + i, px, points);
-    if (i == line.count)
-        return;
-    float values[Pack::kLanes] = {};
-    for (std::size_t lane = 0; i + lane < line.count; ++lane)
-        values[lane] = line.values[i + lane];
-    Scalar last[3 * Pack::kLanes];
-    addPoints(values, px, last);
-    for (std::size_t k = 0; k < 3 * (line.count - i); ++k)
-        points[k] = last[k];
+    });
 }
 
 template <class Method, class Scalar>
@@ -424,24 +351,20 @@ void unprojectFloats(const typename Method::Constants &constants, const FloatLin
 }
 
 template <class Method, class Scalar>
-constexpr LineKernel<Scalar, typename Method::Constants> kLine{unprojectLine<Method, Scalar>,
-                                                               unprojectFloats<Method, Scalar>};
+constexpr LineLoops<Scalar, typename Method::Constants> kLine{unprojectLine<Method, Scalar>,
+                                                              unprojectFloats<Method, Scalar>};
+template <class Method, class Scalar>
+constexpr Loops<Scalar, typename Method::Constants> kLoops{unproject<Method, Scalar>, unprojectRow<Method, Scalar>,
+                                                           kLine<Method, Scalar>};
 template <class Scalar>
-constexpr LineKernelsOf<Scalar> kLines{kLine<Perspective, Scalar>, kLine<Box, Scalar>, kLine<Matrix, Scalar>,
-                                       kLine<PerspectiveDistances, Scalar>};
-
-#include "core/unproject/batch/precise.inl"
+constexpr LoopsOf<Scalar> kLoopsOf{kLoops<Perspective, Scalar>, kLoops<Box, Scalar>, kLoops<Matrix, Scalar>,
+                                   kLine<PerspectiveDistances, Scalar>};
 
 } // namespace
 
-const Kernels UNPROJECTOR_KERNELS{
-    {unproject<Perspective, double>, unproject<Box, double>, unproject<Matrix, double>},
-    {unproject<Perspective, float>, unproject<Box, float>, unproject<Matrix, float>},
-    {unprojectRow<Perspective, double>, unprojectRow<Box, double>, unprojectRow<Matrix, double>},
-    {unprojectRow<Perspective, float>, unprojectRow<Box, float>, unprojectRow<Matrix, float>},
-    kLines<double>,
-    kLines<float>,
-    {unprojectPrecisely<true>, unprojectPrecisely<false>, unproject<ClickMatrix, double>},
-    storeValidPoints};
+const Kernels UNPROJECTOR_KERNELS{kLoopsOf<double>,
+                                  kLoopsOf<float>,
+                                  {unprojectPrecisely<true>, unprojectPrecisely<false>, unproject<ClickMatrix, double>},
+                                  storeValidPoints};
 
 } // namespace unprojector::unproject::batch

@@ -25,24 +25,11 @@ struct Pack {
     static void finishStreaming() { _mm_sfence(); }
     static Pack counted() { return _mm256_set_pd(3, 2, 1, 0); }
     /// The lanes within [low, high], one bit each.
-    unsigned between(double low, double high) const
+    unsigned within(double low, double high) const
     {
         return static_cast<unsigned>(
-            _mm256_movemask_pd(_mm256_and_pd(_mm256_cmp_pd(lanes, _mm256_set1_pd(low), _CMP_GT_OQ),
-                                             _mm256_cmp_pd(lanes, _mm256_set1_pd(high), _CMP_LT_OQ))));
-    }
-    /// The same for arrays, ends included.
-    static unsigned between(const float *values, float low, float high)
-    {
-        const __m128 v = _mm_loadu_ps(values);
-        return static_cast<unsigned>(
-            _mm_movemask_ps(_mm_and_ps(_mm_cmpge_ps(v, _mm_set1_ps(low)), _mm_cmple_ps(v, _mm_set1_ps(high)))));
-    }
-    static unsigned between(const double *values, double low, double high)
-    {
-        const __m256d v = _mm256_loadu_pd(values);
-        return static_cast<unsigned>(_mm256_movemask_pd(_mm256_and_pd(
-            _mm256_cmp_pd(v, _mm256_set1_pd(low), _CMP_GE_OQ), _mm256_cmp_pd(v, _mm256_set1_pd(high), _CMP_LE_OQ))));
+            _mm256_movemask_pd(_mm256_and_pd(_mm256_cmp_pd(lanes, _mm256_set1_pd(low), _CMP_GE_OQ),
+                                             _mm256_cmp_pd(lanes, _mm256_set1_pd(high), _CMP_LE_OQ))));
     }
     /// x0 y0 z0 x1 y1 z1 ...
     static void storeInterleaved(const Pack (&p)[3], float *to)

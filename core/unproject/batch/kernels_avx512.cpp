@@ -23,23 +23,10 @@ struct Pack {
     static void finishStreaming() { _mm_sfence(); }
     static Pack counted() { return _mm512_set_pd(7, 6, 5, 4, 3, 2, 1, 0); }
     /// The lanes within [low, high], one bit each.
-    unsigned between(double low, double high) const
+    unsigned within(double low, double high) const
     {
-        return _mm512_cmp_pd_mask(lanes, _mm512_set1_pd(low), _CMP_GT_OQ)
-               & _mm512_cmp_pd_mask(lanes, _mm512_set1_pd(high), _CMP_LT_OQ);
-    }
-    /// The same for arrays, ends included.
-    static unsigned between(const float *values, float low, float high)
-    {
-        const __m256 v = _mm256_loadu_ps(values);
-        const __mmask8 above = _mm256_cmp_ps_mask(v, _mm256_set1_ps(low), _CMP_GE_OQ);
-        return _mm256_mask_cmp_ps_mask(above, v, _mm256_set1_ps(high), _CMP_LE_OQ);
-    }
-    static unsigned between(const double *values, double low, double high)
-    {
-        const __m512d v = _mm512_loadu_pd(values);
-        const __mmask8 above = _mm512_cmp_pd_mask(v, _mm512_set1_pd(low), _CMP_GE_OQ);
-        return _mm512_mask_cmp_pd_mask(above, v, _mm512_set1_pd(high), _CMP_LE_OQ);
+        const __mmask8 above = _mm512_cmp_pd_mask(lanes, _mm512_set1_pd(low), _CMP_GE_OQ);
+        return _mm512_mask_cmp_pd_mask(above, lanes, _mm512_set1_pd(high), _CMP_LE_OQ);
     }
     /// x0 y0 z0 x1 y1 z1 ...
     static void storeInterleaved(const Pack (&p)[3], float *to)

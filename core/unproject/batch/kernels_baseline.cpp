@@ -43,30 +43,13 @@ struct Pack {
     static void finishStreaming() { _mm_sfence(); }
     static Pack counted() { return {_mm_set_pd(1, 0), _mm_set_pd(3, 2)}; }
     /// The lanes within [lowest, highest], one bit each.
-    unsigned between(double lowest, double highest) const
+    unsigned within(double lowest, double highest) const
     {
         const __m128d from = _mm_set1_pd(lowest), to = _mm_set1_pd(highest);
-        const auto bits = [&](__m128d lanes) {
-            return static_cast<unsigned>(
-                _mm_movemask_pd(_mm_and_pd(_mm_cmpgt_pd(lanes, from), _mm_cmplt_pd(lanes, to))));
+        const auto bits = [&](__m128d two) {
+            return static_cast<unsigned>(_mm_movemask_pd(_mm_and_pd(_mm_cmpge_pd(two, from), _mm_cmple_pd(two, to))));
         };
         return bits(low) | bits(high) << 2;
-    }
-    /// The same for arrays, ends included.
-    static unsigned between(const float *values, float lowest, float highest)
-    {
-        const __m128 v = _mm_loadu_ps(values);
-        return static_cast<unsigned>(
-            _mm_movemask_ps(_mm_and_ps(_mm_cmpge_ps(v, _mm_set1_ps(lowest)), _mm_cmple_ps(v, _mm_set1_ps(highest)))));
-    }
-    static unsigned between(const double *values, double lowest, double highest)
-    {
-        const __m128d from = _mm_set1_pd(lowest), to = _mm_set1_pd(highest);
-        const auto bits = [&](__m128d lanes) {
-            return static_cast<unsigned>(
-                _mm_movemask_pd(_mm_and_pd(_mm_cmpge_pd(lanes, from), _mm_cmple_pd(lanes, to))));
-        };
-        return bits(_mm_loadu_pd(values)) | bits(_mm_loadu_pd(values + 2)) << 2;
     }
     /// x0 y0 z0 x1 y1 z1 ...
     static void storeInterleaved(const Pack (&p)[3], float *to)
@@ -126,12 +109,7 @@ struct Pack {
     static void prefetch(const char *) {}
     static void finishStreaming() {}
     static Pack counted() { return Pack(0.0); }
-    unsigned between(double low, double high) const { return lane > low && lane < high; }
-    template <class Scalar>
-    static unsigned between(const Scalar *value, Scalar low, Scalar high)
-    {
-        return *value >= low && *value <= high;
-    }
+    unsigned within(double low, double high) const { return lane >= low && lane <= high; }
     template <class Scalar>
     static void storeInterleaved(const Pack (&p)[3], Scalar *to)
     {

@@ -141,16 +141,10 @@ PixelLine PixelLines::at(double px, double py) const
 
 namespace {
 
-template <class Line>
-void perspectiveLine(const batch::ClosedFormConstants &constants, const Line &line, double *points)
+template <class Line, class Scalar>
+void perspectiveLine(const batch::ClosedFormConstants &constants, const Line &line, Scalar *points)
 {
-    batch::kernelsOf(availableInstructionSets().back()).linesOfDoubles.perspectiveDistances(constants, line, points);
-}
-
-template <class Line>
-void perspectiveLine(const batch::ClosedFormConstants &constants, const Line &line, float *points)
-{
-    batch::kernelsOf(availableInstructionSets().back()).linesOfFloats.perspectiveDistances(constants, line, points);
+    batch::loopsOf<Scalar>(availableInstructionSets().back()).perspectiveDistances(constants, line, points);
 }
 
 } // namespace

@@ -121,34 +121,16 @@ void unprojectPrecisely(const PreciseConstants &constants, const double *px, con
                         double *x, double *y, double *z, double *doubt, std::size_t count)
 {
     const PreciseConstants c = constants; // no store can change it
-    const auto pack = [&](const double *fromX, const double *fromY, const double *fromDepth, double *toX, double *toY,
-                          double *toZ, double *toDoubt) {
+    const double *const from[3] = {px, py, depth};
+    double *const to[4] = {x, y, z, doubt};
+    inPacks(from, to, 0, count, [&c](const double *const(&in)[3], double *const(&out)[4], std::size_t i) {
         Pack p[3], uncertain;
-        unprojectPrecisely<isPerspective>(c, Pack::loaded(fromX), Pack::loaded(fromY), Pack::loaded(fromDepth), p,
-                                          uncertain);
-        p[0].store(toX);
-        p[1].store(toY);
-        p[2].store(toZ);
-        uncertain.store(toDoubt);
-    };
-    std::size_t i = 0;
-    for (; i + Pack::kLanes <= count; i += Pack::kLanes)
-        pack(px + i, py + i, depth + i, x + i, y + i, z + i, doubt + i);
-    if (i == count)
-        return;
-    double in[3][Pack::kLanes] = {}, out[4][Pack::kLanes];
-    for (std::size_t k = i; k < count; ++k) {
-        in[0][k - i] = px[k];
-        in[1][k - i] = py[k];
-        in[2][k - i] = depth[k];
-    }
-    pack(in[0], in[1], in[2], out[0], out[1], out[2], out[3]);
-    for (std::size_t k = i; k < count; ++k) {
-        x[k] = out[0][k - i];
-        y[k] = out[1][k - i];
-        z[k] = out[2][k - i];
-        doubt[k] = out[3][k - i];
-    }
+        unprojectPrecisely<isPerspective>(c, Pack::loaded(in[0] + i), Pack::loaded(in[1] + i), Pack::loaded(in[2] + i),
+                                          p, uncertain);
+        for (int k = 0; k < 3; ++k)
+            p[k].store(out[k] + i);
+        uncertain.store(out[3] + i);
+    });
 }
 
 /// The method of gluUnProject, each step rounded as in MatrixInverse.
