@@ -67,23 +67,11 @@ Uncertainty Certainties::of(const EyePoint &eye, const WorldPoint &world, const 
     return summed(eye, world, {alongRay(eye, certainty)});
 }
 
-Certainty certaintyAt(const Setup &setup, double distance, const DepthError &error)
+Uncertainty Certainties::withinPixel(const EyePoint &eye, const WorldPoint &world, const Certainty &certainty) const
 {
-    return Certainties(setup).at(distance, error);
-}
-
-Uncertainty uncertaintyOf(const Setup &setup, const EyePoint &eye, const WorldPoint &world, const Certainty &certainty)
-{
-    return Certainties(setup).of(eye, world, certainty);
-}
-
-Uncertainty withinPixel(const Setup &setup, const EyePoint &eye, const WorldPoint &world, const Certainty &certainty)
-{
-    const Certainties certainties(setup);
-    return certainties.summed(eye, world,
-                              {certainties.alongRay(eye, certainty),
-                               glm::dvec3(certainty.footprintWidth / 2.0, 0.0, 0.0),
-                               certainty.footprintHeight / 2.0 * glm::dvec3(-certainties.m_window.skew, 1.0, 0.0)});
+    return summed(eye, world,
+                  {alongRay(eye, certainty), glm::dvec3(certainty.footprintWidth / 2.0, 0.0, 0.0),
+                   certainty.footprintHeight / 2.0 * glm::dvec3(-m_window.skew, 1.0, 0.0)});
 }
 
 } // namespace unprojector::unproject

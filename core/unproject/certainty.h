@@ -26,49 +26,47 @@ struct Certainty {
     double distance = 0.0;
 };
 
-/// Computes the certainty for an error delta of the window depth. With delta as a share of the
-/// range, q = delta / |df - dn|:
-///
-///   perspective  q z^2 (f-n) / (f n), divided by 1 - q z (f-n) / (f n): by the farther end
-///   box          q (f-n)
-///
-/// The result is limited by the near and far plane, since the drawn surface lies between them. The
-/// depth step is to first order. A pixel is (r-l) z / (n width) by (t-b) z / (n height), in a box
-/// (r-l) / width by (t-b) / height.
-/// @param distance  z > 0 in front of the eye (any z for a box), eye units
-/// @pre the setup is valid and by parameters
-Certainty certaintyAt(const geometry::Setup &setup, double distance, const DepthError &error);
-
 /// The error bound of each coordinate of a point.
 struct Uncertainty {
     geometry::EyeVector eye;
     geometry::WorldVector world;
 };
 
-/// Certainty::distance along the ray through the pixel's centre, on each axis; plus half a unit in
-/// the last place of the coordinate for its rounding. The errors of the axes are not independent:
-/// all have the same share.
-/// @param eye        the point
-/// @param world      the same
-/// @param certainty  at its distance
-/// @pre the setup is valid and by parameters; a perspective sees the point (z_eye is not 0)
-Uncertainty uncertaintyOf(const geometry::Setup &setup, const geometry::EyePoint &eye,
-                          const geometry::WorldPoint &world, const Certainty &certainty);
-
-/// Computes certaintyAt and uncertaintyOf for many pixels of a setup: constants of the setup are
+/// Computes the certainty and the uncertainty of points of a setup: constants of the setup are
 /// computed once.
 class Certainties {
 public:
     /// @pre the setup is valid and by parameters
     explicit Certainties(const geometry::Setup &setup);
 
+    /// Computes the certainty for an error delta of the window depth. With delta as a share of the
+    /// range, q = delta / |df - dn|:
+    ///
+    ///   perspective  q z^2 (f-n) / (f n), divided by 1 - q z (f-n) / (f n): by the farther end
+    ///   box          q (f-n)
+    ///
+    /// The result is limited by the near and far plane, since the drawn surface lies between them. The
+    /// depth step is to first order. A pixel is (r-l) z / (n width) by (t-b) z / (n height), in a box
+    /// (r-l) / width by (t-b) / height.
+    /// @param distance  z > 0 in front of the eye (any z for a box), eye units
     Certainty at(double distance, const DepthError &error) const;
+
+    /// Certainty::distance along the ray through the pixel's centre, on each axis; plus half a unit in
+    /// the last place of the coordinate for its rounding. The errors of the axes are not independent:
+    /// all have the same share.
+    /// @param eye        the point
+    /// @param world      the same
+    /// @param certainty  at its distance
+    /// @pre a perspective sees the point (z_eye is not 0)
     Uncertainty of(const geometry::EyePoint &eye, const geometry::WorldPoint &world, const Certainty &certainty) const;
 
-private:
-    friend Uncertainty withinPixel(const geometry::Setup &setup, const geometry::EyePoint &eye,
-                                   const geometry::WorldPoint &world, const Certainty &certainty);
+    /// The largest difference from the point to anything in its pixel at that distance: half a pixel to
+    /// the side and half a pixel up, on each axis, and the uncertainty. It is the uncertainty of pointing
+    /// by hand.
+    Uncertainty withinPixel(const geometry::EyePoint &eye, const geometry::WorldPoint &world,
+                            const Certainty &certainty) const;
 
+private:
     /// The vector along the ray through the point, as long as the certainty's distance.
     glm::dvec3 alongRay(const geometry::EyePoint &eye, const Certainty &certainty) const;
     /// The sum of error parts, given as vectors of eye space, on each axis: all of them may occur
@@ -83,11 +81,5 @@ private:
     glm::dvec2 m_footprint; ///< of a pixel: at distance 1 in a perspective, at any distance in a box
     geometry::EyeFrame m_frame;
 };
-
-/// The largest difference from the point to anything in its pixel at that distance: half a pixel to
-/// the side and half a pixel up, on each axis, and uncertaintyOf. It is the uncertainty of pointing
-/// by hand.
-Uncertainty withinPixel(const geometry::Setup &setup, const geometry::EyePoint &eye, const geometry::WorldPoint &world,
-                        const Certainty &certainty);
 
 } // namespace unprojector::unproject

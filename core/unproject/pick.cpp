@@ -11,14 +11,14 @@ Pick refined(Pick pick, const DrawnSurface &surface)
     const Result<WorldPoint> &world = pick.point.world[Method::Formula];
     if (!pick.hit() || !eye || !world)
         return pick;
-    pick.certainty =
-        certaintyAt(pick.setup, -eye->z, depthErrorAt(pick.setup, pick.window, *world, pick.sample, surface));
+    const Certainties certainties(pick.setup);
+    pick.certainty = certainties.at(-eye->z, depthErrorAt(pick.setup, pick.window, *world, pick.sample, surface));
     // A dot only tells that its point's pixel is among the pixels that it covers.
     pick.certainty.footprintWidth *= pick.sample.dotPixels;
     pick.certainty.footprintHeight *= pick.sample.dotPixels;
-    pick.withinPixel = withinPixel(pick.setup, *eye, *world, pick.certainty);
+    pick.withinPixel = certainties.withinPixel(*eye, *world, pick.certainty);
     const bool isPoint = surface.isPoint || (pick.sample.dotPixels > 1.0 && !surface.triangle);
-    pick.uncertainty = isPoint ? pick.withinPixel : uncertaintyOf(pick.setup, *eye, *world, pick.certainty);
+    pick.uncertainty = isPoint ? pick.withinPixel : certainties.of(*eye, *world, pick.certainty);
     return pick;
 }
 

@@ -108,7 +108,7 @@ private slots:
             const Setup setup = pictureWith(projection);
             const DepthScale scale = depthScaleOf(setup);
             const DepthFormat format(24);
-            const Certainty certainty = certaintyAt(setup, 4.5, {format.halfStep(unitDepthAt(scale, 4.5)), 0.0});
+            const Certainty certainty = Certainties(setup).at(4.5, {format.halfStep(unitDepthAt(scale, 4.5)), 0.0});
             QVERIFY(std::abs(halfDepthStepAt(scale, format, 4.5) / certainty.halfDepthStep - 1.0) < 1e-12);
         }
     }

@@ -306,7 +306,7 @@ private slots:
             const double depth = range.atNear + share * (range.atFar - range.atNear), here = distance(depth);
             for (const double part : {1e-9, 1e-4, 0.02, 0.6}) {
                 const double error = part * extent;
-                const Certainty certainty = certaintyAt(setup, here, {error / 4.0, error * 0.75});
+                const Certainty certainty = Certainties(setup).at(here, {error / 4.0, error * 0.75});
                 double farthest = 0.0;
                 for (const double end : {depth - error, depth + error})
                     farthest = std::max(farthest, std::abs(distance(std::clamp(end, lowest, highest)) - here));

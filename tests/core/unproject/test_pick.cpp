@@ -272,7 +272,7 @@ private slots:
         QFETCH(double, distance);
         QFETCH(int, bits);
         QFETCH(glm::dvec3, expected);
-        const Certainty certainty = certaintyAt(geometry, distance, {DepthFormat(bits).halfStep(0.5), 0.0});
+        const Certainty certainty = Certainties(geometry).at(distance, {DepthFormat(bits).halfStep(0.5), 0.0});
         constexpr double kLiteral = 1e-9; // the digits written above
         QVERIFY(isRelativelyNear(certainty.halfDepthStep, expected.x, kLiteral));
         QVERIFY(isRelativelyNear(certainty.footprintWidth, expected.y, kLiteral));
@@ -328,11 +328,11 @@ private slots:
         QFETCH(EyePoint, point);
         QFETCH(glm::dvec3, inEye);
         QFETCH(glm::dvec3, inWorld);
-        const Uncertainty uncertainty = withinPixel(geometry, point, WorldPoint(), {0.0, 0.2, 0.1, 0.5});
+        const Uncertainty uncertainty = Certainties(geometry).withinPixel(point, WorldPoint(), {0.0, 0.2, 0.1, 0.5});
         // The pixel's centre is exact: the error that remains goes along the ray, and is as much of it
         // on each axis.
-        const Uncertainty along = uncertaintyOf(geometry, point, WorldPoint(), {0.0, 0.2, 0.1, 0.5});
-        const Uncertainty pixelAlone = withinPixel(geometry, point, WorldPoint(), {0.0, 0.2, 0.1, 0.0});
+        const Uncertainty along = Certainties(geometry).of(point, WorldPoint(), {0.0, 0.2, 0.1, 0.5});
+        const Uncertainty pixelAlone = Certainties(geometry).withinPixel(point, WorldPoint(), {0.0, 0.2, 0.1, 0.0});
         for (int axis = 0; axis < 3; ++axis) {
             QVERIFY(std::abs(uncertainty.eye[axis] - inEye[axis]) < 1e-12);
             QVERIFY(std::abs(uncertainty.world[axis] - inWorld[axis]) < 1e-12);
