@@ -6,50 +6,34 @@
 namespace unprojector::geometry {
 namespace {
 
-constexpr ApiConventions named(const char *key, const char *name)
-{
-    ApiConventions conventions;
-    conventions.key = key;
-    conventions.name = name;
-    return conventions;
-}
-
-/// NDC depths in [0, 1], pixels from the top: the conventions of all APIs since Direct3D except
-/// OpenGL.
-constexpr ApiConventions modern(const char *key, const char *name)
-{
-    ApiConventions conventions = named(key, name);
-    conventions.ndcDepth = NdcDepth::ZeroToOne;
-    conventions.hasOnlyThatDepth = true;
-    conventions.isOriginTop = true;
-    return conventions;
-}
-
-constexpr std::array<ApiConventions, kApis.size()> allConventions()
-{
-    ApiConventions openGl = named("opengl", "OpenGL"), vulkan = modern("vulkan", "Vulkan"),
-                   direct3d = modern("direct3d", "Direct3D"), metal = modern("metal", "Metal"),
-                   webGpu = modern("webgpu", "WebGPU"), threeJs = named("threejs", "three.js"),
-                   unity = named("unity", "Unity"), openCv = named("opencv", "OpenCV"),
-                   openCascade = named("opencascade", "Open CASCADE");
-    vulkan.isNdcYDown = true;
-    direct3d.looksAlongPlusZ = true;
-    direct3d.areVectorsRows = true;
-    threeJs.isOriginTop = true;
-    threeJs.areLogicalPixels = true;
-    unity.isWorldMirrored = true;
-    unity.isDepthReversed = true;
-    openCv.looksAlongPlusZ = true;
-    openCv.isEyeYDown = true;
-    openCv.isOriginTop = true;
-    openCv.pixelCentre = 0.0;
-    openCascade.areVectorsRows = true;
-    openCascade.isOriginTop = true;
-    return {openGl, vulkan, direct3d, metal, webGpu, threeJs, unity, openCv, openCascade};
-}
-
 /// The conventions in the order of Api.
-constexpr std::array kApiConventions = allConventions();
+constexpr std::array<ApiConventions, kApis.size()> kApiConventions{{
+    {.key = "opengl", .name = "OpenGL"},
+    {.key = "vulkan",
+     .name = "Vulkan",
+     .isNdcYDown = true,
+     .ndcDepth = NdcDepth::ZeroToOne,
+     .hasOnlyThatDepth = true,
+     .isOriginTop = true},
+    {.key = "direct3d",
+     .name = "Direct3D",
+     .looksAlongPlusZ = true,
+     .ndcDepth = NdcDepth::ZeroToOne,
+     .hasOnlyThatDepth = true,
+     .areVectorsRows = true,
+     .isOriginTop = true},
+    {.key = "metal", .name = "Metal", .ndcDepth = NdcDepth::ZeroToOne, .hasOnlyThatDepth = true, .isOriginTop = true},
+    {.key = "webgpu", .name = "WebGPU", .ndcDepth = NdcDepth::ZeroToOne, .hasOnlyThatDepth = true, .isOriginTop = true},
+    {.key = "threejs", .name = "three.js", .isOriginTop = true, .areLogicalPixels = true},
+    {.key = "unity", .name = "Unity", .isWorldMirrored = true, .isDepthReversed = true},
+    {.key = "opencv",
+     .name = "OpenCV",
+     .looksAlongPlusZ = true,
+     .isEyeYDown = true,
+     .isOriginTop = true,
+     .pixelCentre = 0.0},
+    {.key = "opencascade", .name = "Open CASCADE", .areVectorsRows = true, .isOriginTop = true},
+}};
 
 constexpr double sign(bool isTurned)
 {

@@ -51,55 +51,55 @@ std::string viewFault(const Error &error)
 
 std::string errorText(const Error &error)
 {
+    using enum ErrorCode;
     const std::string value = shortestText(error.value), other = shortestText(error.other);
     switch (error.code) {
-    case ErrorCode::NotFinite: return tr("%1 is not a finite number; give a number", value);
-    case ErrorCode::NearNotPositive:
+    case NotFinite: return tr("%1 is not a finite number; give a number", value);
+    case NearNotPositive:
         return tr("near is %1; it must be greater than 0 and smaller than far (%2)", value,
                   comparedText(error.other, error.value));
-    case ErrorCode::NearNotBeforeFar:
+    case NearNotBeforeFar:
         return tr("near is %1; it must be smaller than far (%2)", value, comparedText(error.other, error.value));
-    case ErrorCode::LeftEqualsRight: return tr("left and right are both %1; they must differ", value);
-    case ErrorCode::BottomEqualsTop: return tr("bottom and top are both %1; they must differ", value);
-    case ErrorCode::FieldOfViewOutOfRange:
+    case LeftEqualsRight: return tr("left and right are both %1; they must differ", value);
+    case BottomEqualsTop: return tr("bottom and top are both %1; they must differ", value);
+    case FieldOfViewOutOfRange:
         return tr("the vertical field of view is %1 degrees; it must lie between 0 and 180, both excluded",
                   degreesText(error.value));
-    case ErrorCode::FocalLengthIsZero: return tr("a focal length is 0; it must not be 0");
-    case ErrorCode::EmptyImage:
+    case FocalLengthIsZero: return tr("a focal length is 0; it must not be 0");
+    case EmptyImage:
         return tr("the image has %1 x %2 pixels; both must be greater than 0", value, shortestText(error.other));
-    case ErrorCode::AspectNotPositive: return tr("the aspect is %1; it must be greater than 0", value);
-    case ErrorCode::ShearAngleOutOfRange:
+    case AspectNotPositive: return tr("the aspect is %1; it must be greater than 0", value);
+    case ShearAngleOutOfRange:
         return tr("the angle is %1 degrees; it must lie between 0 and 180, both excluded", degreesText(error.value));
-    case ErrorCode::EyeEqualsCenter: return tr("eye and center are the same point; move one of them");
-    case ErrorCode::UpIsZero: return tr("up is (0, 0, 0); give it a length");
-    case ErrorCode::UpParallelToView: return tr("up points along the view direction; choose another direction");
-    case ErrorCode::EmptyViewport:
+    case EyeEqualsCenter: return tr("eye and center are the same point; move one of them");
+    case UpIsZero: return tr("up is (0, 0, 0); give it a length");
+    case UpParallelToView: return tr("up points along the view direction; choose another direction");
+    case EmptyViewport:
         return tr("the viewport is %1 x %2 pixels; width and height must be greater than 0", value, other);
-    case ErrorCode::EmptyFramebuffer:
+    case EmptyFramebuffer:
         return tr("the window is %1 x %2 pixels; width and height must be greater than 0", value, other);
-    case ErrorCode::PixelRatioNotPositive: return tr("the device pixel ratio is %1; it must be greater than 0", value);
-    case ErrorCode::EmptyDepthRange: return tr("both ends of the depth range are %1; they must differ", value);
-    case ErrorCode::DepthOutsideRange: return tr("the depth %1 lies outside the depth range", value);
-    case ErrorCode::OutsideFramebuffer: return tr("the position (%1, %2) lies outside the window", value, other);
-    case ErrorCode::ViewportNotWhole: return tr("%1 is not a whole number of pixels", value);
-    case ErrorCode::ViewportTooLarge: return tr("%1 pixels are too many; use at most %2", value, other);
-    case ErrorCode::FramebufferTooLarge:
+    case PixelRatioNotPositive: return tr("the device pixel ratio is %1; it must be greater than 0", value);
+    case EmptyDepthRange: return tr("both ends of the depth range are %1; they must differ", value);
+    case DepthOutsideRange: return tr("the depth %1 lies outside the depth range", value);
+    case OutsideFramebuffer: return tr("the position (%1, %2) lies outside the window", value, other);
+    case ViewportNotWhole: return tr("%1 is not a whole number of pixels", value);
+    case ViewportTooLarge: return tr("%1 pixels are too many; use at most %2", value, other);
+    case FramebufferTooLarge:
         return tr("the window is %1 x %2 pixels, which is more than can be drawn; make it smaller", value, other);
-    case ErrorCode::DepthRangeNotDrawable: return tr("the depth is %1; it must lie between 0 and 1", value);
-    case ErrorCode::SingularMatrix: return tr("the matrix has no inverse");
-    case ErrorCode::PointAtInfinity: return tr("the point lies at infinity");
-    case ErrorCode::ScaleIsZero: return tr("the scale is 0; it must differ from 0");
-    case ErrorCode::RotationAxisIsZero: return tr("the rotation axis is (0, 0, 0); give it a length");
-    case ErrorCode::ClipPlaneHasNoNormal: return tr("A, B and C of the clip plane are all 0; one of them must differ");
-    case ErrorCode::MatrixNotAProjection:
+    case DepthRangeNotDrawable: return tr("the depth is %1; it must lie between 0 and 1", value);
+    case SingularMatrix: return tr("the matrix has no inverse");
+    case PointAtInfinity: return tr("the point lies at infinity");
+    case ScaleIsZero: return tr("the scale is 0; it must differ from 0");
+    case RotationAxisIsZero: return tr("the rotation axis is (0, 0, 0); give it a length");
+    case ClipPlaneHasNoNormal: return tr("A, B and C of the clip plane are all 0; one of them must differ");
+    case MatrixNotAProjection:
         return tr("the projection matrix has no known form: %1 is in row %2, column %3", value,
                   static_cast<int>(error.other) % 4 + 1, static_cast<int>(error.other) / 4 + 1);
-    case ErrorCode::ObjectTooFar:
+    case ObjectTooFar:
         return tr("an object reaches to %1, farther than can be computed; check its scales and translations", value);
-    case ErrorCode::ObjectTooSmall:
-        return tr("an object measures %1, less than can be computed; check its scales", value);
-    case ErrorCode::ViewNotRigid: return tr("the view matrix is not rotation + translation: %1", viewFault(error));
-    case ErrorCode::ViewMirrored:
+    case ObjectTooSmall: return tr("an object measures %1, less than can be computed; check its scales", value);
+    case ViewNotRigid: return tr("the view matrix is not rotation + translation: %1", viewFault(error));
+    case ViewMirrored:
         return tr("the view matrix is mirrored: its axes are left-handed; negate one of its first three rows");
     }
     return {};

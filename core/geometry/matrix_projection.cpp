@@ -5,13 +5,11 @@
 
 #include <glm/matrix.hpp>
 
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <utility>
-
+#include <vector>
 namespace unprojector::geometry {
 namespace {
 
@@ -21,12 +19,6 @@ Error entryError(const glm::dmat4 &m, int column, int row)
 {
     return {ErrorCode::MatrixNotAProjection, m[column][row], double(column * 4 + row)};
 }
-
-/// The entries (column, row) that are 0 in every matrix of these forms, and further ones in a
-/// perspective and in a box.
-constexpr std::array<std::pair<int, int>, 5> kZeros{{{0, 1}, {0, 2}, {1, 2}, {0, 3}, {1, 3}}};
-constexpr std::array<std::pair<int, int>, 3> kZerosOfPerspective{{{3, 0}, {3, 1}, {3, 3}}};
-constexpr std::array<std::pair<int, int>, 1> kZerosOfBox{{{1, 0}}};
 
 /// True if the whole depth range lies in front of the eye; a far plane at infinity counts as in
 /// front.
@@ -80,13 +72,13 @@ Result<ProjectionCoefficients> coefficientsOf(const glm::dmat4 &m)
         return finite.error();
     if (std::isinf(conditionNumber(m)))
         return Error{ErrorCode::SingularMatrix};
-    for (const auto &[column, row] : kZeros) {
-        if (m[column][row] != 0.0)
-            return entryError(m, column, row);
-    }
-    const bool isPerspective = m[2][3] != 0.0;
-    for (const auto &[column, row] : isPerspective ? std::span<const std::pair<int, int>>(kZerosOfPerspective)
-                                                   : std::span<const std::pair<int, int>>(kZerosOfBox)) {
+    // The entries (column, row) that are 0 in every matrix of these forms, and further ones of each form.
+    std::vector<std::pair<int, int>> zeros{{0, 1}, {0, 2}, {1, 2}, {0, 3}, {1, 3}};
+    if (m[2][3] != 0.0)
+        zeros.insert(zeros.end(), {{3, 0}, {3, 1}, {3, 3}});
+    else
+        zeros.push_back({1, 0});
+    for (const auto &[column, row] : zeros) {
         if (m[column][row] != 0.0)
             return entryError(m, column, row);
     }

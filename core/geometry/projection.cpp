@@ -1,6 +1,7 @@
 #include "core/geometry/projection.h"
 
 #include "core/geometry/finite.h"
+#include "core/geometry/matrix_rows.h"
 #include "core/geometry/numbers.h"
 
 #include <algorithm>
@@ -34,72 +35,18 @@ Check checkClipDistances(double nearDistance, double farDistance, bool perspecti
     return std::monostate{};
 }
 
-Check checkBox(const ProjectionWindow &w, bool perspective)
+/// The box of a parallel projection; null for a perspective.
+Ortho *boxOf(Projection &projection)
 {
-    if (const Check window = checkWindow(w); !window)
-        return window.error();
-    return checkClipDistances(w.nearDistance, w.farDistance, perspective);
+    if (auto *oblique = std::get_if<Oblique>(&projection))
+        return &oblique->box;
+    return std::get_if<Ortho>(&projection);
 }
 
-struct Checker {
-    Check operator()(const Frustum &p) const { return checkBox(projectionWindow(p), true); }
-    Check operator()(const Ortho &p) const { return checkBox(projectionWindow(p), false); }
-    Check operator()(const Perspective &p) const
-    {
-        if (const auto value = firstNotFinite({p.verticalFov.radians.value, p.aspect.value}))
-            return Error{ErrorCode::NotFinite, *value};
-        if (const double fov = p.verticalFov.radians.value; !(fov > 0.0 && fov < kPi))
-            return Error{ErrorCode::FieldOfViewOutOfRange, fov};
-        if (!(p.aspect.value > 0.0))
-            return Error{ErrorCode::AspectNotPositive, p.aspect.value};
-        return checkClipDistances(p.nearDistance, p.farDistance, true);
-    }
-    Check operator()(const Pinhole &p) const
-    {
-        if (const auto value = firstNotFinite({p.fx, p.fy, p.cx, p.cy, p.skew, p.width, p.height}))
-            return Error{ErrorCode::NotFinite, *value};
-        if (p.fx == 0.0 || p.fy == 0.0)
-            return Error{ErrorCode::FocalLengthIsZero, 0.0};
-        if (!(p.width > 0.0 && p.height > 0.0))
-            return Error{ErrorCode::EmptyImage, p.width, p.height};
-        if (const Check distances = checkClipDistances(p.nearDistance, p.farDistance, true); !distances)
-            return distances; // near = 0 would make the edges equal
-        return checkWindow(projectionWindow(p));
-    }
-    Check operator()(const Oblique &p) const
-    {
-        for (const double angle : {p.theta.radians.value, p.phi.radians.value}) {
-            if (!std::isfinite(angle))
-                return Error{ErrorCode::NotFinite, angle};
-            if (!(angle > 0.0 && angle < kPi))
-                return Error{ErrorCode::ShearAngleOutOfRange, angle};
-        }
-        return checkBox(projectionWindow(p.box), false);
-    }
-};
-
-glm::dmat4 orthoMatrix(const Ortho &p)
+Frustum frustumOf(const Projection &projection)
 {
-    const double l = p.left, r = p.right, b = p.bottom, t = p.top, n = p.nearDistance, f = p.farDistance;
-    glm::dmat4 m(1.0);
-    m[0][0] = 2.0 / (r - l);
-    m[1][1] = 2.0 / (t - b);
-    m[2][2] = -2.0 / (f - n);
-    m[3] = {-(r + l) / (r - l), -(t + b) / (t - b), -(f + n) / (f - n), 1.0};
-    return m;
-}
-
-glm::dmat4 frustumMatrix(const Frustum &p)
-{
-    const double l = p.left, r = p.right, b = p.bottom, t = p.top, n = p.nearDistance, f = p.farDistance;
-    glm::dmat4 m(0.0);
-    m[0][0] = 2.0 * n / (r - l);
-    m[1][1] = 2.0 * n / (t - b);
-    m[2] = {(r + l) / (r - l), (t + b) / (t - b), -(f + n) / (f - n), -1.0};
-    m[3][2] = -2.0 * f * n / (f - n);
-    if (p.skew != 0.0)
-        m[1][0] = m[0][0] * p.skew;
-    return m;
+    const auto [l, r, b, t, n, f, skew] = projectionWindow(projection);
+    return {l, r, b, t, n, f, skew};
 }
 
 double cornerToCentre(const Pinhole &p)
@@ -139,54 +86,75 @@ double cotangent(const Angle &angle)
 
 Check check(const Projection &projection)
 {
-    return std::visit(Checker{}, projection);
+    if (const auto *p = std::get_if<Perspective>(&projection)) {
+        if (const auto value = firstNotFinite({p->verticalFov.radians.value, p->aspect.value}))
+            return Error{ErrorCode::NotFinite, *value};
+        if (const double fov = p->verticalFov.radians.value; !(fov > 0.0 && fov < kPi))
+            return Error{ErrorCode::FieldOfViewOutOfRange, fov};
+        if (!(p->aspect.value > 0.0))
+            return Error{ErrorCode::AspectNotPositive, p->aspect.value};
+        return checkClipDistances(p->nearDistance, p->farDistance, true);
+    }
+    if (const auto *p = std::get_if<Pinhole>(&projection)) {
+        if (const auto value = firstNotFinite({p->fx, p->fy, p->cx, p->cy, p->skew, p->width, p->height}))
+            return Error{ErrorCode::NotFinite, *value};
+        if (p->fx == 0.0 || p->fy == 0.0)
+            return Error{ErrorCode::FocalLengthIsZero, 0.0};
+        if (!(p->width > 0.0 && p->height > 0.0))
+            return Error{ErrorCode::EmptyImage, p->width, p->height};
+        if (const Check distances = checkClipDistances(p->nearDistance, p->farDistance, true); !distances)
+            return distances; // near = 0 would make the edges equal
+    }
+    if (const auto *p = std::get_if<Oblique>(&projection)) {
+        for (const double angle : {p->theta.radians.value, p->phi.radians.value}) {
+            if (!std::isfinite(angle))
+                return Error{ErrorCode::NotFinite, angle};
+            if (!(angle > 0.0 && angle < kPi))
+                return Error{ErrorCode::ShearAngleOutOfRange, angle};
+        }
+    }
+    const ProjectionWindow w = projectionWindow(projection);
+    if (const Check window = checkWindow(w); !window)
+        return window;
+    return checkClipDistances(w.nearDistance, w.farDistance, isPerspective(projection));
 }
 
 Frustum frustumFromPerspective(const Perspective &p)
 {
-    const PreciseEdges e = preciseEdges(p);
-    return {e.left.value, e.right.value, e.bottom.value, e.top.value, p.nearDistance, p.farDistance};
+    return frustumOf(p);
 }
 
 Frustum frustumFromPinhole(const Pinhole &p)
 {
-    const PreciseEdges e = preciseEdges(p);
-    return {e.left.value, e.right.value, e.bottom.value, e.top.value, p.nearDistance, p.farDistance, e.skew.value};
+    return frustumOf(p);
 }
 
 PreciseEdges preciseEdges(const Projection &projection)
 {
-    if (const auto *p = std::get_if<Perspective>(&projection)) {
-        const DoubleDouble top = p->nearDistance * preciseTangent(p->verticalFov.radians / 2.0),
-                           right = top * p->aspect;
-        return {-right, right, -top, top, 0.0};
-    }
-    if (const auto *p = std::get_if<Pinhole>(&projection)) {
-        const DoubleDouble n = p->nearDistance, toCorner = cornerToCentre(*p);
-        const DoubleDouble cx = p->cx + toCorner, cy = p->cy + toCorner;
-        return {-(n * cx) / p->fx, n * (p->width - cx) / p->fx, -(n * (p->height - cy)) / p->fy, n * cy / p->fy,
-                p->skew == 0.0 ? DoubleDouble() : -DoubleDouble(p->skew) / p->fx};
-    }
-    const ProjectionWindow w = projectionWindow(projection);
-    return {w.left, w.right, w.bottom, w.top, w.skew};
+    return edgesOf<TwoDoubles>(projection);
 }
 
 ProjectionWindow projectionWindow(const Projection &projection)
 {
-    struct Visitor {
-        ProjectionWindow operator()(const Frustum &p) const
-        {
-            return {p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance, p.skew};
-        }
-        ProjectionWindow operator()(const Pinhole &p) const { return (*this)(frustumFromPinhole(p)); }
-        ProjectionWindow operator()(const Ortho &p) const
-        {
-            return {p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance};
-        }
-        ProjectionWindow operator()(const Perspective &p) const { return (*this)(frustumFromPerspective(p)); }
-        ProjectionWindow operator()(const Oblique &p) const { return (*this)(p.box); }
+    if (const auto *p = std::get_if<Frustum>(&projection))
+        return {p->left, p->right, p->bottom, p->top, p->nearDistance, p->farDistance, p->skew};
+    const auto ofBox = [](const Ortho &p) -> ProjectionWindow {
+        return {p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance};
     };
-    return std::visit(Visitor{}, projection);
+    if (const auto *p = std::get_if<Ortho>(&projection))
+        return ofBox(*p);
+    if (const auto *p = std::get_if<Oblique>(&projection))
+        return ofBox(p->box);
+    const auto [l, r, b, t, skew] = preciseEdges(projection);
+    const auto *pinhole = std::get_if<Pinhole>(&projection);
+    const auto *perspective = std::get_if<Perspective>(&projection);
+    return {l.value,
+            r.value,
+            b.value,
+            t.value,
+            pinhole ? pinhole->nearDistance : perspective->nearDistance,
+            pinhole ? pinhole->farDistance : perspective->farDistance,
+            skew.value};
 }
 
 bool isPerspective(const Projection &projection)
@@ -198,75 +166,67 @@ Result<glm::dmat4> clipFromEye(const Projection &projection)
 {
     if (const Check valid = check(projection); !valid)
         return valid.error();
-    struct Visitor {
-        glm::dmat4 operator()(const Frustum &p) const { return frustumMatrix(p); }
-        glm::dmat4 operator()(const Pinhole &p) const { return pinholeMatrix(p); }
-        glm::dmat4 operator()(const Ortho &p) const { return orthoMatrix(p); }
-        glm::dmat4 operator()(const Perspective &p) const { return frustumMatrix(frustumFromPerspective(p)); }
-        glm::dmat4 operator()(const Oblique &p) const
-        {
-            glm::dmat4 shear(1.0);
-            shear[2][0] = cotangent(p.theta);
-            shear[2][1] = cotangent(p.phi);
-            return orthoMatrix(p.box) * shear;
-        }
-    };
-    return std::visit(Visitor{}, projection);
+    if (const auto *pinhole = std::get_if<Pinhole>(&projection))
+        return pinholeMatrix(*pinhole);
+    const auto [l, r, b, t, n, f, skew] = projectionWindow(projection);
+    if (isPerspective(projection)) {
+        glm::dmat4 m(0.0);
+        m[0][0] = 2.0 * n / (r - l);
+        m[1][1] = 2.0 * n / (t - b);
+        m[2] = {(r + l) / (r - l), (t + b) / (t - b), -(f + n) / (f - n), -1.0};
+        m[3][2] = -2.0 * f * n / (f - n);
+        if (skew != 0.0)
+            m[1][0] = m[0][0] * skew;
+        return m;
+    }
+    glm::dmat4 m(1.0);
+    m[0][0] = 2.0 / (r - l);
+    m[1][1] = 2.0 / (t - b);
+    m[2][2] = -2.0 / (f - n);
+    m[3] = {-(r + l) / (r - l), -(t + b) / (t - b), -(f + n) / (f - n), 1.0};
+    const auto *oblique = std::get_if<Oblique>(&projection);
+    if (!oblique)
+        return m;
+    glm::dmat4 shear(1.0);
+    shear[2][0] = cotangent(oblique->theta);
+    shear[2][1] = cotangent(oblique->phi);
+    return m * shear;
 }
 
 Projection withAspect(const Projection &projection, const DoubleDouble &aspect)
 {
-    struct Visitor {
-        const DoubleDouble &aspect;
-        /// Scaling left and right keeps the view axis at the same share of the width.
-        Projection operator()(Frustum p) const
-        {
-            const double scale = std::abs(p.top - p.bottom) * aspect.value / std::abs(p.right - p.left);
-            p.left *= scale;
-            p.right *= scale;
-            return p;
-        }
-        Projection operator()(const Pinhole &p) const
-        {
-            constexpr double kRounding = 1e-12;
-            const double own = std::abs(p.width / p.fx) / std::abs(p.height / p.fy);
-            return std::abs(own - aspect.value) <= kRounding * aspect.value ? Projection(p)
-                                                                            : (*this)(frustumFromPinhole(p));
-        }
-        Projection operator()(const Ortho &p) const { return widened(p); }
-        Projection operator()(Perspective p) const
-        {
-            p.aspect = aspect;
-            return p;
-        }
-        Projection operator()(Oblique p) const
-        {
-            p.box = widened(p.box);
-            return p;
-        }
-        static Ortho widenedTo(Ortho p, double width)
-        {
-            const double center = p.left + (p.right - p.left) / 2.0;
-            const double half = std::copysign(width / 2.0, p.right - p.left);
-            p.left = center - half;
-            p.right = center + half;
-            return p;
-        }
-        Ortho widened(const Ortho &p) const { return widenedTo(p, std::abs(p.top - p.bottom) * aspect.value); }
-    };
-    return std::visit(Visitor{aspect}, projection);
+    Projection result = projection;
+    if (auto *perspective = std::get_if<Perspective>(&result)) {
+        perspective->aspect = aspect;
+        return result;
+    }
+    if (const auto *p = std::get_if<Pinhole>(&projection)) {
+        constexpr double kRounding = 1e-12;
+        const double own = std::abs(p->width / p->fx) / std::abs(p->height / p->fy);
+        if (std::abs(own - aspect.value) <= kRounding * aspect.value)
+            return projection;
+        result = frustumFromPinhole(*p);
+    }
+    if (auto *p = std::get_if<Frustum>(&result)) {
+        // Scaling left and right keeps the view axis at the same share of the width.
+        const double scale = std::abs(p->top - p->bottom) * aspect.value / std::abs(p->right - p->left);
+        p->left *= scale;
+        p->right *= scale;
+        return result;
+    }
+    Ortho &box = *boxOf(result);
+    const double center = box.left + (box.right - box.left) / 2.0;
+    const double half = std::copysign(std::abs(box.top - box.bottom) * aspect.value / 2.0, box.right - box.left);
+    box.left = center - half;
+    box.right = center + half;
+    return result;
 }
 
 ProjectionKind kindOf(const Projection &projection)
 {
-    struct Visitor {
-        ProjectionKind operator()(const Frustum &) const { return ProjectionKind::Frustum; }
-        ProjectionKind operator()(const Pinhole &) const { return ProjectionKind::Frustum; }
-        ProjectionKind operator()(const Perspective &) const { return ProjectionKind::Perspective; }
-        ProjectionKind operator()(const Ortho &) const { return ProjectionKind::Ortho; }
-        ProjectionKind operator()(const Oblique &) const { return ProjectionKind::Oblique; }
-    };
-    return std::visit(Visitor{}, projection);
+    using enum ProjectionKind;
+    constexpr ProjectionKind kKinds[] = {Frustum, Ortho, Perspective, Oblique, Frustum}; // in the order of Projection
+    return kKinds[projection.index()];
 }
 
 Projection converted(const Projection &projection, ProjectionKind kind, double distance)
@@ -312,39 +272,24 @@ Projection converted(const Projection &projection, ProjectionKind kind, double d
 
 Projection withClipDistances(const Projection &projection, double nearDistance, double farDistance)
 {
-    struct Visitor {
-        double n, f;
-        Projection operator()(Frustum p) const
-        {
-            const double scale = n / p.nearDistance;
-            return Frustum{p.left * scale, p.right * scale, p.bottom * scale, p.top * scale, n, f, p.skew};
-        }
-        Projection operator()(Pinhole p) const
-        {
-            p.nearDistance = n;
-            p.farDistance = f;
-            return p;
-        }
-        Projection operator()(Ortho p) const
-        {
-            p.nearDistance = n;
-            p.farDistance = f;
-            return p;
-        }
-        Projection operator()(Perspective p) const
-        {
-            p.nearDistance = n;
-            p.farDistance = f;
-            return p;
-        }
-        Projection operator()(Oblique p) const
-        {
-            p.box.nearDistance = n;
-            p.box.farDistance = f;
-            return p;
-        }
-    };
-    return std::visit(Visitor{nearDistance, farDistance}, projection);
+    Projection result = projection;
+    if (auto *frustum = std::get_if<Frustum>(&result)) {
+        const double scale = nearDistance / frustum->nearDistance;
+        for (double *edge : {&frustum->left, &frustum->right, &frustum->bottom, &frustum->top})
+            *edge *= scale;
+    }
+    std::visit(
+        [&](auto &p) {
+            if constexpr (requires { p.box; }) {
+                p.box.nearDistance = nearDistance;
+                p.box.farDistance = farDistance;
+            } else {
+                p.nearDistance = nearDistance;
+                p.farDistance = farDistance;
+            }
+        },
+        result);
+    return result;
 }
 
 } // namespace unprojector::geometry

@@ -10,17 +10,17 @@
 namespace unprojector::geometry {
 namespace {
 
+constexpr std::size_t N = 4;
+
 /// The eigenvectors of a symmetric matrix (columns) and their eigenvalues, by Jacobi rotations.
-template <std::size_t N>
 struct Eigen {
     std::array<std::array<double, N>, N> vectors{}; ///< vectors[i]: the i-th
     std::array<double, N> values{};
 };
 
-template <std::size_t N>
-Eigen<N> eigenOf(std::array<std::array<double, N>, N> m)
+Eigen eigenOf(std::array<std::array<double, N>, N> m)
 {
-    Eigen<N> eigen;
+    Eigen eigen;
     for (std::size_t i = 0; i < N; ++i)
         eigen.vectors[i][i] = 1.0;
     for (int sweep = 0; sweep < 50; ++sweep) {
@@ -58,7 +58,7 @@ Eigen<N> eigenOf(std::array<std::array<double, N>, N> m)
 glm::dmat3 rotationOfSums(const glm::dmat3 &m)
 {
     const auto s = [&m](int i, int j) { return m[j][i]; };
-    const Eigen<4> eigen = eigenOf<4>({{
+    const Eigen eigen = eigenOf({{
         {s(0, 0) + s(1, 1) + s(2, 2), s(1, 2) - s(2, 1), s(2, 0) - s(0, 2), s(0, 1) - s(1, 0)},
         {s(1, 2) - s(2, 1), s(0, 0) - s(1, 1) - s(2, 2), s(0, 1) + s(1, 0), s(2, 0) + s(0, 2)},
         {s(2, 0) - s(0, 2), s(0, 1) + s(1, 0), s(1, 1) - s(0, 0) - s(2, 2), s(1, 2) + s(2, 1)},

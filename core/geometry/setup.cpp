@@ -4,7 +4,6 @@
 #include "core/geometry/view_matrix.h"
 #include "core/geometry/way_forward.h"
 
-#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -62,26 +61,22 @@ bool Setup::isByParameters() const
 
 const Projection &Setup::projection() const
 {
-    assert(std::holds_alternative<Projection>(lens));
-    return *std::get_if<Projection>(&lens);
+    return std::get<Projection>(lens);
 }
 
 Projection &Setup::projection()
 {
-    assert(std::holds_alternative<Projection>(lens));
-    return *std::get_if<Projection>(&lens);
+    return std::get<Projection>(lens);
 }
 
 const LookAt &Setup::camera() const
 {
-    assert(std::holds_alternative<LookAt>(pose));
-    return *std::get_if<LookAt>(&pose);
+    return std::get<LookAt>(pose);
 }
 
 LookAt &Setup::camera()
 {
-    assert(std::holds_alternative<LookAt>(pose));
-    return *std::get_if<LookAt>(&pose);
+    return std::get<LookAt>(pose);
 }
 
 Check check(const Setup &setup)

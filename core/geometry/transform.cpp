@@ -9,13 +9,6 @@
 namespace unprojector::geometry {
 namespace {
 
-Check checkFinite(const glm::dvec3 &v)
-{
-    if (const auto value = firstNotFinite(v))
-        return Error{ErrorCode::NotFinite, *value};
-    return std::monostate{};
-}
-
 /// Sine and cosine, exact at multiples of 90 degrees, where cos(pi/2) would leave 6e-17.
 SineCosine sineCosineOf(double degrees)
 {
@@ -50,52 +43,34 @@ PreciseMatrix rotation(const Rotate &r)
 
 PreciseMatrix preciseMatrixOf(const TransformStep &step)
 {
-    struct Visitor {
-        PreciseMatrix operator()(const Translate &t) const
-        {
-            glm::dmat4 m(1.0);
-            m[3] = glm::dvec4(t.offset, 1.0);
-            return PreciseMatrix(m);
-        }
-        PreciseMatrix operator()(const Rotate &r) const { return rotation(r); }
-        PreciseMatrix operator()(const Scale &s) const
-        {
-            glm::dmat4 m(1.0);
-            m[0][0] = s.factors.x;
-            m[1][1] = s.factors.y;
-            m[2][2] = s.factors.z;
-            return PreciseMatrix(m);
-        }
-    };
-    return std::visit(Visitor{}, step);
+    if (const auto *rotate = std::get_if<Rotate>(&step))
+        return rotation(*rotate);
+    glm::dmat4 m(1.0);
+    if (const auto *translate = std::get_if<Translate>(&step)) {
+        m[3] = glm::dvec4(translate->offset, 1.0);
+        return m;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+        m[axis][axis] = std::get_if<Scale>(&step)->factors[axis];
+    return m;
 }
 
 } // namespace
 
 Check check(const TransformStep &step)
 {
-    struct Visitor {
-        Check operator()(const Translate &t) const { return checkFinite(t.offset); }
-        Check operator()(const Rotate &r) const
-        {
-            if (!std::isfinite(r.degrees))
-                return Error{ErrorCode::NotFinite, r.degrees};
-            if (const Check valid = checkFinite(r.axis); !valid)
-                return valid;
-            if (r.axis == glm::dvec3(0.0))
-                return Error{ErrorCode::RotationAxisIsZero};
-            return std::monostate{};
-        }
-        Check operator()(const Scale &s) const
-        {
-            if (const Check valid = checkFinite(s.factors); !valid)
-                return valid;
-            if (s.factors.x == 0.0 || s.factors.y == 0.0 || s.factors.z == 0.0)
-                return Error{ErrorCode::ScaleIsZero, 0.0};
-            return std::monostate{};
-        }
-    };
-    return std::visit(Visitor{}, step);
+    const auto *rotate = std::get_if<Rotate>(&step);
+    const auto *scale = std::get_if<Scale>(&step);
+    if (rotate && !std::isfinite(rotate->degrees))
+        return Error{ErrorCode::NotFinite, rotate->degrees};
+    const glm::dvec3 &v = rotate ? rotate->axis : scale ? scale->factors : std::get_if<Translate>(&step)->offset;
+    if (const auto value = firstNotFinite(v))
+        return Error{ErrorCode::NotFinite, *value};
+    if (rotate && v == glm::dvec3(0.0))
+        return Error{ErrorCode::RotationAxisIsZero};
+    if (scale && (v.x == 0.0 || v.y == 0.0 || v.z == 0.0))
+        return Error{ErrorCode::ScaleIsZero, 0.0};
+    return std::monostate{};
 }
 
 glm::dmat4 matrixOf(const TransformStep &step)

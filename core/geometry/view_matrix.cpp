@@ -99,11 +99,6 @@ Result<WorldPoint> worldFromEye(const glm::dmat4 &m, const PrecisePoint<EyeSpace
     return world->rounded();
 }
 
-Result<WorldPoint> worldFromEye(const glm::dmat4 &eyeFromWorld, const EyePoint &point)
-{
-    return worldFromEye(eyeFromWorld, PrecisePoint<EyeSpace>(point));
-}
-
 Result<LookAt> lookAtFrom(const glm::dmat4 &eyeFromWorld, double distance)
 {
     const Result<WorldPoint> eye = worldFromEye(eyeFromWorld, EyePoint());

@@ -38,8 +38,6 @@ Result<PrecisePoint<WorldSpace>> preciseWorldFromEye(const glm::dmat4 &eyeFromWo
                                                      const PrecisePoint<EyeSpace> &point);
 /// The same rounded once.
 Result<WorldPoint> worldFromEye(const glm::dmat4 &eyeFromWorld, const PrecisePoint<EyeSpace> &point);
-Result<WorldPoint> worldFromEye(const glm::dmat4 &eyeFromWorld, const EyePoint &point);
-
 /// The arguments of gluLookAt that give this view: the eye, a center at `distance` in front of it,
 /// and the matrix's own up.
 /// @param distance  > 0, world units

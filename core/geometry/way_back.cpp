@@ -13,29 +13,15 @@
 namespace unprojector::geometry {
 namespace {
 
-using Rows = std::array<DoubleDouble4, 4>;
-
 /// The error of two sums of four products, each relative to the sum of its terms' magnitudes.
 constexpr double kRounding = 0x1p-95;
-
-Rows product(const Rows &a, const Rows &b)
-{
-    Rows result;
-    for (std::size_t row = 0; row < 4; ++row) {
-        for (std::size_t column = 0; column < 4; ++column) {
-            for (std::size_t k = 0; k < 4; ++k)
-                result[row][column] = result[row][column] + a[row][k] * b[k][column];
-        }
-    }
-    return result;
-}
 
 glm::dvec4 magnitudes(const DoubleDouble4 &v)
 {
     return {std::abs(v[0].value), std::abs(v[1].value), std::abs(v[2].value), std::abs(v[3].value)};
 }
 
-glm::dmat4 magnitudes(const Rows &rows)
+glm::dmat4 magnitudes(const MatrixRows<DoubleDouble> &rows)
 {
     glm::dmat4 m;
     for (std::size_t row = 0; row < 4; ++row) {
@@ -43,43 +29,6 @@ glm::dmat4 magnitudes(const Rows &rows)
             m[static_cast<int>(column)][static_cast<int>(row)] = std::abs(rows[row][column].value);
     }
     return m;
-}
-
-/// Gauss and Jordan's inverse with scaled pivots; not finite for a singular matrix.
-Rows inverse(Rows m)
-{
-    Rows result;
-    std::array<double, 4> scale{};
-    for (std::size_t row = 0; row < 4; ++row) {
-        result[row][row] = 1.0;
-        for (const DoubleDouble &number : m[row])
-            scale[row] = std::max(scale[row], std::abs(number.value));
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-        std::size_t pivot = k;
-        for (std::size_t row = k + 1; row < 4; ++row) {
-            if (std::abs(m[row][k].value) / scale[row] > std::abs(m[pivot][k].value) / scale[pivot])
-                pivot = row;
-        }
-        std::swap(m[k], m[pivot]);
-        std::swap(result[k], result[pivot]);
-        std::swap(scale[k], scale[pivot]);
-        const DoubleDouble divisor = m[k][k];
-        for (std::size_t column = 0; column < 4; ++column) {
-            m[k][column] = m[k][column] / divisor;
-            result[k][column] = result[k][column] / divisor;
-        }
-        for (std::size_t row = 0; row < 4; ++row) {
-            const DoubleDouble factor = m[row][k];
-            if (row == k || factor.value == 0.0)
-                continue;
-            for (std::size_t column = 0; column < 4; ++column) {
-                m[row][column] = m[row][column] - factor * m[k][column];
-                result[row][column] = result[row][column] - factor * result[k][column];
-            }
-        }
-    }
-    return result;
 }
 
 } // namespace
@@ -93,11 +42,11 @@ Result<WayBack> WayBack::of(const Setup &setup)
         return forward.error();
     WayBack way(*forward);
     way.m_depthRange = setup.depthRange;
-    const Rows clipFromWorld = product(way.m_way.m_clipFromEye, way.m_way.m_eyeFromWorld);
-    way.m_worldFromClip = inverse(clipFromWorld);
+    const MatrixRows<DoubleDouble> clipFromWorld = product(way.m_way.m_clipFromEye, way.m_way.m_eyeFromWorld);
+    way.m_worldFromClip = inverse(clipFromWorld, [](const DoubleDouble &number) { return std::abs(number.value); });
     way.m_magnitudes = magnitudes(way.m_worldFromClip);
     way.m_roundings = kRounding * (magnitudes(way.m_way.m_clipFromEye) * magnitudes(way.m_way.m_eyeFromWorld));
-    Rows remainder = product(way.m_worldFromClip, clipFromWorld);
+    MatrixRows<DoubleDouble> remainder = product(way.m_worldFromClip, clipFromWorld);
     for (std::size_t k = 0; k < 4; ++k)
         remainder[k][k] = remainder[k][k] - 1.0;
     way.m_remainder = magnitudes(remainder) + 2.0 * (way.m_magnitudes * way.m_roundings);
@@ -110,15 +59,14 @@ Result<WayBack> WayBack::of(const Setup &setup)
 /// satisfies e <= |X| r + G e. If G d <= a d for d = |X| r, then e <= d / (1 - a).
 WayBack::Solution WayBack::solved(const DoubleDouble4 &clip) const
 {
-    const auto product = [](const Rows &rows, const DoubleDouble4 &v) { return WayForward::product(rows, v); };
     const auto residual = [&](const DoubleDouble4 &point) {
-        DoubleDouble4 rest = product(m_way.m_clipFromEye, product(m_way.m_eyeFromWorld, point));
+        DoubleDouble4 rest = applied(m_way.m_clipFromEye, applied(m_way.m_eyeFromWorld, point));
         for (std::size_t k = 0; k < 4; ++k)
             rest[k] = clip[k] - rest[k];
         return rest;
     };
-    Solution solution{product(m_worldFromClip, clip)};
-    const DoubleDouble4 correction = product(m_worldFromClip, residual(solution.point));
+    Solution solution{applied(m_worldFromClip, clip)};
+    const DoubleDouble4 correction = applied(m_worldFromClip, residual(solution.point));
     for (std::size_t k = 0; k < 4; ++k)
         solution.point[k] = solution.point[k] + correction[k];
     const glm::dvec4 own = magnitudes(solution.point);

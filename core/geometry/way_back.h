@@ -43,14 +43,12 @@ public:
     std::optional<WorldPoint> eye() const;
 
 private:
-    using Rows = WayForward::Rows;
-
     explicit WayBack(const WayForward &way) : m_way(way) {}
     Solution solved(const DoubleDouble4 &clip) const;
 
     WayForward m_way;
     DepthRange m_depthRange;
-    Rows m_worldFromClip;
+    MatrixRows<DoubleDouble> m_worldFromClip{};
     glm::dmat4 m_magnitudes{0.0}; ///< of m_worldFromClip
     glm::dmat4 m_roundings{0.0};  ///< |clipFromEye| |eyeFromWorld|, times the error of a sum of products
     glm::dmat4 m_remainder{0.0};  ///< bounds |1 - worldFromClip clipFromWorld|

@@ -5,36 +5,12 @@
 namespace unprojector::geometry {
 namespace {
 
-using Rows = std::array<DoubleDouble4, 4>;
-
-Rows rowsOf(const glm::dmat4 &m)
+MatrixRows<DoubleDouble> rowsOf(const glm::dmat4 &m)
 {
-    Rows rows;
+    MatrixRows<DoubleDouble> rows;
     for (std::size_t row = 0; row < 4; ++row) {
         for (std::size_t column = 0; column < 4; ++column)
             rows[row][column] = m[static_cast<int>(column)][static_cast<int>(row)];
-    }
-    return rows;
-}
-
-Rows rowsOf(const Projection &projection)
-{
-    const auto &[l, r, b, t, skew] = preciseEdges(projection);
-    const ProjectionWindow w = projectionWindow(projection);
-    const DoubleDouble n = w.nearDistance, f = w.farDistance, thickness = f - n;
-    const DoubleDouble xSkew = (r + l) / (r - l), ySkew = (t + b) / (t - b), zSkew = (f + n) / thickness;
-    if (isPerspective(projection))
-        return {{{2.0 * n / (r - l), skew.value == 0.0 ? DoubleDouble() : 2.0 * n * skew / (r - l), xSkew, 0.0},
-                 {0.0, 2.0 * n / (t - b), ySkew, 0.0},
-                 {0.0, 0.0, -zSkew, -2.0 * n * (f / thickness)},
-                 {0.0, 0.0, -1.0, 0.0}}};
-    Rows rows{{{2.0 / (r - l), 0.0, 0.0, -xSkew},
-               {0.0, 2.0 / (t - b), 0.0, -ySkew},
-               {0.0, 0.0, -2.0 / thickness, -zSkew},
-               {0.0, 0.0, 0.0, 1.0}}};
-    if (const auto *oblique = std::get_if<Oblique>(&projection)) {
-        rows[0][2] = rows[0][0] * preciseCotangent(oblique->theta);
-        rows[1][2] = rows[1][1] * preciseCotangent(oblique->phi);
     }
     return rows;
 }
@@ -71,24 +47,17 @@ Result<WayForward> WayForward::of(const Setup &setup)
         way.m_eyeFromWorld = rowsOf(std::get<glm::dmat4>(setup.pose));
     }
     const auto *matrix = std::get_if<MatrixProjection>(&setup.lens);
-    way.m_clipFromEye = matrix != nullptr ? rowsOf(matrix->clipFromEye) : rowsOf(std::get<Projection>(setup.lens));
+    way.m_clipFromEye =
+        matrix != nullptr ? rowsOf(matrix->clipFromEye) : clipRows<TwoDoubles>(std::get<Projection>(setup.lens));
     way.m_viewport = setup.viewport;
     way.m_depthRange = setup.depthRange;
     way.m_ndcDepth = ndcDepthOf(setup);
     return way;
 }
 
-DoubleDouble4 WayForward::product(const Rows &rows, const DoubleDouble4 &v)
-{
-    DoubleDouble4 result;
-    for (std::size_t row = 0; row < 4; ++row)
-        result[row] = rows[row][0] * v[0] + rows[row][1] * v[1] + rows[row][2] * v[2] + rows[row][3] * v[3];
-    return result;
-}
-
 PreciseStages WayForward::fromHomogeneousEye(const DoubleDouble4 &eye) const
 {
-    PreciseStages stages{divided(eye), product(m_clipFromEye, eye), {}, {}};
+    PreciseStages stages{divided(eye), applied(m_clipFromEye, eye), {}, {}};
     stages.ndc = divided(stages.clip);
     const auto &[x, y, z] = stages.ndc;
     const DoubleDouble share = m_ndcDepth == NdcDepth::ZeroToOne ? z : (z + 1.0) / 2.0;
@@ -106,7 +75,7 @@ PreciseStages WayForward::fromEye(const DoubleDouble3 &eye) const
 PreciseStages WayForward::fromWorld(const DoubleDouble3 &world) const
 {
     return fromHomogeneousEye(
-        product(m_eyeFromWorld, {world[0] - m_origin.x, world[1] - m_origin.y, world[2] - m_origin.z, 1.0}));
+        applied(m_eyeFromWorld, {world[0] - m_origin.x, world[1] - m_origin.y, world[2] - m_origin.z, 1.0}));
 }
 
 } // namespace unprojector::geometry

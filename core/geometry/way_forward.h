@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/matrix_rows.h"
 #include "core/geometry/numbers.h"
 #include "core/geometry/result.h"
 #include "core/geometry/setup.h"
@@ -11,7 +12,7 @@
 
 namespace unprojector::geometry {
 
-using DoubleDouble4 = std::array<DoubleDouble, 4>;
+using DoubleDouble4 = MatrixRow<DoubleDouble>;
 
 DoubleDouble3 precise(const glm::dvec3 &v);
 
@@ -36,14 +37,11 @@ public:
 
 private:
     friend class WayBack;
-    using Rows = std::array<DoubleDouble4, 4>;
-
     WayForward() = default;
-    static DoubleDouble4 product(const Rows &rows, const DoubleDouble4 &v);
     PreciseStages fromHomogeneousEye(const DoubleDouble4 &eye) const;
 
     glm::dvec3 m_origin{0.0}; ///< origin of the world, for m_eyeFromWorld: a camera's eye
-    Rows m_eyeFromWorld, m_clipFromEye;
+    MatrixRows<DoubleDouble> m_eyeFromWorld{}, m_clipFromEye{};
     Viewport m_viewport;
     DepthRange m_depthRange;
     NdcDepth m_ndcDepth = NdcDepth::MinusOneToOne;

@@ -1,6 +1,7 @@
 #include "core/unproject/exact_unprojection.h"
 
-#include <utility>
+#include <algorithm>
+#include <cmath>
 
 namespace unprojector::unproject {
 using namespace geometry;
@@ -8,6 +9,7 @@ using namespace geometry;
 namespace {
 
 using Triple = std::array<Extended, 3>;
+using Matrix = MatrixRows<Extended>;
 
 Extended extended(const DoubleDouble &number)
 {
@@ -35,37 +37,20 @@ Triple unit(const Triple &v)
     return {v[0] / length, v[1] / length, v[2] / length};
 }
 
-} // namespace
-
-ExactUnprojection::Matrix ExactUnprojection::product(const Matrix &a, const Matrix &b)
+Matrix extended(const PreciseMatrix &matrix)
 {
     Matrix m;
     for (std::size_t row = 0; row < 4; ++row) {
-        for (std::size_t column = 0; column < 4; ++column) {
-            m[row][column] = 0;
-            for (std::size_t k = 0; k < 4; ++k)
-                m[row][column] += a[row][k] * b[k][column];
-        }
+        for (std::size_t column = 0; column < 4; ++column)
+            m[row][column] = extended(matrix.columns[column][row]);
     }
     return m;
 }
 
-ExactUnprojection::Matrix ExactUnprojection::extended(const PreciseMatrix &matrix)
+Matrix eyeFromWorld(const LookAt &camera)
 {
-    Matrix m;
-    for (std::size_t row = 0; row < 4; ++row) {
-        for (std::size_t column = 0; column < 4; ++column) {
-            const DoubleDouble &number = matrix.columns[column][row];
-            m[row][column] = Extended(number.value) + number.rest;
-        }
-    }
-    return m;
-}
-
-ExactUnprojection::Matrix ExactUnprojection::eyeFromWorld(const LookAt &camera)
-{
-    const Triple forward = unit(difference(unproject::extended(camera.center), unproject::extended(camera.eye)));
-    const Triple side = unit(cross(forward, unproject::extended(camera.up)));
+    const Triple forward = unit(difference(extended(camera.center), extended(camera.eye)));
+    const Triple side = unit(cross(forward, extended(camera.up)));
     const Triple upward = cross(side, forward);
     const Triple back{-forward[0], -forward[1], -forward[2]};
     Matrix m = extended(glm::dmat4(1.0));
@@ -80,61 +65,18 @@ ExactUnprojection::Matrix ExactUnprojection::eyeFromWorld(const LookAt &camera)
     return m;
 }
 
-ExactUnprojection::Matrix ExactUnprojection::clipFromEye(const Projection &projection)
-{
-    Matrix m = extended(glm::dmat4(0.0));
-    if (const auto *p = std::get_if<Perspective>(&projection)) {
-        const Extended n = p->nearDistance, f = p->farDistance;
-        const Extended cotangent = 1 / tan(unproject::extended(p->verticalFov.radians) / 2);
-        m[0][0] = cotangent / unproject::extended(p->aspect);
-        m[1][1] = cotangent;
-        m[2][2] = -(f + n) / (f - n);
-        m[2][3] = -2 * f * n / (f - n);
-        m[3][2] = -1;
-        return m;
-    }
-    if (const auto *p = std::get_if<Pinhole>(&projection)) {
-        const Extended n = p->nearDistance, f = p->farDistance, toCorner = p->areCentersWhole ? 0.5 : 0.0;
-        m[0][0] = 2 * Extended(p->fx) / p->width;
-        m[0][1] = -2 * Extended(p->skew) / p->width;
-        m[0][2] = 1 - 2 * (p->cx + toCorner) / p->width;
-        m[1][1] = 2 * Extended(p->fy) / p->height;
-        m[1][2] = 2 * (p->cy + toCorner) / p->height - 1;
-        m[2][2] = -(f + n) / (f - n);
-        m[2][3] = -2 * f * n / (f - n);
-        m[3][2] = -1;
-        return m;
-    }
-    const ProjectionWindow w = projectionWindow(projection);
-    const Extended l = w.left, r = w.right, b = w.bottom, t = w.top, n = w.nearDistance, f = w.farDistance;
-    if (isPerspective(projection)) {
-        m[0][0] = 2 * n / (r - l);
-        m[0][1] = m[0][0] * w.skew;
-        m[0][2] = (r + l) / (r - l);
-        m[1][1] = 2 * n / (t - b);
-        m[1][2] = (t + b) / (t - b);
-        m[2][2] = -(f + n) / (f - n);
-        m[2][3] = -2 * f * n / (f - n);
-        m[3][2] = -1;
-        return m;
-    }
-    m[0][0] = 2 / (r - l);
-    m[0][3] = -(r + l) / (r - l);
-    m[1][1] = 2 / (t - b);
-    m[1][3] = -(t + b) / (t - b);
-    m[2][2] = -2 / (f - n);
-    m[2][3] = -(f + n) / (f - n);
-    m[3][3] = 1;
-    if (const auto *oblique = std::get_if<Oblique>(&projection)) {
-        Matrix shear = extended(glm::dmat4(1.0));
-        shear[0][2] = 1 / tan(unproject::extended(oblique->theta.radians));
-        shear[1][2] = 1 / tan(unproject::extended(oblique->phi.radians));
-        m = product(m, shear);
-    }
-    return m;
-}
+/// See geometry/matrix_rows.
+struct FiftyDigits {
+    using Number = Extended;
+    struct Edges {
+        Extended left, right, bottom, top, skew;
+    };
+    static Extended of(const DoubleDouble &number) { return extended(number); }
+    static Extended tangent(const DoubleDouble &radians) { return tan(extended(radians)); }
+    static Extended cotangent(const Angle &angle) { return 1 / tangent(angle.radians); }
+};
 
-ExactUnprojection::Matrix ExactUnprojection::windowFromNdc(const Setup &g)
+Matrix windowFromNdc(const Setup &g)
 {
     const Extended dn = g.depthRange.atNear, df = g.depthRange.atFar;
     const bool zeroToOne = ndcDepthOf(g) == NdcDepth::ZeroToOne;
@@ -148,54 +90,31 @@ ExactUnprojection::Matrix ExactUnprojection::windowFromNdc(const Setup &g)
     return m;
 }
 
-std::optional<ExactUnprojection::Matrix> ExactUnprojection::inverse(Matrix m)
-{
-    Matrix result = extended(glm::dmat4(1.0));
-    for (std::size_t k = 0; k < 4; ++k) {
-        std::size_t pivot = k;
-        for (std::size_t row = k + 1; row < 4; ++row) {
-            if (abs(m[row][k]) > abs(m[pivot][k]))
-                pivot = row;
-        }
-        if (m[pivot][k] == 0)
-            return std::nullopt;
-        std::swap(m[k], m[pivot]);
-        std::swap(result[k], result[pivot]);
-        const Extended scale = 1 / m[k][k];
-        for (std::size_t column = 0; column < 4; ++column) {
-            m[k][column] *= scale;
-            result[k][column] *= scale;
-        }
-        for (std::size_t row = 0; row < 4; ++row) {
-            const Extended factor = row == k ? Extended(0) : m[row][k];
-            for (std::size_t column = 0; column < 4; ++column) {
-                m[row][column] -= factor * m[k][column];
-                result[row][column] -= factor * result[k][column];
-            }
-        }
-    }
-    return result;
-}
-
-ExactUnprojection::Matrix ExactUnprojection::windowFromEye(const Setup &g)
+Matrix windowFromEye(const Setup &g)
 {
     const auto *projection = std::get_if<MatrixProjection>(&g.lens);
-    const Matrix clip = projection ? extended(projection->clipFromEye) : clipFromEye(std::get<Projection>(g.lens));
+    const Matrix clip =
+        projection ? extended(projection->clipFromEye) : clipRows<FiftyDigits>(std::get<Projection>(g.lens));
     return product(windowFromNdc(g), clip);
 }
 
-ExactUnprojection::Matrix ExactUnprojection::windowFromWorld(const Setup &g)
+Matrix windowFromWorld(const Setup &g)
 {
     const auto *view = std::get_if<glm::dmat4>(&g.pose);
     return product(windowFromEye(g), view ? extended(*view) : eyeFromWorld(std::get<LookAt>(g.pose)));
 }
 
+} // namespace
+
 std::optional<ExactUnprojection> ExactUnprojection::inverted(const Setup &setup, const Matrix &windowFromSpace)
 {
-    const std::optional<Matrix> spaceFromWindow = inverse(windowFromSpace);
-    if (!spaceFromWindow)
-        return std::nullopt;
-    return ExactUnprojection(*spaceFromWindow, setup.surface);
+    const Matrix spaceFromWindow =
+        inverse(windowFromSpace, [](const Extended &number) { return std::abs(static_cast<double>(number)); });
+    for (const MatrixRow<Extended> &row : spaceFromWindow) {
+        if (!std::ranges::all_of(row, [](const Extended &number) { return isfinite(number); }))
+            return std::nullopt;
+    }
+    return ExactUnprojection(spaceFromWindow, setup.surface);
 }
 
 std::optional<ExactUnprojection> ExactUnprojection::of(const Setup &setup)
@@ -225,11 +144,7 @@ std::optional<Triple> ExactUnprojection::at(const DevicePoint &position, double 
 
 std::optional<Triple> ExactUnprojection::at(const Extended &x, const Extended &y, const Extended &depth) const
 {
-    std::array<Extended, 4> p;
-    for (std::size_t row = 0; row < 4; ++row) {
-        const auto &m = m_spaceFromWindow[row];
-        p[row] = m[0] * x + m[1] * y + m[2] * depth + m[3];
-    }
+    const MatrixRow<Extended> p = applied(m_spaceFromWindow, {x, y, depth, 1});
     // The point is beyond a double's range, or its w consists only of rounding error of 50 digits.
     if (abs(p[3]) * 1e30 <= abs(m_spaceFromWindow[3][3]) + abs(m_spaceFromWindow[3][2] * depth))
         return std::nullopt;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/matrix_rows.h"
 #include "core/geometry/precise_matrix.h"
 #include "core/geometry/setup.h"
 
@@ -33,16 +34,8 @@ public:
     std::optional<std::array<Extended, 3>> at(const geometry::DevicePoint &position, double depth) const;
 
 private:
-    using Matrix = std::array<std::array<Extended, 4>, 4>; ///< m[row][column]
+    using Matrix = geometry::MatrixRows<Extended>;
 
-    static Matrix product(const Matrix &a, const Matrix &b);
-    static Matrix extended(const geometry::PreciseMatrix &m);
-    static Matrix eyeFromWorld(const geometry::LookAt &camera);
-    static Matrix clipFromEye(const geometry::Projection &projection);
-    static Matrix windowFromNdc(const geometry::Setup &setup);
-    static Matrix windowFromEye(const geometry::Setup &setup);
-    static Matrix windowFromWorld(const geometry::Setup &setup);
-    static std::optional<Matrix> inverse(Matrix m);
     static std::optional<ExactUnprojection> inverted(const geometry::Setup &setup, const Matrix &windowFromSpace);
 
     ExactUnprojection(const Matrix &spaceFromWindow, const geometry::Surface &surface)

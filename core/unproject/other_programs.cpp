@@ -8,16 +8,9 @@ using namespace geometry;
 
 std::string_view keyOf(OtherProgram program)
 {
-    switch (program) {
-    case OtherProgram::Paper: return "paper";
-    case OtherProgram::Screen2World: return "screen2world";
-    case OtherProgram::MeshLab: return "meshlab";
-    case OtherProgram::Polyscope: return "polyscope";
-    case OtherProgram::CloudCompare: return "cloudcompare";
-    case OtherProgram::Open3D: return "open3d";
-    case OtherProgram::Vtk: return "vtk";
-    }
-    return {};
+    constexpr std::string_view kKeys[] = {"paper",        "screen2world", "meshlab", "polyscope",
+                                          "cloudcompare", "open3d",       "vtk"};
+    return kKeys[static_cast<std::size_t>(program)];
 }
 
 std::optional<OtherProgram> otherProgramOf(std::string_view key)
