@@ -1,6 +1,7 @@
 #include "core/geometry/camera_motion.h"
 
 #include "core/geometry/numbers.h"
+#include "core/geometry/parallel_projection.h"
 #include "core/geometry/proportions.h"
 
 #include <glm/geometric.hpp>
@@ -27,14 +28,6 @@ double centerDistance(const LookAt &camera)
     return distance(camera.center, camera.eye);
 }
 
-/// A camera's own frame. Callers hold a valid setup, so it exists.
-EyeFrame frameOf(const LookAt &camera)
-{
-    const Result<EyeFrame> frame = eyeFrame(camera);
-    assert(frame);
-    return *frame;
-}
-
 /// A camera with these axes. Its up is world up wherever that gives the same camera, because users
 /// expect to read it and to pass it to gluLookAt.
 LookAt fromAxes(const WorldPoint &eye, const WorldVector &forward, const WorldVector &upward, double distance)
@@ -47,22 +40,11 @@ LookAt fromAxes(const WorldPoint &eye, const WorldVector &forward, const WorldVe
     return {eye, eye + forward * distance, isLevel ? kWorldUp : upward};
 }
 
-/// The projection's window scaled about the point (x, y) on the near plane.
-template <class Window>
-Window scaledAbout(Window w, double x, double y, double scale)
-{
-    w.left = x + (w.left - x) * scale;
-    w.right = x + (w.right - x) * scale;
-    w.bottom = y + (w.bottom - y) * scale;
-    w.top = y + (w.top - y) * scale;
-    return w;
-}
-
 } // namespace
 
 LookAt orbited(const LookAt &camera, const WorldPoint &pivot, double yawRadians, double pitchRadians)
 {
-    const EyeFrame frame = frameOf(camera);
+    const EyeFrame frame = eyeFrame(camera).value();
     // Tipping the scene towards the viewer lowers the view direction, limited by the poles. A
     // camera that is at a pole already (a top view) may leave it but not pass it. An upside-down
     // camera has no limit.
@@ -108,14 +90,14 @@ LookAt seenFrom(const LookAt &camera, StandardView side)
 
 double worldPerLogicalPixel(const Setup &setup, const WorldPoint &anchor)
 {
-    const double distance = -eyeFromWorld(frameOf(setup.camera()), anchor).z;
+    const double distance = -eyeFromWorld(eyeFrame(setup.camera()).value(), anchor).z;
     return pixelFootprint(setup, distance).y * setup.surface.devicePixelRatio;
 }
 
 Setup zoomed(const Setup &setup, const WorldPoint &anchor, double factor)
 {
     Setup result = setup;
-    const EyeFrame frame = frameOf(setup.camera());
+    const EyeFrame frame = eyeFrame(setup.camera()).value();
     const EyePoint inEye = eyeFromWorld(frame, anchor);
     const double distance = -inEye.z > 0.0 ? -inEye.z : centerDistance(setup.camera());
     if (isPerspective(setup.projection())) {
@@ -125,17 +107,14 @@ Setup zoomed(const Setup &setup, const WorldPoint &anchor, double factor)
         // perspective that is selected later has the same field of view as before.
         const double step = distance * (1.0 - 1.0 / factor);
         result.camera().eye = frame.eye + frame.forward * step;
-        if (auto *ortho = std::get_if<Ortho>(&result.projection()))
-            *ortho = scaledAbout(*ortho, inEye.x, inEye.y, 1.0 / factor);
-        else if (auto *oblique = std::get_if<Oblique>(&result.projection())) {
-            // A sheared view shifts as the eye steps forward.
-            const glm::dvec2 slope(cotangent(oblique->theta), cotangent(oblique->phi));
-            const glm::dvec2 onWindow = glm::dvec2(inEye.x, inEye.y) + slope * inEye.z;
-            const glm::dvec2 shift = slope * step;
-            Ortho box = scaledAbout(oblique->box, onWindow.x, onWindow.y, 1.0 / factor);
-            oblique->box = {box.left + shift.x, box.right + shift.x, box.bottom + shift.y,
-                            box.top + shift.y,  box.nearDistance,    box.farDistance};
-        }
+        // The window shrinks about the anchor. A sheared view shifts as the eye steps forward.
+        const glm::dvec2 slope = shearOf(result.projection());
+        const glm::dvec2 onWindow = glm::dvec2(inEye.x, inEye.y) + slope * inEye.z, shift = slope * step;
+        Ortho &box = *boxOf(result.projection());
+        for (double *x : {&box.left, &box.right})
+            *x = onWindow.x + (*x - onWindow.x) * (1.0 / factor) + shift.x;
+        for (double *y : {&box.bottom, &box.top})
+            *y = onWindow.y + (*y - onWindow.y) * (1.0 / factor) + shift.y;
     }
     result.camera().center = result.camera().eye + frame.forward * (distance / factor);
     return result;
@@ -143,7 +122,7 @@ Setup zoomed(const Setup &setup, const WorldPoint &anchor, double factor)
 
 LookAt recentered(const Setup &setup, const WorldPoint &point)
 {
-    const EyeFrame frame = frameOf(setup.camera());
+    const EyeFrame frame = eyeFrame(setup.camera()).value();
     const EyePoint inEye = eyeFromWorld(frame, point);
     // The middle of the view is the middle of the projection's window, which need not be on the
     // view axis.
@@ -151,8 +130,7 @@ LookAt recentered(const Setup &setup, const WorldPoint &point)
     const double scale = isPerspective(setup.projection()) ? -inEye.z / w.nearDistance : 1.0;
     glm::dvec2 middle((w.left + w.right) / 2.0 * scale, (w.bottom + w.top) / 2.0 * scale);
     middle.x -= w.skew * middle.y;
-    if (const auto *oblique = std::get_if<Oblique>(&setup.projection()))
-        middle -= glm::dvec2(cotangent(oblique->theta), cotangent(oblique->phi)) * inEye.z;
+    middle -= shearOf(setup.projection()) * inEye.z;
     const WorldVector offset = (inEye.x - middle.x) * frame.side + (inEye.y - middle.y) * frame.upward;
     LookAt camera = moved(setup.camera(), offset);
     const double distance = -inEye.z > 0.0 ? -inEye.z : centerDistance(camera);
@@ -164,7 +142,7 @@ Projection withFittedClipDistances(const Setup &setup, const Box &bounds, const 
 {
     if (bounds.isEmpty())
         return setup.projection();
-    const EyeFrame frame = frameOf(setup.camera());
+    const EyeFrame frame = eyeFrame(setup.camera()).value();
     const auto distances = [&frame](const Box &box) {
         double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
         for (int corner = 0; corner < 8; ++corner) {

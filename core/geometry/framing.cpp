@@ -1,13 +1,13 @@
 #include "core/geometry/framing.h"
 
 #include "core/geometry/numbers.h"
+#include "core/geometry/parallel_projection.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -15,20 +15,13 @@
 namespace unprojector::geometry {
 namespace {
 
-EyeFrame frameOf(const LookAt &camera)
-{
-    const Result<EyeFrame> frame = eyeFrame(camera);
-    assert(frame);
-    return *frame;
-}
-
 /// The smallest distance and size that count, as a share of the size of all that is shown. A needle
 /// that points at the eye has no width to fill the view with.
 constexpr double kLeastShare = 0.02;
 
 } // namespace
 
-Framing::Framing(const Setup &setup) : m_setup(setup), m_frame(frameOf(setup.camera()))
+Framing::Framing(const Setup &setup) : m_setup(setup), m_frame(eyeFrame(setup.camera()).value())
 {
     const Projection &projection = setup.projection();
     const ProjectionWindow w = projectionWindow(projection);
@@ -37,9 +30,7 @@ Framing::Framing(const Setup &setup) : m_setup(setup), m_frame(frameOf(setup.cam
     const glm::dvec2 middle = (one + other) / 2.0, half = glm::abs(other - one) / 2.0 * kFilled;
     m_low = middle - half;
     m_high = middle + half;
-    if (const auto *oblique = std::get_if<Oblique>(&projection))
-        m_shear = {cotangent(oblique->theta), cotangent(oblique->phi)};
-
+    m_shear = shearOf(projection);
     // Measured from the world's origin, not from the eye: the camera's present position does not
     // matter.
     const auto along = [](const WorldVector &axis) { return glm::dvec4(axis.coordinates(), 0.0); };
@@ -169,18 +160,12 @@ Setup Framing::framed() const
         const double scale = std::max(std::max(extent(FromLeft), least) / (m_high.x - m_low.x),
                                       std::max(extent(FromBottom), least) / (m_high.y - m_low.y));
         const glm::dvec2 windowMiddle = (m_low + m_high) / 2.0;
-        const auto scaled = [&](auto window) {
-            const glm::dvec2 half(window.right - window.left, window.top - window.bottom);
-            window.left = windowMiddle.x - half.x / 2.0 * scale;
-            window.right = windowMiddle.x + half.x / 2.0 * scale;
-            window.bottom = windowMiddle.y - half.y / 2.0 * scale;
-            window.top = windowMiddle.y + half.y / 2.0 * scale;
-            return window;
-        };
-        if (auto *ortho = std::get_if<Ortho>(&result.projection()))
-            *ortho = scaled(*ortho);
-        else if (auto *oblique = std::get_if<Oblique>(&result.projection()))
-            oblique->box = scaled(oblique->box);
+        Ortho &window = *boxOf(result.projection());
+        const glm::dvec2 half = glm::dvec2(window.right - window.left, window.top - window.bottom) / 2.0 * scale;
+        window.left = windowMiddle.x - half.x;
+        window.right = windowMiddle.x + half.x;
+        window.bottom = windowMiddle.y - half.y;
+        window.top = windowMiddle.y + half.y;
         // The eye of a box moves too, so that a perspective that is selected later has the same
         // field of view as before.
         along = depth - distance(m_setup.camera().center, m_setup.camera().eye) * scale;

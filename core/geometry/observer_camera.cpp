@@ -1,6 +1,7 @@
 #include "core/geometry/observer_camera.h"
 
 #include "core/geometry/numbers.h"
+#include "core/geometry/parallel_projection.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
@@ -64,11 +65,9 @@ ClipPlaneDrag::ClipPlaneDrag(const Projection &projection, ClipPlane plane, cons
     : m_plane(plane)
 {
     const double distance = -grabbed.z;
-    EyeVector direction(0.0, 0.0, -1.0);
-    if (isPerspective(projection))
-        direction = (grabbed - EyePoint()) / distance;
-    else if (const auto *oblique = std::get_if<Oblique>(&projection))
-        direction = {cotangent(oblique->theta), cotangent(oblique->phi), -1.0};
+    const glm::dvec2 shear = shearOf(projection);
+    const EyeVector direction =
+        isPerspective(projection) ? (grabbed - EyePoint()) / distance : EyeVector(shear.x, shear.y, -1.0);
     m_direction = widgetFromEye * glm::dvec4(direction.coordinates(), 0.0);
     m_origin = widgetFromEye * glm::dvec4((grabbed - direction * distance).coordinates(), 1.0);
     const glm::dvec4 held = m_origin + m_direction * distance;

@@ -3,6 +3,7 @@
 #include "core/geometry/finite.h"
 #include "core/geometry/matrix_rows.h"
 #include "core/geometry/numbers.h"
+#include "core/geometry/parallel_projection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,14 +34,6 @@ Check checkClipDistances(double nearDistance, double farDistance, bool perspecti
     if (!(nearDistance < farDistance))
         return Error{ErrorCode::NearNotBeforeFar, nearDistance, farDistance};
     return std::monostate{};
-}
-
-/// The box of a parallel projection; null for a perspective.
-Ortho *boxOf(Projection &projection)
-{
-    if (auto *oblique = std::get_if<Oblique>(&projection))
-        return &oblique->box;
-    return std::get_if<Ortho>(&projection);
 }
 
 Frustum frustumOf(const Projection &projection)
@@ -162,6 +155,18 @@ bool isPerspective(const Projection &projection)
     return !std::holds_alternative<Ortho>(projection) && !std::holds_alternative<Oblique>(projection);
 }
 
+Ortho *boxOf(Projection &projection)
+{
+    if (auto *oblique = std::get_if<Oblique>(&projection))
+        return &oblique->box;
+    return std::get_if<Ortho>(&projection);
+}
+
+glm::dvec2 shearOf(const Projection &projection)
+{
+    const auto *oblique = std::get_if<Oblique>(&projection);
+    return oblique ? glm::dvec2(cotangent(oblique->theta), cotangent(oblique->phi)) : glm::dvec2(0.0);
+}
 Result<glm::dmat4> clipFromEye(const Projection &projection)
 {
     if (const Check valid = check(projection); !valid)
@@ -184,13 +189,12 @@ Result<glm::dmat4> clipFromEye(const Projection &projection)
     m[1][1] = 2.0 / (t - b);
     m[2][2] = -2.0 / (f - n);
     m[3] = {-(r + l) / (r - l), -(t + b) / (t - b), -(f + n) / (f - n), 1.0};
-    const auto *oblique = std::get_if<Oblique>(&projection);
-    if (!oblique)
+    if (!std::holds_alternative<Oblique>(projection))
         return m;
-    glm::dmat4 shear(1.0);
-    shear[2][0] = cotangent(oblique->theta);
-    shear[2][1] = cotangent(oblique->phi);
-    return m * shear;
+    glm::dmat4 sheared(1.0);
+    const glm::dvec2 shear = shearOf(projection);
+    sheared[2] = {shear, 1.0, 0.0};
+    return m * sheared;
 }
 
 Projection withAspect(const Projection &projection, const DoubleDouble &aspect)
@@ -241,9 +245,9 @@ Projection converted(const Projection &projection, ProjectionKind kind, double d
     Ortho box{w.left * magnified, w.right * magnified, w.bottom * magnified,
               w.top * magnified,  w.nearDistance,      w.farDistance};
     if (const auto *oblique = std::get_if<Oblique>(&projection)) {
-        const double dx = cotangent(oblique->theta) * distance;
-        const double dy = cotangent(oblique->phi) * distance;
-        box = {box.left + dx, box.right + dx, box.bottom + dy, box.top + dy, box.nearDistance, box.farDistance};
+        const glm::dvec2 shift = shearOf(*oblique) * distance;
+        box = {box.left + shift.x, box.right + shift.x, box.bottom + shift.y,
+               box.top + shift.y,  box.nearDistance,    box.farDistance};
     }
     if (kind == ProjectionKind::Ortho)
         return box;

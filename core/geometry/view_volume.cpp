@@ -1,5 +1,7 @@
 #include "core/geometry/view_volume.h"
 
+#include "core/geometry/parallel_projection.h"
+
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -13,7 +15,7 @@ std::array<EyePoint, 8> viewVolumeCorners(const Projection &projection)
 {
     const ProjectionWindow w = projectionWindow(projection);
     const bool perspective = isPerspective(projection);
-    const auto *oblique = std::get_if<Oblique>(&projection);
+    const glm::dvec2 shear = shearOf(projection);
     std::array<EyePoint, 8> corners;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const double distance = i & 4 ? w.farDistance : w.nearDistance;
@@ -21,10 +23,8 @@ std::array<EyePoint, 8> viewVolumeCorners(const Projection &projection)
         EyePoint corner((i & 1 ? w.right : w.left) * magnified, (i & 2 ? w.top : w.bottom) * magnified, -distance);
         if (w.skew != 0.0)
             corner.x -= w.skew * corner.y;
-        if (oblique) {
-            corner.x += cotangent(oblique->theta) * distance;
-            corner.y += cotangent(oblique->phi) * distance;
-        }
+        corner.x += shear.x * distance;
+        corner.y += shear.y * distance;
         corners[i] = corner;
     }
     return corners;

@@ -1,6 +1,7 @@
 #include "core/unproject/certainty.h"
 
 #include "core/geometry/numbers.h"
+#include "core/geometry/parallel_projection.h"
 #include "core/geometry/proportions.h"
 
 #include <glm/common.hpp>
@@ -11,21 +12,11 @@
 namespace unprojector::unproject {
 using namespace geometry;
 
-namespace {
-
-glm::dvec3 parallelRay(const Projection &projection)
-{
-    if (const auto *oblique = std::get_if<Oblique>(&projection))
-        return {cotangent(oblique->theta), cotangent(oblique->phi), -1.0};
-    return {0.0, 0.0, -1.0};
-}
-
-} // namespace
-
 Certainties::Certainties(const Setup &setup)
     : m_window(projectionWindow(setup.projection())), m_isPerspective(isPerspective(setup.projection())),
-      m_parallel(parallelRay(setup.projection())), m_range(std::abs(setup.depthRange.atFar - setup.depthRange.atNear)),
-      m_footprint(pixelFootprint(setup, 1.0)), m_frame(eyeFrame(setup.camera()).value())
+      m_parallel(shearOf(setup.projection()), -1.0),
+      m_range(std::abs(setup.depthRange.atFar - setup.depthRange.atNear)), m_footprint(pixelFootprint(setup, 1.0)),
+      m_frame(eyeFrame(setup.camera()).value())
 {
 }
 
