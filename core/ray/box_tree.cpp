@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
-#include <mutex>
 #include <numeric>
 #include <span>
 
@@ -71,18 +70,21 @@ public:
             m_items.push_back({box.lowest, static_cast<std::uint32_t>(m_items.size()), box.highest});
     }
 
-    std::optional<BoxTree> build()
+    BoxTree build()
     {
         if (m_items.empty())
-            return BoxTree{};
+            return {};
         m_tree.m_nodes.resize(1);
         // Builds the upper levels here, and the parts below them on all cores.
         const std::size_t enough = std::max<std::size_t>(4096, m_items.size() / (8 * base::coreCount()));
         grow(m_tree.m_nodes, {0, 0, m_items.size(), 0}, enough);
         m_branches.resize(m_parts.size());
-        growParts();
-        if (m_isCancelled)
-            return std::nullopt;
+        base::inParallel(m_parts.size(), {}, [this](std::size_t i) {
+            Part part = m_parts[i];
+            part.node = 0;
+            m_branches[i].resize(1);
+            grow(m_branches[i], part, 0);
+        });
         graft();
         m_tree.m_numbers.reserve(m_items.size());
         for (const Item &item : m_items)
@@ -111,7 +113,7 @@ private:
     void grow(std::vector<Node> &nodes, const Part &root, std::size_t enough)
     {
         std::vector<Part> open{root};
-        while (!open.empty() && !m_isCancelled) {
+        while (!open.empty()) {
             const Part part = open.back();
             open.pop_back();
             if (enough > 0 && part.count() <= enough) {
@@ -205,18 +207,6 @@ private:
         return best;
     }
 
-    void growParts()
-    {
-        base::inParallel(m_parts.size(), {}, [this](std::size_t i) {
-            if (m_isCancelled)
-                return;
-            Part part = m_parts[i];
-            part.node = 0;
-            m_branches[i].resize(1);
-            grow(m_branches[i], part, 0);
-        });
-    }
-
     /// Inserts the branches into their reserved nodes.
     void graft()
     {
@@ -240,28 +230,21 @@ private:
     {
         constexpr std::size_t kSteps = 100;
         const std::size_t before = m_done.fetch_add(count), after = before + count;
-        if (before * kSteps / m_items.size() == after * kSteps / m_items.size() || !m_progress)
-            return;
-        const std::lock_guard lock(m_telling);
-        const double share = std::max(m_told, static_cast<double>(after) / static_cast<double>(m_items.size()));
-        m_told = share;
-        if (!m_progress(share))
-            m_isCancelled = true;
+        if (before * kSteps / m_items.size() != after * kSteps / m_items.size()
+            && !m_progress.report(static_cast<double>(after) / static_cast<double>(m_items.size())))
+            throw base::Stopped{};
     }
 
     std::vector<Item> m_items;
     const std::size_t m_mostInLeaf;
-    const Progress &m_progress;
+    SharedProgress m_progress;
     BoxTree m_tree;
     std::vector<Part> m_parts;                 ///< left to other tasks, with their nodes in the tree
     std::vector<std::vector<Node>> m_branches; ///< of each part, with the root first
     std::atomic<std::size_t> m_done = 0;
-    std::atomic<bool> m_isCancelled = false;
-    std::mutex m_telling;
-    double m_told = 0.0;
 };
 
-std::optional<BoxTree> BoxTree::build(const std::vector<Box> &boxes, std::size_t mostInLeaf, const Progress &progress)
+BoxTree BoxTree::build(const std::vector<Box> &boxes, std::size_t mostInLeaf, const Progress &progress)
 {
     return Builder(boxes, mostInLeaf, progress).build();
 }

@@ -4,17 +4,43 @@
 
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <optional>
+#include <mutex>
 #include <vector>
 
 namespace unprojector::ray {
 
 using base::Progress;
+
+/// Passes on progress that comes from several threads at once, in steps.
+class SharedProgress {
+public:
+    explicit SharedProgress(const Progress &progress) : m_progress(progress) {}
+
+    /// @return whether the work goes on
+    bool report(double share)
+    {
+        constexpr double kStep = 0.01;
+        const std::lock_guard lock(m_telling);
+        if (m_progress && !m_isStopped && share >= m_told + kStep) {
+            m_told = std::min(share, 1.0);
+            m_isStopped = !m_progress(m_told);
+        }
+        return !m_isStopped;
+    }
+    bool isStopped() const { return m_isStopped; }
+
+private:
+    const Progress &m_progress;
+    std::mutex m_telling;
+    double m_told = -1.0;
+    bool m_isStopped = false;
+};
 
 /// A bounding volume hierarchy: a binary tree of boxes by the surface area heuristic, built on all
 /// cores. It is plain C++, for queries that Embree lacks and for builds without Embree.
@@ -26,9 +52,8 @@ public:
 
     /// @param boxes  finite
     /// @param mostInLeaf  at least 1
-    /// @return nothing if progress cancels
-    static std::optional<BoxTree> build(const std::vector<Box> &boxes, std::size_t mostInLeaf,
-                                        const Progress &progress);
+    /// Throws base::Stopped.
+    static BoxTree build(const std::vector<Box> &boxes, std::size_t mostInLeaf, const Progress &progress);
 
     /// Calls `visit` with the indices of the input boxes, nearest first.
     /// @param entry  where a box (lowest, highest) begins, in any measure; infinity: the box is

@@ -63,41 +63,35 @@ glm::dvec3 closestToOrigin(const std::array<glm::dvec3, 3> &corners)
     return best;
 }
 
-ClosestPlaces::ClosestPlaces(std::shared_ptr<const Model> model, const Box &bounds)
-    : m_model(std::move(model)), m_triangles(m_model->meshes, [](const Mesh &mesh) { return mesh.triangleCount(); }),
-      m_points(m_model->meshes, [](const Mesh &mesh) { return mesh.pointCount(); }), m_space(bounds)
+ClosestPlaces::ClosestPlaces(std::shared_ptr<const Model> model)
+    : m_model(std::move(model)), m_triangles(m_model->meshes, &Mesh::triangleCount),
+      m_points(m_model->meshes, &Mesh::pointCount), m_space(*m_model)
 {
 }
 
 std::shared_ptr<const ClosestPlaces> ClosestPlaces::build(std::shared_ptr<const Model> model, const Progress &progress)
-{
-    const Box bounds = model->bounds.isEmpty() ? boundsOf(model->meshes) : model->bounds;
-    const std::shared_ptr<ClosestPlaces> places(new ClosestPlaces(std::move(model), bounds));
+try {
+    const std::shared_ptr<ClosestPlaces> places(new ClosestPlaces(std::move(model)));
+    const std::uint32_t triangles = places->m_triangles.count(), count = triangles + places->m_points.count();
     std::vector<BoxTree::Box> boxes;
-    boxes.reserve(std::size_t{places->m_triangles.count()} + places->m_points.count());
-    const auto add = [&](const Mesh &mesh, std::size_t firstElement, std::size_t count) {
+    boxes.reserve(count);
+    for (std::uint32_t box = 0; box < count; ++box) {
+        const ElementNumbers::Place place = places->elementOf(box);
+        const Mesh &mesh = places->m_model->meshes[place.mesh];
+        const std::size_t corners = box < triangles ? 3 : 1, first = corners * place.element;
         glm::vec3 lowest(std::numeric_limits<float>::infinity()), highest(-lowest);
-        for (std::size_t i = firstElement; i < firstElement + count; ++i) {
-            const glm::vec3 place = places->m_space.at(mesh.origin, mesh.positions[mesh.vertexAt(i)]);
-            lowest = glm::min(lowest, place);
-            highest = glm::max(highest, place);
+        for (std::size_t i = first; i < first + corners; ++i) {
+            const glm::vec3 corner = places->m_space.at(mesh.origin, mesh.positions[mesh.vertexAt(i)]);
+            lowest = glm::min(lowest, corner);
+            highest = glm::max(highest, corner);
         }
         boxes.push_back({lowest - UnitSpace::kMargin, highest + UnitSpace::kMargin});
-    };
-    for (const Mesh &mesh : places->m_model->meshes) {
-        for (std::size_t i = 0; i < mesh.triangleCount(); ++i)
-            add(mesh, 3 * i, 3);
-    }
-    for (const Mesh &mesh : places->m_model->meshes) {
-        for (std::size_t i = 0; i < mesh.pointCount(); ++i)
-            add(mesh, i, 1);
     }
     constexpr std::size_t kMostInLeaf = 4;
-    std::optional<BoxTree> tree = BoxTree::build(boxes, kMostInLeaf, progress);
-    if (!tree)
-        return nullptr;
-    places->m_tree = std::move(*tree);
+    places->m_tree = BoxTree::build(boxes, kMostInLeaf, progress);
     return places;
+} catch (const base::Stopped &) {
+    return nullptr;
 }
 
 std::optional<ClosestPlace> ClosestPlaces::to(const ObjectPoint &point) const
@@ -125,36 +119,33 @@ std::optional<ClosestPlace> ClosestPlaces::to(const ObjectPoint &point) const
                    ? std::nextafter(static_cast<float>(distance), 1e38f)
                    : std::numeric_limits<float>::max();
     };
-    const auto take = [&](std::uint32_t number, double distance, const glm::dvec3 &place) {
-        if (distance < least || (distance == least && number < closest)) {
-            least = distance;
-            closest = number;
-            barycentric = place;
-        }
-    };
-    // Relative to each mesh's own origin, so that vertices keep all digits.
     m_tree.search(entry, limit, [&](std::uint32_t number) {
+        const ElementNumbers::Place place = elementOf(number);
+        const Mesh &mesh = m_model->meshes[place.mesh];
+        // Relative to each mesh's own origin, so that vertices keep all digits.
+        const glm::dvec3 from = point.coordinates() - mesh.origin;
+        glm::dvec3 weights(0.0), off;
         if (number < m_triangles.count()) {
-            const ElementNumbers::Place place = m_triangles.place(number);
-            const Mesh &mesh = m_model->meshes[place.mesh];
-            const glm::dvec3 from = point.coordinates() - mesh.origin;
             std::array<glm::dvec3, 3> corners = cornersOf(mesh, place.element);
             for (glm::dvec3 &corner : corners)
                 corner -= from;
-            const glm::dvec3 found = closestToOrigin(corners);
-            take(number, glm::length(combined(corners, found)), found);
-            return;
+            weights = closestToOrigin(corners);
+            off = combined(corners, weights);
+        } else {
+            off = mesh.fromOrigin(mesh.vertexAt(place.element)) - from;
         }
-        const ElementNumbers::Place place = m_points.place(number - m_triangles.count());
-        const Mesh &mesh = m_model->meshes[place.mesh];
-        const glm::dvec3 from = point.coordinates() - mesh.origin;
-        take(number, glm::length(mesh.fromOrigin(mesh.vertexAt(place.element)) - from), glm::dvec3(0.0));
+        const double distance = glm::length(off);
+        if (distance < least || (distance == least && number < closest)) {
+            least = distance;
+            closest = number;
+            barycentric = weights;
+        }
     });
     if (!std::isfinite(least))
         return std::nullopt;
     Anchor anchor = OnTriangle{closest, barycentric};
     if (closest >= m_triangles.count()) {
-        const ElementNumbers::Place place = m_points.place(closest - m_triangles.count());
+        const ElementNumbers::Place place = elementOf(closest);
         anchor = AtVertex{m_model->vertexNumber(place.mesh, m_model->meshes[place.mesh].vertexAt(place.element))};
     }
     const std::optional<ObjectPoint> place = placeOf(anchor, *m_model);
@@ -168,7 +159,7 @@ std::optional<ObjectPoint> placeOf(const Anchor &anchor, const Model &model)
         return place ? std::optional(model.meshes[place->mesh].position(place->vertex)) : std::nullopt;
     };
     if (const auto *triangle = std::get_if<OnTriangle>(&anchor)) {
-        const ElementNumbers triangles(model.meshes, [](const Mesh &mesh) { return mesh.triangleCount(); });
+        const ElementNumbers triangles(model.meshes, &Mesh::triangleCount);
         if (triangle->triangle >= triangles.count())
             return std::nullopt;
         const ElementNumbers::Place place = triangles.place(triangle->triangle);

@@ -43,7 +43,12 @@ public:
     const mesh::Model &model() const { return *m_model; }
 
 private:
-    ClosestPlaces(std::shared_ptr<const mesh::Model> model, const geometry::Box &bounds);
+    explicit ClosestPlaces(std::shared_ptr<const mesh::Model> model);
+    /// The triangle or point of a box.
+    ElementNumbers::Place elementOf(std::uint32_t box) const
+    {
+        return box < m_triangles.count() ? m_triangles.place(box) : m_points.place(box - m_triangles.count());
+    }
 
     std::shared_ptr<const mesh::Model> m_model;
     ElementNumbers m_triangles, m_points;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -19,14 +20,14 @@ public:
         std::uint32_t element; ///< index within the mesh
     };
 
-    /// @param count  returns the number of elements of a mesh
+    /// @param count  returns the number of elements of a mesh: &Mesh::triangleCount
     template <class Count>
     ElementNumbers(const std::vector<mesh::Mesh> &meshes, const Count &count)
     {
         std::size_t sum = 0;
         for (const mesh::Mesh &mesh : meshes) {
             m_starts.push_back(static_cast<std::uint32_t>(sum));
-            sum += count(mesh);
+            sum += std::invoke(count, mesh);
         }
         assert(sum <= std::numeric_limits<std::uint32_t>::max());
         m_count = static_cast<std::uint32_t>(sum);

@@ -9,10 +9,8 @@
 #include <embree3/rtcore.h>
 #endif
 
-#include <algorithm>
-#include <atomic>
-#include <mutex>
 #include <new>
+#include <utility>
 
 namespace unprojector::ray {
 namespace {
@@ -52,27 +50,6 @@ bool showPacket(RTCPointQueryFunctionArguments *arguments)
     return false; // the ball keeps its size
 }
 
-/// Forwards Embree's progress, which comes from several threads at once.
-struct Monitor {
-    const Progress &progress;
-    std::mutex telling = {};
-    double told = -1.0;
-    std::atomic<bool> isCancelled = false;
-
-    static bool tell(void *monitor, double share) { return static_cast<Monitor *>(monitor)->advance(share); }
-
-    bool advance(double share)
-    {
-        constexpr double kStep = 0.01;
-        const std::lock_guard lock(telling);
-        if (progress && !isCancelled && share >= told + kStep) {
-            told = std::min(share, 1.0);
-            isCancelled = !progress(told);
-        }
-        return !isCancelled;
-    }
-};
-
 class EmbreeTree : public TriangleTree {
 public:
     // Threads are not bound to processors: where that is impossible, Embree prints to stderr.
@@ -100,25 +77,27 @@ public:
             rtcReleaseDevice(m_device);
     }
 
-    /// @return whether the tree is ready; throws std::bad_alloc
-    bool build(Monitor &monitor)
+    /// @return whether the tree is ready
+    bool build(const Progress &progress)
     {
         if (m_device == nullptr)
             return false;
-        rtcSetSceneProgressMonitorFunction(m_scene, &Monitor::tell, &monitor);
+        SharedProgress shared(progress);
+        const auto report = [](void *to, double share) { return static_cast<SharedProgress *>(to)->report(share); };
+        rtcSetSceneProgressMonitorFunction(m_scene, report, &shared);
         rtcCommitScene(m_scene);
         rtcSetSceneProgressMonitorFunction(m_scene, nullptr, nullptr);
-        switch (rtcGetDeviceError(m_device)) {
-        case RTC_ERROR_NONE: return true;
-        case RTC_ERROR_OUT_OF_MEMORY: throw std::bad_alloc();
-        case RTC_ERROR_CANCELLED: return false;
-        default:
-            // The system has no thread for it. Releasing the rest of Embree's scheduler now would
-            // crash the program.
-            m_scene = nullptr;
-            m_device = nullptr;
-            return false;
-        }
+        const RTCError error = rtcGetDeviceError(m_device);
+        if (shared.isStopped())
+            throw base::Stopped{};
+        if (error == RTC_ERROR_OUT_OF_MEMORY)
+            throw std::bad_alloc();
+        if (error == RTC_ERROR_NONE)
+            return true;
+        // The system has no thread for it. Releasing the rest of Embree's scheduler now would crash the program.
+        m_scene = nullptr;
+        m_device = nullptr;
+        return false;
     }
 
     void search(const UnitRay &ray, PacketSearch &packets) const override
@@ -164,21 +143,10 @@ private:
 
 } // namespace
 
-std::unique_ptr<const TriangleTree> embreeTriangleTree(const TrianglePackets &packets, const Progress &progress,
-                                                       bool &isCancelled)
+std::unique_ptr<const TriangleTree> embreeTriangleTree(const TrianglePackets &packets, const Progress &progress)
 {
-    Monitor monitor{progress};
     auto tree = std::make_unique<EmbreeTree>(packets);
-    const bool isReady = tree->build(monitor);
-    isCancelled = monitor.isCancelled;
-    if (!isReady || isCancelled)
-        return nullptr;
-    return tree;
-}
-
-bool hasEmbree()
-{
-    return true;
+    return tree->build(progress) ? std::move(tree) : nullptr;
 }
 
 } // namespace unprojector::ray

@@ -41,8 +41,6 @@ bool isLess(const WorldPoint &a, const WorldPoint &b)
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
 }
 
-} // namespace
-
 /// The search for edges in a square of the view.
 class PixelEdgeSearch {
 public:
@@ -58,10 +56,8 @@ public:
             return std::nullopt;
         m_hit = hit;
         m_along = ray->along.coordinates();
-        for (const SceneRays::Object &object : m_rays.m_objects) {
-            std::vector<Side> sides = sidesOf(object);
-            visitOccluding(sides);
-        }
+        for (const Target &target : m_rays.targets())
+            visitOccluding(sidesOf(target));
         if (m_found && m_hit)
             m_found->reach = WorldVector(glm::abs(m_along) * m_most);
         return m_found;
@@ -83,7 +79,7 @@ private:
         const glm::dmat4 rows = glm::transpose(*matrix);
         m_viewFromWorld = {rows[0] * (end.x - middle.x) + rows[3] * (middle.x - m_position.x),
                            rows[1] * (end.y - middle.y) + rows[3] * (middle.y - m_position.y), rows[3]};
-        m_planes = m_rays.m_clipPlanes;
+        m_planes = m_rays.clipPlanes();
         const Result<Ray<WorldSpace>> ray = m_rays.rays().at(m_position);
         for (const double depth : {m_rays.rays().depths().atNear, m_rays.rays().depths().atFar}) {
             const NdcPoint ndc =
@@ -124,36 +120,13 @@ private:
         return low < high ? std::optional(std::pair(low, high)) : std::nullopt;
     }
 
-    std::optional<RayBundle> bundle(const SceneRays::Object &object) const
-    {
-        const auto rayAt = [&](double right, double down) -> std::optional<Ray<ObjectSpace>> {
-            const Result<Ray<WorldSpace>> ray =
-                m_rays.rays().at(DevicePoint(m_position.x + right, m_position.y + down));
-            return ray ? std::optional(object.placement.plainObjectRay(*ray)) : std::nullopt;
-        };
-        const auto middle = rayAt(0.0, 0.0);
-        if (!middle)
-            return std::nullopt;
-        RayBundle bundle{*middle, {}};
-        for (std::size_t k = 0; k < bundle.corners.size(); ++k) {
-            const auto corner = rayAt(k % 2 == 0 ? -m_half : m_half, k / 2 == 0 ? -m_half : m_half);
-            if (!corner)
-                return std::nullopt;
-            bundle.corners[k] = *corner;
-        }
-        return bundle;
-    }
-
     /// The edges of an object's triangles that cross the square. Every triangle at such an edge is
     /// among the ones near the square.
-    std::vector<Side> sidesOf(const SceneRays::Object &object) const
+    std::vector<Side> sidesOf(const Target &target) const
     {
         std::vector<Side> sides;
-        const std::optional<RayBundle> about = bundle(object);
-        if (!about)
-            return sides;
-        for (const std::uint32_t triangle : object.caster->trianglesAbout(*about)) {
-            const std::array<WorldPoint, 3> corners = worldCorners(*object.caster, object.placement, triangle);
+        for (const std::uint32_t triangle : m_rays.trianglesAbout(target, m_position, m_half)) {
+            const std::array<WorldPoint, 3> corners = worldCorners(target, triangle);
             const std::array<ViewPoint, 3> views{viewOf(corners[0]), viewOf(corners[1]), viewOf(corners[2])};
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::size_t next = (k + 1) % 3;
@@ -190,7 +163,7 @@ private:
     }
 
     /// Visits the edges with no triangle on one of their sides.
-    void visitOccluding(std::vector<Side> &sides)
+    void visitOccluding(std::vector<Side> sides)
     {
         std::sort(sides.begin(), sides.end(), [](const Side &a, const Side &b) {
             return isLess(a.from, b.from) || (!isLess(b.from, a.from) && isLess(a.to, b.to));
@@ -295,6 +268,8 @@ private:
     double m_most = 0.0;     ///< the largest |t| from the hit to a surface at an edge
     std::optional<PixelEdge> m_found;
 };
+
+} // namespace
 
 std::optional<PixelEdge> edgeInPixel(const SceneRays &rays, const DevicePoint &position,
                                      const std::optional<SceneHit> &hit, double pixels)

@@ -62,8 +62,7 @@ std::unique_ptr<const TriangleTree> plainTriangleTree(const TrianglePackets &pac
     boxes.reserve(packets.count());
     for (std::uint32_t packet = 0; packet < packets.count(); ++packet)
         boxes.push_back(packets.boxOf(packet));
-    std::optional<BoxTree> tree = BoxTree::build(boxes, 1, progress);
-    return tree ? std::make_unique<const PlainTree>(packets, std::move(*tree)) : nullptr;
+    return std::make_unique<const PlainTree>(packets, BoxTree::build(boxes, 1, progress));
 }
 
 } // namespace unprojector::ray

@@ -97,17 +97,12 @@ private:
 
 } // namespace
 
-PointCloud::PointCloud(const Model &model, const UnitSpace &space)
-    : m_model(&model), m_space(&space), m_points(model.meshes, [](const Mesh &mesh) { return mesh.pointCount(); }),
+PointCloud::PointCloud(const Model &model, const UnitSpace &space, const Progress &progress)
+    : m_model(model), m_space(space), m_points(model.meshes, &Mesh::pointCount),
       m_vertices(model.meshes, [](const Mesh &mesh) { return mesh.positions.size(); })
 {
-}
-
-std::optional<PointCloud> PointCloud::build(const Model &model, const UnitSpace &space, const Progress &progress)
-{
-    PointCloud cloud(model, space);
     std::vector<BoxTree::Box> boxes;
-    boxes.reserve(cloud.m_points.count());
+    boxes.reserve(m_points.count());
     for (const Mesh &mesh : model.meshes) {
         for (std::size_t i = 0; i < mesh.pointCount(); ++i) {
             const glm::vec3 place = space.at(mesh.origin, mesh.positions[mesh.vertexAt(i)]);
@@ -115,11 +110,7 @@ std::optional<PointCloud> PointCloud::build(const Model &model, const UnitSpace 
         }
     }
     constexpr std::size_t kMostInLeaf = 8;
-    std::optional<BoxTree> tree = BoxTree::build(boxes, kMostInLeaf, progress);
-    if (!tree)
-        return std::nullopt;
-    cloud.m_tree = std::move(*tree);
-    return cloud;
+    m_tree = BoxTree::build(boxes, kMostInLeaf, progress);
 }
 
 std::optional<PointHit> PointCloud::nearest(const PointAim &aim) const
@@ -128,9 +119,9 @@ std::optional<PointHit> PointCloud::nearest(const PointAim &aim) const
     double high = aim.ray.high;
     const auto entry = [&](const glm::vec3 &lowest, const glm::vec3 &highest) {
         const glm::dvec3 low(lowest), top(highest);
-        const glm::dvec3 center = m_space->center() + (low + top) / (2.0 * m_space->scale());
+        const glm::dvec3 center = m_space.center() + (low + top) / (2.0 * m_space.scale());
         // Rounding may make t too large: the search compares it in double again.
-        const double begin = reach.begin(center, (top - low) / (2.0 * m_space->scale()));
+        const double begin = reach.begin(center, (top - low) / (2.0 * m_space.scale()));
         return begin <= high ? static_cast<float>(begin) : std::numeric_limits<float>::infinity();
     };
     const auto search = [&](const auto &take) {
@@ -138,7 +129,7 @@ std::optional<PointHit> PointCloud::nearest(const PointAim &aim) const
             entry, [] { return std::numeric_limits<float>::max(); },
             [&](std::uint32_t number) {
                 const ElementNumbers::Place place = m_points.place(number);
-                const Mesh &mesh = m_model->meshes[place.mesh];
+                const Mesh &mesh = m_model.meshes[place.mesh];
                 const std::size_t vertex = mesh.vertexAt(place.element);
                 const glm::dvec3 point = mesh.position(vertex);
                 const double t = reach.tAt(point);

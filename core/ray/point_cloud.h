@@ -41,17 +41,15 @@ struct PointHit {
 /// Immutable: any thread may query it.
 class PointCloud {
 public:
-    /// @param model  outlives this
-    /// @return nothing if progress cancels
-    static std::optional<PointCloud> build(const mesh::Model &model, const UnitSpace &space, const Progress &progress);
+    /// @param model, space  outlive this
+    /// Throws base::Stopped.
+    PointCloud(const mesh::Model &model, const UnitSpace &space, const Progress &progress);
 
     std::optional<PointHit> nearest(const PointAim &aim) const;
 
 private:
-    PointCloud(const mesh::Model &model, const UnitSpace &space);
-
-    const mesh::Model *m_model;
-    const UnitSpace *m_space;
+    const mesh::Model &m_model;
+    const UnitSpace &m_space;
     ElementNumbers m_points;   ///< the elements of point meshes
     ElementNumbers m_vertices; ///< of all meshes
     BoxTree m_tree;

@@ -43,7 +43,7 @@ public:
     bool hasPoints() const { return m_points.has_value(); }
 
 private:
-    RayCaster(std::shared_ptr<const mesh::Model> model, const geometry::Box &bounds);
+    explicit RayCaster(std::shared_ptr<const mesh::Model> model);
 
     std::shared_ptr<const mesh::Model> m_model;
     ElementNumbers m_numbers; ///< of its triangles

@@ -80,9 +80,17 @@ private:
     glm::dvec3 m_size;
 };
 
-double distanceOf(const WorldPoint &world, const Ray<WorldSpace> &ray, double t, const std::optional<WorldPoint> &eye)
+/// @param place  relative to the mesh's origin
+SceneHit hitAt(const Target &target, const PlacedMesh &placed, const glm::dvec3 &place, const Ray<WorldSpace> &ray,
+               const std::optional<WorldPoint> &eye)
 {
-    return eye ? distance(world, *eye) : t * length(ray.along);
+    SceneHit hit;
+    hit.object = target.object;
+    hit.objectPoint = placed.object(place);
+    hit.world = placed.world(place);
+    hit.t = dot(hit.world - ray.from, ray.along) / dot(ray.along, ray.along);
+    hit.distance = eye ? distance(hit.world, *eye) : hit.t * length(ray.along);
+    return hit;
 }
 
 /// The parameter in [0, 1] between two points that is nearest to a third.
@@ -127,12 +135,12 @@ Ray<ObjectSpace> Placement::plainObjectRay(const Ray<WorldSpace> &ray) const
             ray.high};
 }
 
-std::array<WorldPoint, 3> worldCorners(const RayCaster &caster, const Placement &placement, std::uint32_t triangle)
+std::array<WorldPoint, 3> worldCorners(const Target &target, std::uint32_t triangle)
 {
-    const ElementNumbers::Place place = caster.triangleNumbers().place(triangle);
-    const Mesh &mesh = caster.model().meshes[place.mesh];
+    const ElementNumbers::Place place = target.caster->triangleNumbers().place(triangle);
+    const Mesh &mesh = target.caster->model().meshes[place.mesh];
     const auto corners = cornersOf(mesh, place.element);
-    const glm::dmat4 &m = placement.worldFromObject();
+    const glm::dmat4 &m = target.placement.worldFromObject();
     const glm::dvec3 origin(m * glm::dvec4(mesh.origin, 1.0));
     std::array<WorldPoint, 3> world;
     for (std::size_t k = 0; k < 3; ++k)
@@ -140,27 +148,22 @@ std::array<WorldPoint, 3> worldCorners(const RayCaster &caster, const Placement 
     return world;
 }
 
-SceneHit hitOnTriangle(const RayCaster &caster, const Placement &placement, std::uint32_t triangle,
-                       const glm::dvec3 &barycentric, const Ray<WorldSpace> &ray, const std::optional<WorldPoint> &eye)
+SceneHit hitOnTriangle(const Target &target, std::uint32_t triangle, const glm::dvec3 &barycentric,
+                       const Ray<WorldSpace> &ray, const std::optional<WorldPoint> &eye)
 {
-    const ElementNumbers::Place place = caster.triangleNumbers().place(triangle);
-    const Mesh &mesh = caster.model().meshes[place.mesh];
-    const PlacedMesh placed(mesh, placement.worldFromObject());
+    const Model &model = target.caster->model();
+    const ElementNumbers::Place place = target.caster->triangleNumbers().place(triangle);
+    const Mesh &mesh = model.meshes[place.mesh];
+    const PlacedMesh placed(mesh, target.placement.worldFromObject());
     const std::array<glm::dvec3, 3> corners = cornersOf(mesh, place.element);
-    const glm::dvec3 point = barycentric.x * corners[0] + barycentric.y * corners[1] + barycentric.z * corners[2];
-
-    SceneHit hit;
-    hit.objectPoint = placed.object(point);
-    hit.world = placed.world(point);
-    hit.t = dot(hit.world - ray.from, ray.along) / dot(ray.along, ray.along);
-    hit.distance = distanceOf(hit.world, ray, hit.t, eye);
-
+    SceneHit hit = hitAt(
+        target, placed, barycentric.x * corners[0] + barycentric.y * corners[1] + barycentric.z * corners[2], ray, eye);
     TriangleDetail detail;
     detail.triangle = triangle;
     detail.barycentric = barycentric;
     std::array<WorldPoint, 3> world;
     for (std::size_t k = 0; k < 3; ++k) {
-        detail.ids[k] = caster.model().vertexNumber(place.mesh, mesh.vertexAt(std::size_t{3} * place.element + k));
+        detail.ids[k] = model.vertexNumber(place.mesh, mesh.vertexAt(std::size_t{3} * place.element + k));
         world[k] = placed.world(corners[k]);
     }
     // Scaled to about 1, since the square of a length can leave the range of doubles.
@@ -194,20 +197,16 @@ SceneHit hitOnTriangle(const RayCaster &caster, const Placement &placement, std:
     return hit;
 }
 
-SceneHit hitOnPoint(const RayCaster &caster, const Placement &placement, std::uint32_t vertex,
-                    const Ray<WorldSpace> &ray, const std::optional<WorldPoint> &eye)
+SceneHit hitOnPoint(const Target &target, std::uint32_t vertex, const Ray<WorldSpace> &ray,
+                    const std::optional<WorldPoint> &eye)
 {
-    const Model &model = caster.model();
+    const Model &model = target.caster->model();
     std::uint32_t mesh = 0, inMesh = vertex;
     while (inMesh >= model.meshes[mesh].positions.size())
         inMesh -= static_cast<std::uint32_t>(model.meshes[mesh++].positions.size());
-    const PlacedMesh placed(model.meshes[mesh], placement.worldFromObject());
+    const PlacedMesh placed(model.meshes[mesh], target.placement.worldFromObject());
     const glm::dvec3 point = model.meshes[mesh].fromOrigin(inMesh);
-    SceneHit hit;
-    hit.objectPoint = placed.object(point);
-    hit.world = placed.world(point);
-    hit.t = dot(hit.world - ray.from, ray.along) / dot(ray.along, ray.along);
-    hit.distance = distanceOf(hit.world, ray, hit.t, eye);
+    SceneHit hit = hitAt(target, placed, point, ray, eye);
     hit.uncertainty = placed.rounding(point);
     hit.vertex = {model.vertexNumber(mesh, inMesh), hit.world, 0.0, hit.uncertainty};
     return hit;

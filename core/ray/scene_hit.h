@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 namespace unprojector::ray {
@@ -86,23 +87,28 @@ private:
     glm::dmat3 m_plainInverse; ///< of the linear part
 };
 
-/// The corners of a triangle of a placed model.
-/// @param triangle  number in the model
-std::array<geometry::WorldPoint, 3> worldCorners(const RayCaster &caster, const Placement &placement,
-                                                 std::uint32_t triangle);
+/// A placed model that rays can hit.
+struct Target {
+    std::size_t object; ///< index in the scene's list
+    std::shared_ptr<const RayCaster> caster;
+    Placement placement;
+};
 
-/// The full hit at a location on a triangle of a placed model. The caller sets `object`.
+/// The corners of a triangle.
+/// @param triangle  number in the model
+std::array<geometry::WorldPoint, 3> worldCorners(const Target &target, std::uint32_t triangle);
+
+/// The full hit at a location on a triangle.
 /// @param triangle     number in the model
 /// @param barycentric  of the location
 /// @param ray          through it
 /// @param eye          see SceneHit::distance
-SceneHit hitOnTriangle(const RayCaster &caster, const Placement &placement, std::uint32_t triangle,
-                       const glm::dvec3 &barycentric, const Ray<geometry::WorldSpace> &ray,
-                       const std::optional<geometry::WorldPoint> &eye);
+SceneHit hitOnTriangle(const Target &target, std::uint32_t triangle, const glm::dvec3 &barycentric,
+                       const Ray<geometry::WorldSpace> &ray, const std::optional<geometry::WorldPoint> &eye);
 
 /// The full hit at a point of a point cloud, see hitOnTriangle.
 /// @param vertex  its number among the vertices of all meshes
-SceneHit hitOnPoint(const RayCaster &caster, const Placement &placement, std::uint32_t vertex,
-                    const Ray<geometry::WorldSpace> &ray, const std::optional<geometry::WorldPoint> &eye);
+SceneHit hitOnPoint(const Target &target, std::uint32_t vertex, const Ray<geometry::WorldSpace> &ray,
+                    const std::optional<geometry::WorldPoint> &eye);
 
 } // namespace unprojector::ray

@@ -22,16 +22,9 @@ SceneRays::SceneRays(const Unprojector &unprojector, std::span<const SceneObject
         if (objects[i].isHidden || casters[i] == nullptr)
             continue;
         if (const Result<Placement> placement = Placement::of(worldFromObject(objects[i].transform)))
-            m_objects.push_back({i, casters[i], *placement});
+            m_targets.push_back({i, casters[i], *placement});
         m_hasPoints = m_hasPoints || casters[i]->hasPoints();
     }
-}
-
-bool SceneRays::isOnShownSide(const WorldPoint &point) const
-{
-    return std::all_of(m_clipPlanes.begin(), m_clipPlanes.end(), [&point](const glm::dvec4 &plane) {
-        return glm::dot(plane, glm::dvec4(point.coordinates(), 1.0)) >= 0.0;
-    });
 }
 
 std::optional<Ray<WorldSpace>> SceneRays::shown(Ray<WorldSpace> ray) const
@@ -60,55 +53,60 @@ std::optional<Ray<WorldSpace>> SceneRays::shownAt(const DevicePoint &position) c
     return ray ? shown(*ray) : std::nullopt;
 }
 
-std::optional<FirstTriangle> SceneRays::firstTriangle(const Ray<WorldSpace> &ray) const
+std::optional<FirstTriangle> SceneRays::first(const Ray<WorldSpace> &part, bool isPrecise) const
 {
-    const std::optional<Ray<WorldSpace>> part = shown(ray);
     std::optional<FirstTriangle> first;
-    for (std::size_t k = 0; part && k < m_objects.size(); ++k) {
-        const Object &candidate = m_objects[k];
-        const std::optional<TriangleHit> hit =
-            candidate.caster->nearestTriangle(candidate.placement.plainObjectRay(*part));
+    for (const Target &target : m_targets) {
+        const Result<Ray<ObjectSpace>> own =
+            isPrecise ? target.placement.objectRay(part) : target.placement.plainObjectRay(part);
+        const std::optional<TriangleHit> hit = own ? target.caster->nearestTriangle(*own) : std::nullopt;
         if (hit && (!first || hit->t < first->hit.t))
-            first = FirstTriangle{candidate.index, *hit};
+            first = FirstTriangle{target.object, *hit};
     }
     return first;
 }
 
-std::optional<SceneHit> SceneRays::nearest(const Ray<WorldSpace> &ray) const
+std::optional<FirstTriangle> SceneRays::firstTriangle(const Ray<WorldSpace> &ray) const
 {
-    const Object *object = nullptr;
-    std::optional<TriangleHit> first;
-    Ray<ObjectSpace> firstRay;
-    for (const Object &candidate : m_objects) {
-        const Result<Ray<ObjectSpace>> own = candidate.placement.objectRay(ray);
-        if (!own)
-            continue;
-        const std::optional<TriangleHit> hit = candidate.caster->nearestTriangle(*own);
-        if (hit && (!first || hit->t < first->t)) {
-            first = hit;
-            firstRay = *own;
-            object = &candidate;
-        }
-    }
-    if (!first)
-        return std::nullopt;
-    const ElementNumbers::Place place = object->caster->triangleNumbers().place(first->triangle);
-    const glm::dvec3 barycentric =
-        preciseBarycentric(object->caster->model().meshes[place.mesh], place.element, firstRay);
-    SceneHit hit = hitOnTriangle(*object->caster, object->placement, first->triangle, barycentric, ray, m_rays.eye());
-    hit.object = object->index;
-    return hit;
+    const std::optional<Ray<WorldSpace>> part = shown(ray);
+    return part ? first(*part, false) : std::nullopt;
 }
 
-const SceneRays::Object &SceneRays::object(std::size_t index) const
+std::optional<SceneHit> SceneRays::nearest(const Ray<WorldSpace> &part) const
 {
-    return *std::find_if(m_objects.begin(), m_objects.end(), [index](const Object &one) { return one.index == index; });
+    const std::optional<FirstTriangle> met = first(part, true);
+    if (!met)
+        return std::nullopt;
+    const Target &own = target(met->object);
+    const ElementNumbers::Place place = own.caster->triangleNumbers().place(met->hit.triangle);
+    const glm::dvec3 barycentric =
+        preciseBarycentric(own.caster->model().meshes[place.mesh], place.element, *own.placement.objectRay(part));
+    return hitOnTriangle(own, met->hit.triangle, barycentric, part, m_rays.eye());
+}
+
+std::vector<std::uint32_t> SceneRays::trianglesAbout(const Target &target, const DevicePoint &position, double half,
+                                                     double high) const
+{
+    std::array<Ray<ObjectSpace>, 5> rays;
+    constexpr std::array<glm::dvec2, 5> kPlaces{{{0, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+        const auto ray = m_rays.at(DevicePoint(position.x + half * kPlaces[k].x, position.y + half * kPlaces[k].y));
+        if (!ray)
+            return {};
+        rays[k] = target.placement.plainObjectRay(*ray);
+    }
+    rays[0].high = std::min(rays[0].high, high);
+    return target.caster->trianglesAbout({rays[0], {rays[1], rays[2], rays[3], rays[4]}});
+}
+
+const Target &SceneRays::target(std::size_t object) const
+{
+    return *std::ranges::find(m_targets, object, &Target::object);
 }
 
 std::array<WorldPoint, 3> SceneRays::corners(const SceneHit &hit) const
 {
-    const Object &hitObject = object(hit.object);
-    return worldCorners(*hitObject.caster, hitObject.placement, hit.triangle->triangle);
+    return worldCorners(target(hit.object), hit.triangle->triangle);
 }
 
 std::optional<SceneRays::TakenPoint> SceneRays::nearestPoint(const DevicePoint &position,
@@ -125,9 +123,9 @@ std::optional<SceneRays::TakenPoint> SceneRays::nearestPoint(const DevicePoint &
     aim.ndcOfPixel = {2.0 / setup.viewport.width, 2.0 / setup.viewport.height};
     aim.dotPixels = pointPixels(setup.surface);
     aim.pixels = std::max(kSnapPixels, aim.dotPixels);
-    const Object *object = nullptr;
+    const Target *taken = nullptr;
     std::optional<PointHit> first;
-    for (const Object &candidate : m_objects) {
+    for (const Target &candidate : m_targets) {
         const Result<Ray<ObjectSpace>> own = candidate.placement.objectRay(ray);
         if (!candidate.caster->hasPoints() || !own)
             continue;
@@ -141,14 +139,12 @@ std::optional<SceneRays::TakenPoint> SceneRays::nearestPoint(const DevicePoint &
         const bool isBefore = hit && (!first || (hit->isOnDot == first->isOnDot ? hit->t < first->t : hit->isOnDot));
         if (isBefore) {
             first = hit;
-            object = &candidate;
+            taken = &candidate;
         }
     }
     if (!first)
         return std::nullopt;
-    TakenPoint taken{hitOnPoint(*object->caster, object->placement, first->vertex, ray, m_rays.eye()), first->isOnDot};
-    taken.hit.object = object->index;
-    return taken;
+    return TakenPoint{hitOnPoint(*taken, first->vertex, ray, m_rays.eye()), first->isOnDot};
 }
 
 Result<std::optional<SceneHit>> SceneRays::at(const DevicePoint &position, Snap snap) const
@@ -159,15 +155,10 @@ Result<std::optional<SceneHit>> SceneRays::at(const DevicePoint &position, Snap 
     if (!ray)
         return ray.error();
     std::optional<SceneHit> hit;
-    switch (snap) {
-    case Snap::Surface:
-        if (const std::optional<Ray<WorldSpace>> part = shown(*ray))
-            hit = nearest(*part);
-        break;
-    case Snap::Vertex: hit = SnapSearch(*this, position).vertex(); break;
-    case Snap::Edge: hit = SnapSearch(*this, position).edge(); break;
-    case Snap::Face: hit = SnapSearch(*this, position).face(); break;
-    }
+    if (snap != Snap::Surface)
+        hit = snapped(*this, position, snap);
+    else if (const std::optional<Ray<WorldSpace>> part = shown(*ray))
+        hit = nearest(*part);
     if (m_hasPoints) {
         const std::optional<TakenPoint> point = nearestPoint(position, *ray);
         if (point && (!hit || (point->isOnDot && point->hit.t < hit->t)))

@@ -5,6 +5,7 @@
 #include "core/scene/scene.h"
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -56,26 +57,29 @@ public:
     bool hasPoints() const { return m_hasPoints; }
 
     const ClickRays &rays() const { return m_rays; }
+    /// The objects that can be hit.
+    const std::vector<Target> &targets() const { return m_targets; }
+    /// The one with an index in the scene's list.
+    const Target &target(std::size_t object) const;
+    const std::vector<glm::dvec4> &clipPlanes() const { return m_clipPlanes; }
     /// The corners of the hit triangle, in the order of its ids.
     /// @pre a hit of these rays, on a triangle
     std::array<geometry::WorldPoint, 3> corners(const SceneHit &hit) const;
 
-private:
-    friend class SnapSearch;
-    friend class PixelEdgeSearch;
-    struct Object {
-        std::size_t index;
-        std::shared_ptr<const RayCaster> caster;
-        Placement placement;
-    };
-
-    /// Returns whether no clip plane removes a point.
-    bool isOnShownSide(const geometry::WorldPoint &point) const;
-    /// The part of a ray that is in the view volume and not clipped.
-    std::optional<Ray<geometry::WorldSpace>> shown(Ray<geometry::WorldSpace> ray) const;
-    /// The same for the ray through a position; nothing outside the viewport.
+    /// The part that is in the view volume and not clipped of the ray through a position; nothing outside the viewport.
     std::optional<Ray<geometry::WorldSpace>> shownAt(const geometry::DevicePoint &position) const;
-    std::optional<SceneHit> nearest(const Ray<geometry::WorldSpace> &ray) const;
+    /// The first hit of a part that is shown.
+    std::optional<SceneHit> nearest(const Ray<geometry::WorldSpace> &part) const;
+    /// An object's triangles in a square of the view, and others near them; none where rays cannot be computed.
+    /// @param half  of the square's side, device pixels
+    /// @param high  the largest t of the rays
+    std::vector<std::uint32_t> trianglesAbout(const Target &target, const geometry::DevicePoint &position, double half,
+                                              double high = std::numeric_limits<double>::infinity()) const;
+
+private:
+    std::optional<Ray<geometry::WorldSpace>> shown(Ray<geometry::WorldSpace> ray) const;
+    /// @param isPrecise  converts rays as Placement::objectRay does, else in plain double
+    std::optional<FirstTriangle> first(const Ray<geometry::WorldSpace> &part, bool isPrecise) const;
     struct TakenPoint {
         SceneHit hit;
         bool isOnDot = false; ///< the position is on the dot of the point
@@ -83,11 +87,8 @@ private:
     /// The point of a point cloud that a click takes within kSnapPixels.
     std::optional<TakenPoint> nearestPoint(const geometry::DevicePoint &position,
                                            const Ray<geometry::WorldSpace> &ray) const;
-    /// @param index  in the scene's list, of an object that can be hit
-    const Object &object(std::size_t index) const;
-
     ClickRays m_rays;
-    std::vector<Object> m_objects;
+    std::vector<Target> m_targets;
     std::vector<glm::dvec4> m_clipPlanes;
     bool m_hasPoints = false;
 };

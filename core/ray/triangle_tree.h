@@ -26,19 +26,13 @@ public:
 
 /// Builds a tree on a BoxTree.
 /// @param packets  outlive the tree
-/// @return null if progress cancels
+/// Throws base::Stopped.
 std::unique_ptr<const TriangleTree> plainTriangleTree(const TrianglePackets &packets, const Progress &progress);
 
-/// Builds a tree on Embree, which is faster to build and to search.
+/// Builds a tree on Embree, which is faster to build and to search. Only builds with Embree have it.
 /// @param packets  outlive the tree
-/// @param isCancelled  set if progress cancels
-/// @return null then, and if the program was built without Embree or Embree does not run on this
-///         computer
-/// Throws std::bad_alloc.
-std::unique_ptr<const TriangleTree> embreeTriangleTree(const TrianglePackets &packets, const Progress &progress,
-                                                       bool &isCancelled);
-
-/// Returns whether the program was built with Embree.
-bool hasEmbree();
+/// @return null if Embree does not run on this computer
+/// Throws base::Stopped, std::bad_alloc.
+std::unique_ptr<const TriangleTree> embreeTriangleTree(const TrianglePackets &packets, const Progress &progress);
 
 } // namespace unprojector::ray

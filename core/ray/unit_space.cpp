@@ -13,8 +13,10 @@
 namespace unprojector::ray {
 using namespace geometry;
 
-UnitSpace::UnitSpace(const Box &bounds) : m_center(bounds.lowest / 2.0 + bounds.highest / 2.0)
+UnitSpace::UnitSpace(const mesh::Model &model)
 {
+    const Box bounds = model.bounds.isEmpty() ? mesh::boundsOf(model.meshes) : model.bounds;
+    m_center = bounds.lowest / 2.0 + bounds.highest / 2.0;
     const glm::dvec3 half = bounds.highest / 2.0 - bounds.lowest / 2.0;
     const double size = std::max({half.x, half.y, half.z});
     m_size = size > 0.0 ? size : 1.0;

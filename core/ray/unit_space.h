@@ -27,8 +27,8 @@ class UnitSpace {
 public:
     static constexpr float kMargin = 0x1p-19f;
 
-    /// @param bounds  object space, not empty, finite
-    explicit UnitSpace(const geometry::Box &bounds);
+    /// @param model  one that has triangles or points
+    explicit UnitSpace(const mesh::Model &model);
 
     /// Converts a position relative to a mesh's origin. Its rounding to single precision is less
     /// than an eighth of kMargin.
