@@ -14,7 +14,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 namespace unprojector::mesh {
@@ -188,43 +187,29 @@ public:
     }
 
 private:
-    struct Key {
-        std::array<std::int64_t, 3> cell;
-        int direction; ///< of the six along the axes
-        friend bool operator==(const Key &, const Key &) = default;
-    };
-    struct KeyHash {
-        std::size_t operator()(const Key &key) const
-        {
-            std::uint64_t hash = mixed(kHashStart, static_cast<std::uint32_t>(key.direction));
-            for (const std::int64_t each : key.cell)
-                hash = mixed(hash, static_cast<std::uint32_t>(each));
-            return static_cast<std::size_t>(hash);
-        }
-    };
-
-    static int directionOf(const glm::vec3 &normal)
+    /// One of the six directions along the axes.
+    static std::uint32_t directionOf(const glm::vec3 &normal)
     {
         const glm::vec3 size = glm::abs(normal);
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        return normal[axis] < 0.0f ? axis + 3 : axis;
+        return static_cast<std::uint32_t>(normal[axis] < 0.0f ? axis + 3 : axis);
     }
 
     void gather(const PlaceSums &sums, double cell)
     {
-        std::unordered_map<Key, std::uint32_t, KeyHash> known;
+        Numbering<std::array<std::uint32_t, 4>> known; // cells and directions
         for (std::size_t place = 0; place < m_ofPlaces.size(); ++place) {
             if (!(sums.areas[place] > 0.0f))
                 continue; // of no triangle
             const glm::dvec3 at = m_surface.place(place);
-            Key key{{}, directionOf(sums.normals[place])};
-            for (int axis = 0; axis < 3; ++axis)
-                key.cell[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(std::floor(at[axis] / cell));
-            const auto [found, isNew] = known.try_emplace(key, static_cast<std::uint32_t>(m_clusters.size()));
-            if (isNew)
+            const auto cellAt = [&](int axis) {
+                return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(at[axis] / cell)));
+            };
+            const std::uint32_t number = known.add({cellAt(0), cellAt(1), cellAt(2), directionOf(sums.normals[place])});
+            if (number == m_clusters.size())
                 m_clusters.emplace_back();
-            m_ofPlaces[place] = found->second;
-            Cluster &cluster = m_clusters[found->second];
+            m_ofPlaces[place] = number;
+            Cluster &cluster = m_clusters[number];
             const double area = static_cast<double>(sums.areas[place]);
             cluster.center += area * at;
             cluster.normal += glm::dvec3(sums.normals[place]);

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string_view>
 
 namespace unprojector::mesh::reader {
 
@@ -18,6 +19,7 @@ public:
     explicit FileBytes(const std::filesystem::path &file, base::Reporter *progress = nullptr);
 
     std::span<const std::uint8_t> bytes() const { return {m_bytes.get(), m_size}; }
+    std::string_view text() const { return {reinterpret_cast<const char *>(m_bytes.get()), m_size}; }
 
 private:
     std::size_t m_size = 0;

@@ -7,6 +7,7 @@
 #include "core/mesh/import/meshopt_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -125,17 +126,17 @@ std::string versionOf(const Json &root)
     return meshes && meshes->is_object() ? "1.0" : std::string();
 }
 
-/// The value of a digit of base64, or -1.
-int valueOf(char c)
-{
-    if (c >= 'A' && c <= 'Z')
-        return c - 'A';
-    if (c >= 'a' && c <= 'z')
-        return c - 'a' + 26;
-    if (c >= '0' && c <= '9')
-        return c - '0' + 52;
-    return c == '+' || c == '-' ? 62 : c == '/' || c == '_' ? 63 : -1;
-}
+/// The values of the digits of base64, by character; 64 for others.
+constexpr std::array<std::uint8_t, 256> kBase64 = [] {
+    std::array<std::uint8_t, 256> values{};
+    values.fill(64);
+    std::uint8_t value = 0;
+    for (const char c : std::string_view("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"))
+        values[static_cast<unsigned char>(c)] = value++;
+    values['-'] = 62;
+    values['_'] = 63;
+    return values;
+}();
 
 std::vector<std::uint8_t> fromBase64(std::string_view text)
 {
@@ -146,10 +147,10 @@ std::vector<std::uint8_t> fromBase64(std::string_view text)
     for (const char c : text) {
         if (c == '=' || c == '\n' || c == '\r' || c == ' ')
             continue;
-        const int value = valueOf(c);
-        if (value < 0)
+        const std::uint8_t value = kBase64[static_cast<unsigned char>(c)];
+        if (value > 63)
             failMalformed(tr("embedded data is not base64"));
-        bits = bits << 6 | static_cast<std::uint32_t>(value);
+        bits = bits << 6 | value;
         count += 6;
         if (count >= 8) {
             count -= 8;

@@ -3,6 +3,7 @@
 #include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/base/system_error.h"
+#include "core/base/text_scanner.h"
 #include "core/base/translation.h"
 #include "core/base/utf8.h"
 #include "core/geometry/finite.h"
@@ -318,12 +319,8 @@ std::vector<std::string_view> textPieces(std::string_view text,
 
 std::string lowerCaseSuffix(const std::filesystem::path &file)
 {
-    std::string suffix = utf8FromPath(file.extension());
-    if (!suffix.empty())
-        suffix.erase(0, 1);
-    std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return suffix;
+    const std::string suffix = lowerCase(utf8FromPath(file.extension()));
+    return suffix.empty() ? suffix : suffix.substr(1);
 }
 
 std::span<const std::uint8_t> withoutByteOrderMark(std::span<const std::uint8_t> bytes, std::string &converted)

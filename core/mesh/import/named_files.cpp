@@ -107,9 +107,7 @@ private:
             return true;
         try {
             const FileBytes contents(file);
-            const std::string_view text(reinterpret_cast<const char *>(contents.bytes().data()),
-                                        contents.bytes().size());
-            for (TextScanner scanner(text); !scanner.isAtEnd(); scanner.skipLine()) {
+            for (TextScanner scanner(contents.text()); !scanner.isAtEnd(); scanner.skipLine()) {
                 TextScanner line = scanner;
                 if (namesPicture(line.nextWordInLine()))
                     add(pictureOptions(line.restOfLine()).name);

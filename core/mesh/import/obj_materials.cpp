@@ -94,7 +94,7 @@ bool ObjMaterials::readLibrary(const std::string &name)
         return true;
     try {
         const FileBytes contents(file);
-        parse({reinterpret_cast<const char *>(contents.bytes().data()), contents.bytes().size()});
+        parse(contents.text());
         m_model.otherFiles.push_back(file);
     } catch (const base::Error &) {
         return false;

@@ -3,6 +3,7 @@
 #include "core/mesh/import/mesh_reader.h"
 
 #include <algorithm>
+#include <charconv>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -14,23 +15,14 @@ namespace {
 
 constexpr std::string_view kOutside = marked("the file \"%1\" outside the model's folder was read");
 
-int hexDigit(char c)
-{
-    if (c >= '0' && c <= '9')
-        return c - '0';
-    if (c >= 'a' && c <= 'f')
-        return c - 'a' + 10;
-    if (c >= 'A' && c <= 'F')
-        return c - 'A' + 10;
-    return -1;
-}
-
 std::string percentDecoded(const std::string &text)
 {
     std::string decoded;
     for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] == '%' && i + 2 < text.size() && hexDigit(text[i + 1]) >= 0 && hexDigit(text[i + 2]) >= 0) {
-            decoded.push_back(static_cast<char>(hexDigit(text[i + 1]) * 16 + hexDigit(text[i + 2])));
+        unsigned char code = 0;
+        const char *digits = text.data() + i + 1;
+        if (text[i] == '%' && i + 2 < text.size() && std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2) {
+            decoded.push_back(static_cast<char>(code));
             i += 2;
         } else {
             decoded.push_back(text[i]);
