@@ -26,8 +26,8 @@ std::size_t numberPlaces(const Mesh &mesh, std::vector<std::uint32_t> &numbers)
     // Each task scans all vertices in order and takes the ones with its own hashes, so equal ones
     // belong to one task.
     base::inParallel(tasks, {}, [&](std::size_t task) {
-        constexpr std::size_t kVerticesAtPlace = 6; // in most meshes
-        FirstEqual first(vertices / kVerticesAtPlace / tasks);
+        const std::size_t verticesAtPlace = mesh.indices.empty() ? 6 : 1; // in most meshes
+        FirstEqual first(vertices / verticesAtPlace / tasks);
         const auto hashAt = [&mesh](std::uint32_t vertex) { return placeHash(mesh, vertex); };
         const auto areEqual = [&mesh](std::uint32_t a, std::uint32_t b) {
             return mesh.fromOrigin(a) == mesh.fromOrigin(b);

@@ -585,21 +585,24 @@ void readRecords(const VertexLayout &layout, PlyBody &body, Mesh &mesh)
         std::size_t property, offset;
         const PlyType *type;
     };
-    std::vector<Field> used;
     std::array<Field, 3> axes{};
+    std::vector<Field> others; // used ones
     std::size_t offset = 0;
     for (std::size_t p = 0; p < element.properties.size(); ++p) {
         const Field field{p, offset, element.properties[p].type};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            if (layout.position[axis] == static_cast<int>(p))
-                axes[axis] = field;
-        }
-        if (layout.isUsed[p])
-            used.push_back(field);
+        const auto axis = std::ranges::find(layout.position, static_cast<int>(p));
+        if (axis != layout.position.end())
+            axes[static_cast<std::size_t>(axis - layout.position.begin())] = field;
+        else if (layout.isUsed[p])
+            others.push_back(field);
         offset += field.type->bytes;
     }
-    const auto valueAt = [&](std::size_t v, const Field &field) {
-        return field.type->read(records + v * size + field.offset, body.header().byteOrder);
+    const std::endian order = body.header().byteOrder;
+    const auto positionAt = [&](std::size_t v) {
+        const std::uint8_t *record = records + v * size;
+        return glm::dvec3(axes[0].type->read(record + axes[0].offset, order),
+                          axes[1].type->read(record + axes[1].offset, order),
+                          axes[2].type->read(record + axes[2].offset, order));
     };
 
     Box box;
@@ -608,7 +611,7 @@ void readRecords(const VertexLayout &layout, PlyBody &body, Mesh &mesh)
                      [&](std::size_t begin, std::size_t end) {
                          Box own;
                          for (std::size_t v = begin; v < end; ++v)
-                             own.add(glm::dvec3(valueAt(v, axes[0]), valueAt(v, axes[1]), valueAt(v, axes[2])));
+                             own.add(positionAt(v));
                          const std::lock_guard lock(mutex);
                          box.add(own);
                      });
@@ -619,12 +622,12 @@ void readRecords(const VertexLayout &layout, PlyBody &body, Mesh &mesh)
                    [&](std::size_t begin, std::size_t end) {
                        std::vector<double> values(element.properties.size());
                        for (std::size_t v = begin; v < end; ++v) {
-                           for (const Field &field : used)
-                               values[field.property] = valueAt(v, field);
                            if (fitFloats)
-                               mesh.positions[v] = glm::vec3(layout.positionIn(values) - mesh.origin);
+                               mesh.positions[v] = glm::vec3(positionAt(v) - mesh.origin);
                            else
-                               setPosition(mesh, v, layout.positionIn(values));
+                               setPosition(mesh, v, positionAt(v));
+                           for (const Field &field : others)
+                               values[field.property] = field.type->read(records + v * size + field.offset, order);
                            layout.set(mesh, v, values);
                        }
                    });
