@@ -1,7 +1,7 @@
 #include "core/scene_code/code_template.h"
 
 #include <algorithm>
-#include <optional>
+#include <utility>
 
 namespace unprojector::scene_code {
 namespace {
@@ -16,13 +16,11 @@ class Filler {
 public:
     explicit Filler(std::string_view source) : m_source(source) {}
 
-    base::Expected<std::string, TemplateError> filled(const Values &values)
+    std::string filled(const Values &values)
     {
         const Scope scope{values, nullptr};
         if (const std::string_view tag = part(&scope); !tag.empty())
             fail(tag);
-        if (m_error)
-            return *m_error;
         return std::move(m_text);
     }
 
@@ -85,7 +83,7 @@ private:
             if (tag == "between")
                 tag = part(k + 1 < rows.count ? scope : nullptr);
             if (tag != "end")
-                return fail(opening);
+                fail(opening);
         }
     }
 
@@ -110,7 +108,6 @@ private:
         if (const auto *found = std::get_if<T>(find(name, scope)))
             return *found;
         fail(name);
-        return {};
     }
 
     static const Values::mapped_type *find(std::string_view name, const Scope &scope)
@@ -122,21 +119,19 @@ private:
     }
 
     /// @param tag  within the source
-    void fail(std::string_view tag)
+    [[noreturn]] void fail(std::string_view tag) const
     {
-        if (!m_error)
-            m_error = TemplateError{1 + std::size_t(std::count(m_source.data(), tag.data(), '\n')), std::string(tag)};
+        throw TemplateError{1 + std::size_t(std::count(m_source.data(), tag.data(), '\n')), std::string(tag)};
     }
 
     const std::string_view m_source;
     std::size_t m_at = 0;
     std::string m_text;
-    std::optional<TemplateError> m_error;
 };
 
 } // namespace
 
-base::Expected<std::string, TemplateError> filled(std::string_view source, const Values &values)
+std::string filled(std::string_view source, const Values &values)
 {
     return Filler(source).filled(values);
 }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "core/base/expected.h"
-
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -22,7 +20,8 @@ struct Values : std::map<std::string, std::variant<std::string, bool, Rows>, std
     using map::map;
 };
 
-/// The first tag of a template that cannot be filled: it has an unknown name, or no end, or ends nothing.
+/// A mistake of the program: the first tag of a template that cannot be filled. It has an unknown name, or no
+/// end, or ends nothing.
 struct TemplateError {
     std::size_t line; ///< from 1
     std::string tag;
@@ -36,7 +35,7 @@ struct TemplateError {
 ///                                                        before those outside; the second between two rows
 ///
 /// A line with an if, else, for, between or end alone leaves no line behind. Texts are not read for
-/// tags; the template has no other <<.
-base::Expected<std::string, TemplateError> filled(std::string_view source, const Values &values);
+/// tags; the template has no other <<. Throws a TemplateError.
+std::string filled(std::string_view source, const Values &values);
 
 } // namespace unprojector::scene_code

@@ -238,7 +238,7 @@ std::string sceneCode(const SceneFile &scene, CodeDialect dialect)
     const std::string file = std::string("templates/code/") + kTemplates[std::size_t(dialect)] + ".txt";
     const auto codeAfter = [&](const std::string &code) {
         addBeyondFloat(values, code);
-        return *filled(resource(file), values); // else the template has a mistake
+        return filled(resource(file), values);
     };
     const std::string code = codeAfter("");
     return dialect == CodeDialect::Qt ? codeAfter(code) : code;
