@@ -101,9 +101,10 @@ Result<CameraRead> readCamera(const std::vector<CameraText> &texts, const Camera
     setup.viewport = geometry::wholeSurface(setup.surface);
     setup.lens = converted->projection;
     setup.pose = converted->eyeFromWorld;
-    if (const geometry::Check valid = check(setup); !valid)
-        return valueError(name + ": " + geometry::errorText(valid.error()));
-    return CameraRead{SetupAccess::make(setup, converted->assumed), camera.program, camera.images, converted->assumed};
+    const Result<Setup> made = SetupAccess::make(setup, converted->assumed);
+    if (!made)
+        return valueError(name + ": " + made.error().message);
+    return CameraRead{*made, camera.program, camera.images, converted->assumed};
 }
 
 Result<CameraRead> readCamera(const std::vector<std::filesystem::path> &files, const CameraChoices &choices)

@@ -14,18 +14,6 @@
 namespace unprojector {
 namespace {
 
-clouds::DepthMeaning internalMeaning(DepthIs depthIs)
-{
-    switch (depthIs) {
-    case DepthIs::Buffer: return clouds::DepthMeaning::Buffer;
-    case DepthIs::Range: return clouds::DepthMeaning::Range;
-    case DepthIs::Z: return clouds::DepthMeaning::Z;
-    case DepthIs::Distance: return clouds::DepthMeaning::Distance;
-    case DepthIs::Disparity: return clouds::DepthMeaning::Disparity;
-    }
-    return clouds::DepthMeaning::Buffer;
-}
-
 clouds::DepthValues::Type internalType(NumberType type)
 {
     switch (type) {
@@ -51,11 +39,14 @@ Result<Cloud> Cloud::of(const Setup &setup, const CloudOptions &options)
     const bool isOfWindow = options.depthIs == DepthIs::Buffer || options.depthIs == DepthIs::Range;
     if (isOfWindow && options.type == NumberType::Int32)
         return valueError(base::tr("window depths as whole numbers have 8 or 16 bits; give floats, or distances"));
-    const clouds::DepthNumbers numbers{internalMeaning(options.depthIs), true,          options.scale, options.baseline,
-                                       options.disparityOffset,          options.noData};
+    const clouds::DepthNumbers numbers{sameOf<clouds::DepthMeaning>(options.depthIs),
+                                       true,
+                                       options.scale,
+                                       options.baseline,
+                                       options.disparityOffset,
+                                       options.noData};
     const auto cloud = clouds::OrganizedCloud::of(SetupAccess::of(setup), numbers, internalType(options.type),
-                                                  options.method == Method::Formula ? unproject::Method::Formula
-                                                                                    : unproject::Method::Matrix);
+                                                  sameOf<unproject::Method>(options.method));
     if (!cloud)
         return valueError(cloud.error());
     return Cloud(std::make_shared<const Data>(

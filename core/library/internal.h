@@ -23,12 +23,16 @@ struct Setup::Data {
 /// The way of the library's own code into a Setup.
 struct SetupAccess {
     static const geometry::Setup &of(const Setup &setup) { return setup.m_data->setup; }
-    /// @pre check(setup)
-    static Setup make(const geometry::Setup &setup, std::vector<std::string> findings = {})
-    {
-        return Setup(std::make_shared<const Setup::Data>(Setup::Data{setup, std::move(findings)}));
-    }
+    /// @return Value: the errors of check(setup)
+    static Result<Setup> make(const geometry::Setup &setup, std::vector<std::string> findings = {});
 };
+
+/// The value of one of the two enumerations, public and core's, that list the same values in the same order.
+template <class Target, class Source>
+constexpr Target sameOf(Source value)
+{
+    return static_cast<Target>(value);
+}
 
 /// The finding that the world of these conventions is not the scene's. Empty where it is.
 inline std::vector<std::string> worldFindings(geometry::Api api)
@@ -42,14 +46,21 @@ inline std::vector<std::string> worldFindings(geometry::Api api)
 }
 
 /// The public error of a value.
-inline Error valueError(const geometry::Error &error)
-{
-    return {Error::Kind::Value, geometry::errorText(error)};
-}
-
 inline Error valueError(std::string message)
 {
     return {Error::Kind::Value, std::move(message)};
+}
+
+inline Error valueError(const geometry::Error &error)
+{
+    return valueError(geometry::errorText(error));
+}
+
+inline Result<Setup> SetupAccess::make(const geometry::Setup &setup, std::vector<std::string> findings)
+{
+    if (const geometry::Check valid = check(setup); !valid)
+        return valueError(valid.error());
+    return Setup(std::make_shared<const Setup::Data>(Setup::Data{setup, std::move(findings)}));
 }
 
 } // namespace unprojector

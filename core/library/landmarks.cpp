@@ -5,6 +5,7 @@
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmark_files/landmark_folder.h"
 #include "core/landmark_files/specimen_table.h"
+#include "core/library/internal.h"
 
 #include <utility>
 
@@ -29,26 +30,6 @@ std::vector<std::string> sentences(const std::filesystem::path &file, const std:
     return landmark_files::noteLines(named);
 }
 
-Absence publicAbsence(landmarks::Absence absence)
-{
-    switch (absence) {
-    case landmarks::Absence::NotPlaced: return Absence::NotPlaced;
-    case landmarks::Absence::Skipped: return Absence::Skipped;
-    case landmarks::Absence::Missing: return Absence::Missing;
-    }
-    return Absence::NotPlaced;
-}
-
-landmarks::Absence internalAbsence(Absence absence)
-{
-    switch (absence) {
-    case Absence::NotPlaced: return landmarks::Absence::NotPlaced;
-    case Absence::Skipped: return landmarks::Absence::Skipped;
-    case Absence::Missing: return landmarks::Absence::Missing;
-    }
-    return landmarks::Absence::NotPlaced;
-}
-
 Specimen publicSpecimen(const landmarks::LandmarkSet &set)
 {
     Specimen specimen{set.name, set.unit, set.placing, {}, {}};
@@ -57,7 +38,7 @@ Specimen publicSpecimen(const landmarks::LandmarkSet &set)
         one.name = landmark.name;
         if (landmark.world)
             one.world = landmark.world->coordinates();
-        one.absence = publicAbsence(landmark.absence);
+        one.absence = sameOf<Absence>(landmark.absence);
         if (landmark.uncertainty)
             one.uncertainty = landmark.uncertainty->coordinates();
         one.object = landmark.object;
@@ -83,7 +64,7 @@ landmarks::LandmarkSet internalSet(const Specimen &specimen)
         if (landmark.world)
             one.world = geometry::WorldPoint(*landmark.world);
         else
-            one.absence = internalAbsence(landmark.absence);
+            one.absence = sameOf<landmarks::Absence>(landmark.absence);
         if (landmark.uncertainty)
             one.uncertainty = geometry::WorldVector(*landmark.uncertainty);
         one.object = landmark.object;

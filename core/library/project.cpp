@@ -59,8 +59,7 @@ Result<Stages> ForwardProjection::at(const glm::dvec3 &point) const
     Stages stages;
     if (m_data->stagesOf(point, stages))
         return stages;
-    return Error{Error::Kind::Value,
-                 base::tr("the point has no window position: it lies in the plane of the eye, or too far away")};
+    return valueError(base::tr("the point has no window position: it lies in the plane of the eye, or too far away"));
 }
 
 void ForwardProjection::operator()(const double *points, Stages *stages, std::size_t count, unsigned threads) const

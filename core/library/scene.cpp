@@ -23,7 +23,7 @@ Result<Scene> madeOf(base::Expected<opening::OpenedScene, base::Error> opened)
     if (!setup)
         return publicError(setup.error());
     const auto api = opened->file ? opened->file->conventions.value_or(geometry::Api::OpenGl) : geometry::Api::OpenGl;
-    return SceneAccess::make(std::move(opened).value(), SetupAccess::make(*setup, worldFindings(api)));
+    return SceneAccess::make(std::move(opened).value(), SetupAccess::make(*setup, worldFindings(api)).value());
 }
 
 /// The scene file of a setup, without objects. A perspective with the viewport's aspect keeps to it at
@@ -174,17 +174,6 @@ Hit publicHit(const ray::SceneHit &hit)
     return result;
 }
 
-ray::Snap internalSnap(Snap snap)
-{
-    switch (snap) {
-    case Snap::Surface: return ray::Snap::Surface;
-    case Snap::Vertex: return ray::Snap::Vertex;
-    case Snap::Edge: return ray::Snap::Edge;
-    case Snap::Face: return ray::Snap::Face;
-    }
-    return ray::Snap::Surface;
-}
-
 } // namespace
 
 Result<Picker> Picker::of(const Scene &scene, const std::optional<Setup> &setup)
@@ -199,7 +188,7 @@ Hit Picker::at(double px, double py, Snap snap) const
 {
     const geometry::DevicePoint position(px, py);
     if (m_data->rays->rays().isInPicture(position)) {
-        if (const auto hit = m_data->rays->at(position, internalSnap(snap)))
+        if (const auto hit = m_data->rays->at(position, sameOf<ray::Snap>(snap)))
             return *hit ? publicHit(**hit) : noHit();
     }
     Hit none = noHit();

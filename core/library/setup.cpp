@@ -116,6 +116,12 @@ void add(std::vector<Named> &numbers, const std::string &name, const glm::dvec3 
         numbers.push_back({name + '[' + std::to_string(k) + ']', v[k]});
 }
 
+/// "K[0, 2]".
+std::string entryName(const std::string &matrix, int row, int column)
+{
+    return matrix + '[' + std::to_string(row) + ", " + std::to_string(column) + ']';
+}
+
 /// The numbers of a projection, under their names in OpenGL.
 std::vector<Named> numbersOf(const Projection &projection)
 {
@@ -167,15 +173,15 @@ std::optional<Error> refusal(const std::vector<Named> &numbers)
 }
 
 /// @return an error for a matrix without an inverse
-std::optional<Error> refusal(const char *name, const glm::dmat4 &matrix)
+std::optional<Error> refusal(const std::string &name, const glm::dmat4 &matrix)
 {
+    std::vector<Named> entries;
     for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row) {
-            if (!std::isfinite(matrix[column][row]))
-                return valueError(base::tr("%1[%2, %3] is %4; give a finite number", name, row, column,
-                                           base::shortestText(matrix[column][row])));
-        }
+        for (int row = 0; row < 4; ++row)
+            entries.push_back({entryName(name, row, column), matrix[column][row]});
     }
+    if (const auto error = refusal(entries))
+        return error;
     if (geometry::isSingular(matrix))
         return valueError(base::tr("%1 has no inverse; check whether it was copied completely", name));
     return std::nullopt;
@@ -196,39 +202,16 @@ std::string pointText(const glm::dvec3 &p)
     return '(' + base::shortestText(p.x) + ", " + base::shortestText(p.y) + ", " + base::shortestText(p.z) + ')';
 }
 
-std::string edgesText(double left, double right, double bottom, double top)
-{
-    return " left " + base::shortestText(left) + " right " + base::shortestText(right) + " bottom "
-           + base::shortestText(bottom) + " top " + base::shortestText(top);
-}
-
-std::string clipText(double nearDistance, double farDistance)
-{
-    return " near " + base::shortestText(nearDistance) + " far " + base::shortestText(farDistance);
-}
-
+/// "ortho left -1 right 1": a perspective's aspect and no skew are left out.
 std::string projectionText(const Projection &projection)
 {
-    return std::visit(Overloaded{[](const Perspective &p) {
-                                     return "perspective fovy " + base::shortestText(p.verticalFovDegrees)
-                                            + clipText(p.nearDistance, p.farDistance);
-                                 },
-                                 [](const Frustum &f) {
-                                     return "frustum" + edgesText(f.left, f.right, f.bottom, f.top)
-                                            + clipText(f.nearDistance, f.farDistance)
-                                            + (f.skew == 0.0 ? "" : " skew " + base::shortestText(f.skew));
-                                 },
-                                 [](const Ortho &o) {
-                                     return "ortho" + edgesText(o.left, o.right, o.bottom, o.top)
-                                            + clipText(o.nearDistance, o.farDistance);
-                                 },
-                                 [](const Oblique &o) {
-                                     return "oblique" + edgesText(o.box.left, o.box.right, o.box.bottom, o.box.top)
-                                            + clipText(o.box.nearDistance, o.box.farDistance) + " theta "
-                                            + base::shortestText(o.thetaDegrees) + " phi "
-                                            + base::shortestText(o.phiDegrees);
-                                 }},
-                      projection);
+    constexpr const char *kNames[] = {"perspective", "frustum", "ortho", "oblique"}; // in the order of Projection
+    std::string text = kNames[projection.index()];
+    for (const Named &number : numbersOf(projection)) {
+        if (number.name != "aspect" && (number.name != "skew" || number.value != 0.0))
+            text += ' ' + number.name + ' ' + base::shortestText(number.value);
+    }
+    return text;
 }
 
 } // namespace
@@ -267,8 +250,6 @@ Result<Setup> Setup::of(const Projection &projection, const Camera &camera, cons
     setup.lens = internalProjection(projection, setup.viewport);
     setup.pose = geometry::LookAt{geometry::WorldPoint(camera.eye), geometry::WorldPoint(camera.center),
                                   geometry::WorldVector(camera.up)};
-    if (const geometry::Check valid = check(setup); !valid)
-        return valueError(valid.error());
     return SetupAccess::make(setup);
 }
 
@@ -289,8 +270,6 @@ Result<Setup> Setup::fromMatrices(const glm::dmat4 &clipFromEye, const glm::dmat
     const glm::dmat4 pose = geometry::oursFromView(eyeFromWorld, *api);
     setup.lens = lens;
     setup.pose = pose;
-    if (const geometry::Check valid = check(setup); !valid)
-        return valueError(valid.error());
     std::vector<std::string> sentences = worldFindings(*api);
     addFindings("projection", lens.clipFromEye, matrices::MatrixRole::Projection, lens.ndcDepth, std::nullopt,
                 sentences);
@@ -307,10 +286,9 @@ Result<Setup> Setup::fromOpenCv(const glm::dmat3 &cameraMatrix, const glm::dmat3
     std::vector<Named> numbers{{"near", nearDistance}, {"far", farDistance}};
     add(numbers, "t", translation);
     for (int row = 0; row < 3; ++row) {
-        const std::string index = '[' + std::to_string(row) + ", ";
         for (int column = 0; column < 3; ++column) {
-            numbers.push_back({"K" + index + std::to_string(column) + ']', cameraMatrix[column][row]});
-            numbers.push_back({"R" + index + std::to_string(column) + ']', rotation[column][row]});
+            numbers.push_back({entryName("K", row, column), cameraMatrix[column][row]});
+            numbers.push_back({entryName("R", row, column), rotation[column][row]});
         }
     }
     if (const auto error = refusal(numbers))
@@ -320,15 +298,12 @@ Result<Setup> Setup::fromOpenCv(const glm::dmat3 &cameraMatrix, const glm::dmat3
             return valueError(base::tr("K[%1, %2] is %3; give [fx s cx; 0 fy cy; 0 0 1]", row, column,
                                        base::shortestText(cameraMatrix[column][row])));
     }
-    const double deviation = [&rotation] {
-        double most = std::abs(glm::determinant(rotation) - 1.0);
-        const glm::dmat3 product = rotation * glm::transpose(rotation);
-        for (int column = 0; column < 3; ++column) {
-            for (int row = 0; row < 3; ++row)
-                most = std::max(most, std::abs(product[column][row] - (row == column ? 1.0 : 0.0)));
-        }
-        return most;
-    }();
+    double deviation = std::abs(glm::determinant(rotation) - 1.0);
+    const glm::dmat3 product = rotation * glm::transpose(rotation);
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row)
+            deviation = std::max(deviation, std::abs(product[column][row] - (row == column ? 1.0 : 0.0)));
+    }
     constexpr double kPrintedDigits = 1e-3;
     if (!(deviation <= kPrintedDigits))
         return valueError(base::tr("R is no rotation: it deviates by %1; give the matrix of cv2.Rodrigues",
@@ -354,8 +329,6 @@ Result<Setup> Setup::fromOpenCv(const glm::dmat3 &cameraMatrix, const glm::dmat3
     geometry::Setup setup = inWindow(window);
     setup.lens = converted->projection;
     setup.pose = converted->eyeFromWorld;
-    if (const geometry::Check valid = check(setup); !valid)
-        return valueError(valid.error());
     return SetupAccess::make(setup, converted->assumed);
 }
 
@@ -446,7 +419,7 @@ const std::vector<std::string> &Setup::findings() const
 
 Setup Setup::withFindings(std::vector<std::string> findings) const
 {
-    return SetupAccess::make(m_data->setup, std::move(findings));
+    return SetupAccess::make(m_data->setup, std::move(findings)).value();
 }
 
 std::string Setup::description() const

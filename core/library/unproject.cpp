@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -28,17 +29,12 @@ constexpr std::size_t kTask = std::size_t{1} << 15;
 using Block = std::array<double, kBlock>;
 using Batch = std::variant<unproject::ClickBatch, unproject::BatchUnprojection>;
 
-unproject::Method internalMethod(Method method)
-{
-    return method == Method::Formula ? unproject::Method::Formula : unproject::Method::Matrix;
-}
-
 Result<Batch> batchOf(const geometry::Setup &setup, const UnprojectOptions &options, Space space)
 {
     unproject::BatchSpace target;
     target.kind = space == Space::World ? unproject::BatchSpace::Kind::World : unproject::BatchSpace::Kind::Eye;
     if (options.digits == Digits::Exact) {
-        const auto batch = unproject::ClickBatch::of(internalMethod(options.method), setup, target);
+        const auto batch = unproject::ClickBatch::of(sameOf<unproject::Method>(options.method), setup, target);
         return batch ? Result<Batch>(*batch) : valueError(batch.error());
     }
     const auto batch = options.method == Method::Formula ? unproject::BatchUnprojection::byFormula(setup, target)
@@ -114,6 +110,30 @@ struct Unprojection::Data {
         }
     }
 
+    /// Unprojects pixels block by block. Floats are copied into doubles first.
+    template <class Number>
+    void all(const Number *px, const Number *py, const Number *depth, double *points, std::size_t count,
+             double *ofPoints, unsigned threads) const
+    {
+        base::inParallelRanges(
+            count, kTask, {},
+            [&](std::size_t begin, std::size_t end) {
+                std::array<Block, 3> copies;
+                const auto doubles = [&](const Number *numbers, std::size_t size, Block &copy) -> const double * {
+                    if constexpr (std::is_same_v<Number, double>)
+                        return numbers + begin;
+                    std::copy_n(numbers + begin, size, copy.begin());
+                    return copy.data();
+                };
+                for (; begin < end; begin += kBlock) {
+                    const std::size_t size = std::min(kBlock, end - begin);
+                    block(doubles(px, size, copies[0]), doubles(py, size, copies[1]), doubles(depth, size, copies[2]),
+                          points + 3 * begin, ofPoints == nullptr ? nullptr : ofPoints + 3 * begin, size);
+                }
+            },
+            threads);
+    }
+
     glm::dvec3 boundOf(const glm::dvec3 &point, const glm::dvec3 &other, double depth) const
     {
         if (options.space == Space::World)
@@ -142,8 +162,7 @@ Result<Unprojection> Unprojection::of(const Setup &setup, const UnprojectOptions
     const DepthBuffer &buffer = options.depthBuffer;
     constexpr int kMostBits = 32;
     if (!buffer.isFloat && (buffer.bits < 1 || buffer.bits > kMostBits))
-        return Error{Error::Kind::Value,
-                     base::tr("a depth buffer of %1 bits; give 1 to 32 bits, or a float buffer", buffer.bits)};
+        return valueError(base::tr("a depth buffer of %1 bits; give 1 to 32 bits, or a float buffer", buffer.bits));
     const Result<Batch> batch = batchOf(SetupAccess::of(setup), options, options.space);
     if (!batch)
         return batch.error();
@@ -158,7 +177,7 @@ Result<glm::dvec3> Unprojection::at(const glm::dvec2 &pixel, double depth) const
         return valueError(unprojector.error());
     const glm::dvec2 window(pixel.x, geometry::flippedY(m_data->setup.surface, pixel.y));
     const geometry::WindowPoint click(window.x, window.y, depth);
-    const unproject::Method method = internalMethod(m_data->options.method);
+    const unproject::Method method = sameOf<unproject::Method>(m_data->options.method);
     if (m_data->options.space == Space::World) {
         if (const auto point = unprojector->worldAt(method, click); !point)
             return valueError(point.error());
@@ -176,9 +195,8 @@ Result<glm::dvec3> Unprojection::uncertaintyAt(const glm::dvec2 &pixel, double d
     if (!point)
         return point.error();
     if (!hasUncertainty())
-        return Error{
-            Error::Kind::Value,
-            base::tr("the matrix is no perspective and no parallel projection: its points have no uncertainty")};
+        return valueError(
+            base::tr("the matrix is no perspective and no parallel projection: its points have no uncertainty"));
     glm::dvec3 ignored, result;
     m_data->block(&pixel.x, &pixel.y, &depth, &ignored.x, &result.x, 1);
     return result;
@@ -192,34 +210,13 @@ bool Unprojection::hasUncertainty() const
 void Unprojection::operator()(const double *px, const double *py, const double *depth, double *points,
                               std::size_t count, double *uncertainties, unsigned threads) const
 {
-    base::inParallelRanges(
-        count, kTask, {},
-        [&](std::size_t begin, std::size_t end) {
-            for (; begin < end; begin += kBlock)
-                m_data->block(px + begin, py + begin, depth + begin, points + 3 * begin,
-                              uncertainties == nullptr ? nullptr : uncertainties + 3 * begin,
-                              std::min(kBlock, end - begin));
-        },
-        threads);
+    m_data->all(px, py, depth, points, count, uncertainties, threads);
 }
 
 void Unprojection::operator()(const float *px, const float *py, const float *depth, double *points, std::size_t count,
                               double *uncertainties, unsigned threads) const
 {
-    base::inParallelRanges(
-        count, kTask, {},
-        [&](std::size_t begin, std::size_t end) {
-            std::array<Block, 3> numbers;
-            for (; begin < end; begin += kBlock) {
-                const std::size_t size = std::min(kBlock, end - begin);
-                std::copy_n(px + begin, size, numbers[0].begin());
-                std::copy_n(py + begin, size, numbers[1].begin());
-                std::copy_n(depth + begin, size, numbers[2].begin());
-                m_data->block(numbers[0].data(), numbers[1].data(), numbers[2].data(), points + 3 * begin,
-                              uncertainties == nullptr ? nullptr : uncertainties + 3 * begin, size);
-            }
-        },
-        threads);
+    m_data->all(px, py, depth, points, count, uncertainties, threads);
 }
 
 } // namespace unprojector
