@@ -23,7 +23,7 @@ py::array_t<double> arrayOf(const glm::dvec3 &vector)
     return py::array_t<double>(3, &vector.x);
 }
 
-std::size_t Strides::add(std::vector<py::ssize_t> strides)
+std::size_t Strides::add(Shape strides)
 {
     m_strides.push_back(std::move(strides));
     return m_strides.size() - 1;
@@ -31,8 +31,8 @@ std::size_t Strides::add(std::vector<py::ssize_t> strides)
 
 void Strides::join()
 {
-    std::vector<py::ssize_t> shape;
-    std::vector<std::vector<py::ssize_t>> strides(m_strides.size());
+    Shape shape;
+    std::vector<Shape> strides(m_strides.size());
     for (std::size_t axis = 0; axis < m_shape.size(); ++axis) {
         if (m_shape[axis] == 1)
             continue;
@@ -53,7 +53,7 @@ void Strides::join()
     }
     if (shape.empty()) { // of one element
         shape.push_back(1);
-        for (std::vector<py::ssize_t> &own : strides)
+        for (Shape &own : strides)
             own.push_back(0);
     }
     m_shape = std::move(shape);
@@ -71,7 +71,7 @@ std::size_t Strides::size() const
 void Strides::eachRun(std::size_t begin, std::size_t count, const Run &run) const
 {
     const std::size_t axes = m_shape.size(), arrays = m_strides.size();
-    std::vector<py::ssize_t> offsets(arrays), steps(arrays);
+    Shape offsets(arrays), steps(arrays);
     for (std::size_t a = 0; a < arrays; ++a)
         steps[a] = m_strides[a].back();
     while (count > 0) {
@@ -111,7 +111,7 @@ Numbers numbersOf(const char *name, const py::object &argument)
     return {name, array.attr("astype")("float64"), false};
 }
 
-std::string shapeText(const std::vector<py::ssize_t> &shape)
+std::string shapeText(const Shape &shape)
 {
     std::string text = "(";
     for (std::size_t i = 0; i < shape.size(); ++i)
@@ -119,12 +119,23 @@ std::string shapeText(const std::vector<py::ssize_t> &shape)
     return text + (shape.size() == 1 ? ",)" : ")");
 }
 
-std::vector<py::ssize_t> shapeOf(const py::array &array)
+Shape shapeOf(const py::array &array)
 {
     return {array.shape(), array.shape() + array.ndim()};
 }
 
-std::vector<py::ssize_t> broadcastShape(std::span<const Numbers> arguments)
+void refuseShape(const char *name, const py::array &array, const std::string &give)
+{
+    throw py::value_error(std::string(name) + " has the shape " + shapeText(shapeOf(array)) + "; give " + give);
+}
+
+void requireRowsOfThree(const char *name, const py::array &array)
+{
+    if (array.ndim() != 2 || array.shape(1) != 3)
+        refuseShape(name, array, "(n, 3)");
+}
+
+Shape broadcastShape(std::span<const Numbers> arguments)
 {
     py::list arrays;
     std::string shapes;
@@ -134,7 +145,7 @@ std::vector<py::ssize_t> broadcastShape(std::span<const Numbers> arguments)
     }
     try {
         const py::object together = py::module_::import("numpy").attr("broadcast")(*arrays);
-        return together.attr("shape").cast<std::vector<py::ssize_t>>();
+        return together.attr("shape").cast<Shape>();
     } catch (const py::error_already_set &) {
         throw py::value_error("these shapes do not broadcast:" + shapes);
     }
@@ -143,9 +154,9 @@ std::vector<py::ssize_t> broadcastShape(std::span<const Numbers> arguments)
 namespace {
 
 /// The strides of an array that is broadcast to a shape; 0 along repeated axes.
-std::vector<py::ssize_t> broadcastStrides(const py::array &array, std::size_t axes)
+Shape broadcastStrides(const py::array &array, std::size_t axes)
 {
-    std::vector<py::ssize_t> strides(axes, 0);
+    Shape strides(axes, 0);
     const auto own = static_cast<std::size_t>(array.ndim());
     for (std::size_t axis = 0; axis < own; ++axis) {
         const auto k = static_cast<py::ssize_t>(axis);
@@ -170,7 +181,7 @@ bool doOverlap(const py::array &a, const py::array &b)
 
 } // namespace
 
-py::array outputOf(const py::object &out, const std::vector<py::ssize_t> &shape, std::span<const Numbers> inputs)
+py::array outputOf(const py::object &out, const Shape &shape, std::span<const Numbers> inputs)
 {
     if (out.is_none())
         return py::array_t<double>(shape);
@@ -178,7 +189,7 @@ py::array outputOf(const py::object &out, const std::vector<py::ssize_t> &shape,
         throw py::type_error("out is no NumPy array");
     auto array = py::reinterpret_borrow<py::array>(out);
     if (shapeOf(array) != shape)
-        throw py::value_error("out has the shape " + shapeText(shapeOf(array)) + "; give " + shapeText(shape));
+        refuseShape("out", array, shapeText(shape));
     if ((!isNative(array, "float32") && !isNative(array, "float64")) || !isAligned(array))
         throw py::value_error("out has the type " + std::string(py::str(array.dtype())) + "; give float64 or float32");
     if (!array.writeable())

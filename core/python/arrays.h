@@ -17,6 +17,9 @@ namespace unprojector::python {
 
 namespace py = pybind11;
 
+/// A number for each axis of an array.
+using Shape = std::vector<py::ssize_t>;
+
 /// A vector or a matrix that acts on column vectors, by rows.
 py::array_t<double> arrayOf(const glm::dvec3 &vector);
 template <class Matrix>
@@ -37,10 +40,10 @@ py::array_t<double> arrayOf(const Matrix &matrix, bool isTransposed = false)
 /// all arrays go through in one step are joined; at least one remains.
 class Strides {
 public:
-    explicit Strides(std::vector<py::ssize_t> shape) : m_shape(std::move(shape)) {}
+    explicit Strides(Shape shape) : m_shape(std::move(shape)) {}
     /// @param strides  one for each axis of the shape
     /// @return the array's index
-    std::size_t add(std::vector<py::ssize_t> strides);
+    std::size_t add(Shape strides);
     /// Joins axes. Call it after the last `add`.
     void join();
 
@@ -48,16 +51,15 @@ public:
     std::size_t size() const;
     /// Calls run(offsets of the arrays, strides of the arrays, count) for runs of equal strides that
     /// cover the elements from begin on.
-    using Run = std::function<void(const std::vector<py::ssize_t> &offsets, const std::vector<py::ssize_t> &strides,
-                                   std::size_t count)>;
+    using Run = std::function<void(const Shape &offsets, const Shape &strides, std::size_t count)>;
     void eachRun(std::size_t begin, std::size_t count, const Run &run) const;
     /// True if the elements of every array lie at equal distances: lineStride.
     bool isLine() const { return m_shape.size() == 1; }
     py::ssize_t lineStride(std::size_t array) const { return m_strides[array][0]; }
 
 private:
-    std::vector<py::ssize_t> m_shape;
-    std::vector<std::vector<py::ssize_t>> m_strides; ///< of each array, an axis each
+    Shape m_shape;
+    std::vector<Shape> m_strides; ///< of each array, an axis each
 };
 
 /// The numbers of an argument: an array of float64 or float32, of any strides.
@@ -73,16 +75,20 @@ Numbers numbersOf(const char *name, const py::object &argument);
 
 /// The shape that arguments broadcast to.
 /// @return ValueError; it names the shapes
-std::vector<py::ssize_t> broadcastShape(std::span<const Numbers> arguments);
+Shape broadcastShape(std::span<const Numbers> arguments);
 
 /// "(480, 640)".
-std::string shapeText(const std::vector<py::ssize_t> &shape);
-std::vector<py::ssize_t> shapeOf(const py::array &array);
+std::string shapeText(const Shape &shape);
+Shape shapeOf(const py::array &array);
+/// @return ValueError: the array has a shape, and another one is to be given
+[[noreturn]] void refuseShape(const char *name, const py::array &array, const std::string &give);
+/// @return ValueError: the shape is not (n, 3)
+void requireRowsOfThree(const char *name, const py::array &array);
 
 /// The argument out, or a new array of float64 where it is None.
 /// @return ValueError: another shape or type, read-only, or it lies on an input, which would be
 ///         overwritten before it is read
-py::array outputOf(const py::object &out, const std::vector<py::ssize_t> &shape, std::span<const Numbers> inputs);
+py::array outputOf(const py::object &out, const Shape &shape, std::span<const Numbers> inputs);
 
 /// One input of a loop: hands out its numbers in blocks.
 class Input {

@@ -154,7 +154,7 @@ struct Rows {
         return sum;
     }
 
-    std::vector<py::ssize_t> shape, strides;
+    Shape shape, strides;
 };
 
 /// Receives the points of a row in an array of any strides.
@@ -267,7 +267,7 @@ py::object cloudOf(const Setup &setup, const py::object &depth, const std::strin
     options.type = depths.type;
     const std::size_t most = threadsOf(threads);
     const Cloud cloud = valueOrRaise(Cloud::of(setup, options));
-    std::vector<py::ssize_t> shape = shapeOf(depths.array);
+    Shape shape = shapeOf(depths.array);
     const std::size_t axes = shape.size();
     if (axes < 2 || shape[axes - 2] != cloud.height() || shape[axes - 1] != cloud.width())
         throw py::value_error("depth has the shape " + shapeText(shape) + "; the setup's window has "

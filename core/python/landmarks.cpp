@@ -96,12 +96,10 @@ const Specimen &onlyOf(const Landmarks &landmarks)
 Specimen specimenFrom(const std::vector<std::string> &names, const py::object &points)
 {
     const py::array given = numbersOf("points", points).array;
-    const std::vector<py::ssize_t> shape = shapeOf(given);
-    if (shape.size() != 2 || shape[1] != 3)
-        throw py::value_error("points has the shape " + shapeText(shape) + "; give (n, 3)");
-    if (names.size() != static_cast<std::size_t>(shape[0]))
-        throw py::value_error("there are " + std::to_string(names.size()) + " names and " + std::to_string(shape[0])
-                              + " points; give one name a point");
+    requireRowsOfThree("points", given);
+    if (names.size() != static_cast<std::size_t>(given.shape(0)))
+        throw py::value_error("there are " + std::to_string(names.size()) + " names and "
+                              + std::to_string(given.shape(0)) + " points; give one name a point");
     const py::array_t<double, py::array::c_style | py::array::forcecast> numbers(given);
     Specimen specimen;
     for (std::size_t i = 0; i < names.size(); ++i) {

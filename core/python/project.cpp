@@ -76,10 +76,10 @@ py::object project(const Setup &setup, const py::object &points, const std::stri
     const std::size_t most = threadsOf(threads);
     const ForwardProjection projection = valueOrRaise(ForwardProjection::of(setup, spaceOf(space)));
     const Numbers given = numbersOf("points", points);
-    std::vector<py::ssize_t> shape = shapeOf(given.array);
+    Shape shape = shapeOf(given.array);
     constexpr py::ssize_t kAxes = 3;
     if (shape.empty() || shape.back() != kAxes)
-        throw py::value_error("points has the shape " + shapeText(shape) + "; give (..., 3)");
+        refuseShape("points", given.array, "(..., 3)");
     Strides strides({shape.begin(), shape.end() - 1});
     std::vector<Input> inputs;
     for (py::ssize_t k = 0; k < kAxes; ++k) {

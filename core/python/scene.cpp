@@ -98,7 +98,7 @@ py::array pick(const Scene &scene, const py::object &pixelX, const py::object &p
     const auto target = valueOf<Snap>("snap", snap, {"surface", "vertex", "edge", "face"});
     const std::size_t most = threadsOf(threads);
     const std::array<Numbers, 2> given{numbersOf("px", pixelX), numbersOf("py", pixelY)};
-    const std::vector<py::ssize_t> shape = broadcastShape(given);
+    const Shape shape = broadcastShape(given);
     py::array hits(hitType(), shape);
     auto *const results = static_cast<Hit *>(hits.mutable_data());
     Strides strides(shape);
@@ -113,15 +113,6 @@ py::array pick(const Scene &scene, const py::object &pixelX, const py::object &p
                count, target);
     });
     return hits;
-}
-
-/// The three indices or coordinates of each row.
-py::array rowsOfThree(const char *name, const py::array &array)
-{
-    const std::vector<py::ssize_t> shape = shapeOf(array);
-    if (shape.size() != 2 || shape[1] != 3)
-        throw py::value_error(std::string(name) + " has the shape " + shapeText(shape) + "; give (n, 3)");
-    return array;
 }
 
 /// The indices as 32 bits. They are read as 64 bits, so that negative and large ones are found.
@@ -144,13 +135,14 @@ std::vector<std::uint32_t> indicesOf(const py::array &triangles, std::size_t cou
 Scene fromArrays(const Setup &setup, const py::object &vertices, const py::object &triangles, const std::string &name)
 {
     const py::array_t<double, py::array::c_style | py::array::forcecast> positions(
-        rowsOfThree("vertices", numbersOf("vertices", vertices).array));
+        numbersOf("vertices", vertices).array);
+    requireRowsOfThree("vertices", positions);
     const py::array given = py::array::ensure(triangles);
     if (!given || (given.dtype().kind() != 'i' && given.dtype().kind() != 'u')) {
         PyErr_Clear();
         throw py::type_error("triangles is no array of whole numbers");
     }
-    rowsOfThree("triangles", given);
+    requireRowsOfThree("triangles", given);
     const auto count = static_cast<std::size_t>(positions.shape(0));
     const std::vector<std::uint32_t> indices =
         given.dtype().kind() == 'u' ? indicesOf<std::uint64_t>(given, count) : indicesOf<std::int64_t>(given, count);

@@ -19,12 +19,11 @@ using OptionalViewport = std::optional<std::array<double, 4>>;
 using Ends = std::pair<double, double>;
 
 /// An argument as a float64 array of the given shape, by rows.
-py::array_t<double> argumentOf(const char *name, const py::object &argument, const std::vector<py::ssize_t> &shape)
+py::array_t<double> argumentOf(const char *name, const py::object &argument, const Shape &shape)
 {
     const py::array array = numbersOf(name, argument).array;
     if (shapeOf(array) != shape)
-        throw py::value_error(std::string(name) + " has the shape " + shapeText(shapeOf(array)) + "; give "
-                              + shapeText(shape));
+        refuseShape(name, array, shapeText(shape));
     return py::array_t<double, py::array::c_style | py::array::forcecast>(array);
 }
 
@@ -60,12 +59,12 @@ Matrix matrixOf(const char *name, const py::object &argument)
 /// The rotation matrix of an argument: 3x3, or the vector of cv2.Rodrigues.
 glm::dmat3 rotationOf(const py::object &argument)
 {
-    const std::vector<py::ssize_t> shape = shapeOf(numbersOf("R", argument).array);
-    if (shape == std::vector<py::ssize_t>{3, 3})
+    const py::array array = numbersOf("R", argument).array;
+    const Shape shape = shapeOf(array);
+    if (shape == Shape{3, 3})
         return matrixOf<glm::dmat3>("R", argument);
-    if (shape != std::vector<py::ssize_t>{3} && shape != std::vector<py::ssize_t>{3, 1})
-        throw py::value_error("R has the shape " + shapeText(shape)
-                              + "; give (3, 3), or the vector of cv2.Rodrigues, (3,)");
+    if (shape != Shape{3} && shape != Shape{3, 1})
+        refuseShape("R", array, "(3, 3), or the vector of cv2.Rodrigues, (3,)");
     const glm::dvec3 axis = vectorOf("R", py::module_::import("numpy").attr("ravel")(argument));
     for (int k = 0; k < 3; ++k)
         requireFinite(axis[k], "R[" + std::to_string(k) + ']');

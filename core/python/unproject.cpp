@@ -87,7 +87,7 @@ py::object unproject(const Setup &setup, const py::object &pixelX, const py::obj
             "uncertainty: the matrix is no perspective and no parallel projection: its points have no uncertainty");
 
     const std::array<Numbers, 3> given{numbersOf("px", pixelX), numbersOf("py", pixelY), numbersOf("depth", depth)};
-    std::vector<py::ssize_t> shape = broadcastShape(given);
+    Shape shape = broadcastShape(given);
     Strides strides(shape);
     shape.push_back(3);
     const Input x(given[0], strides), y(given[1], strides), d(given[2], strides);
