@@ -67,9 +67,9 @@ constexpr const char *kQuaternions[] = {
 };
 
 /// @param v  its parameter is the index of its name
-void readQuaternion(Run &run, const Variant &v)
+void readQuaternion(Run &run)
 {
-    const int way = int(v.parameter);
+    const int way = int(run.parameter);
     const bool isOpenCv = way < 4, isScalarFirst = way % 2 == 0;
     const Pose pose = way % 4 < 2 ? Pose::View : Pose::Camera;
     const glm::dquat q = glm::quat_cast(rotationOf(run, pose, isOpenCv));
@@ -118,18 +118,18 @@ glm::dmat3 productOf(const glm::dvec3 &angles, const EulerOrder &order)
 }
 
 /// @param v  its parameters are the index of the right order and of the program's
-void multiplyInAnotherOrder(Run &run, const Variant &v)
+void multiplyInAnotherOrder(Run &run)
 {
-    const glm::dvec3 angles = anglesOf(rotationOf(run, Pose::Camera, false), kOrders[std::size_t(v.parameter)]);
-    setRotation(run, Pose::Camera, false, productOf(angles, kOrders[std::size_t(v.second)]));
+    const glm::dvec3 angles = anglesOf(rotationOf(run, Pose::Camera, false), kOrders[std::size_t(run.parameter)]);
+    setRotation(run, Pose::Camera, false, productOf(angles, kOrders[std::size_t(run.second)]));
 }
 
 /// @param v  its parameters are the index of the order and the factor of the angles
-void scaleAngles(Run &run, const Variant &v)
+void scaleAngles(Run &run)
 {
-    const EulerOrder &order = kOrders[std::size_t(v.parameter)];
+    const EulerOrder &order = kOrders[std::size_t(run.parameter)];
     const glm::dvec3 angles = anglesOf(rotationOf(run, Pose::Camera, false), order);
-    setRotation(run, Pose::Camera, false, productOf(v.second * angles, order));
+    setRotation(run, Pose::Camera, false, productOf(run.second * angles, order));
 }
 
 void addEulerAngles(VariantList &list)
@@ -145,12 +145,10 @@ void addEulerAngles(VariantList &list)
                         double(right), double(wrong))
                     .isAlone = true;
         }
-        list.add("euler-degrees", Stage::Factors, scaleAngles, {marked("degrees taken for radians, order %1"), {name}},
-                 double(right), kDegrees)
-            .isAlone = true;
-        list.add("euler-degrees", Stage::Factors, scaleAngles, {marked("radians taken for degrees, order %1"), {name}},
-                 double(right), 1.0 / kDegrees)
-            .isAlone = true;
+        for (const auto &[factor, words] : {std::pair(kDegrees, marked("degrees taken for radians, order %1")),
+                                            std::pair(1.0 / kDegrees, marked("radians taken for degrees, order %1"))})
+            list.add("euler-degrees", Stage::Factors, scaleAngles, {words, {name}}, double(right), factor).isAlone =
+                true;
     }
 }
 
@@ -165,7 +163,7 @@ glm::dvec2 centreOf(const Run &run)
     return {v.x + (ndc.x + 1.0) / 2.0 * v.width, run.given.surface.heightPixels - v.y - (ndc.y + 1.0) / 2.0 * v.height};
 }
 
-void exchangeCentres(Run &run, const Variant &)
+void exchangeCentres(Run &run)
 {
     glm::dmat4 &m = run.clipFromEye;
     const geometry::Viewport &v = run.viewport;
@@ -185,22 +183,20 @@ void scalePosition(Run &run, double x, double y)
 
 void addIntrinsics(VariantList &list, const Case &scene)
 {
-    list.add("focal-lengths-swapped", Stage::Lens, [](Run &run, const Variant &) {
+    list.add("focal-lengths-swapped", Stage::Lens, [](Run &run) {
         glm::dmat4 &m = run.clipFromEye;
         const double aspect = run.viewport.width / run.viewport.height, x = m[0][0];
         m[0][0] = m[1][1] / aspect;
         m[1][1] = x * aspect;
     });
     list.add("centre-swapped", Stage::Lens, exchangeCentres);
-    const auto scale = [](Run &run, const Variant &v) { scalePosition(run, v.parameter, v.parameter); };
+    const auto scale = [](Run &run) { scalePosition(run, run.parameter, run.parameter); };
     list.add("intrinsics-of-another-size", Stage::Pixel, scale, marked("half the size"), 2.0);
     list.add("intrinsics-of-another-size", Stage::Pixel, scale, marked("twice the size"), 0.5);
     if (const auto &other = scene.otherSize)
         list.add(
             "intrinsics-of-another-size", Stage::Pixel,
-            [](Run &run, const Variant &v) {
-                scalePosition(run, run.viewport.width / v.parameter, run.viewport.height / v.second);
-            },
+            [](Run &run) { scalePosition(run, run.viewport.width / run.parameter, run.viewport.height / run.second); },
             marked("the size given"), other->widthPixels, other->heightPixels);
 }
 
@@ -210,11 +206,9 @@ void addDistortion(VariantList &list, const Given &given)
 {
     if (given.distortion.isNone() || !given.isPerspective)
         return;
-    list.add("distortion-ignored", Stage::Pixel,
-             [](Run &run, const Variant &) { run.position += run.click.distortedBy; });
-    list.add("distortion-added", Stage::Pixel, [](Run &run, const Variant &) {
-        run.position = distorted(run.given, run.position + run.click.distortedBy);
-    });
+    list.add("distortion-ignored", Stage::Pixel, [](Run &run) { run.position += run.click.distortedBy; });
+    list.add("distortion-added", Stage::Pixel,
+             [](Run &run) { run.position = distorted(run.given, run.position + run.click.distortedBy); });
 }
 
 // Poses
@@ -229,7 +223,7 @@ void addCameraAxes(VariantList &list)
             continue;
         list.add("camera-axes-differ",
                  Variant{.stage = Stage::Eye,
-                         .apply = [](Run &run, const Variant &v) { run.eye = glm::dmat3(v.matrix) * run.eye; },
+                         .apply = [](Run &run) { run.eye = glm::dmat3(*run.matrix) * run.eye; },
                          .matrix = glm::dmat4(permutation.matrix),
                          .name = {nullptr, {axes}, marked("Your program's camera has the axes %1.")},
                          .values = {{"axes", {}, axes}},
@@ -247,27 +241,24 @@ glm::dmat4 rotationInverted(const glm::dmat4 &m)
 
 void addPoses(VariantList &list)
 {
-    list.add("opencv-axes", Stage::Eye, [](Run &run, const Variant &) {
+    list.add("opencv-axes", Stage::Eye, [](Run &run) {
         run.eye.y = -run.eye.y;
         run.eye.z = -run.eye.z;
     });
     list.add(
         "translation-not-inverted", Stage::Factors,
-        [](Run &run, const Variant &) { run.eyeFromWorld = glm::inverse(rotationInverted(run.eyeFromWorld)); },
+        [](Run &run) { run.eyeFromWorld = glm::inverse(rotationInverted(run.eyeFromWorld)); },
         marked("the view's translation is taken for the eye"));
     list.add(
         "translation-not-inverted", Stage::Factors,
-        [](Run &run, const Variant &) { run.eyeFromWorld = rotationInverted(glm::inverse(run.eyeFromWorld)); },
+        [](Run &run) { run.eyeFromWorld = rotationInverted(glm::inverse(run.eyeFromWorld)); },
         marked("the eye is taken for the view's translation"));
     list.add(
-        "view-transposed", Stage::Factors,
-        [](Run &run, const Variant &) { run.eyeFromWorld = rotationInverted(run.eyeFromWorld); },
+        "view-transposed", Stage::Factors, [](Run &run) { run.eyeFromWorld = rotationInverted(run.eyeFromWorld); },
         marked("its rotation only"));
     list.add(
         "view-transposed", Stage::Factors,
-        [](Run &run, const Variant &) {
-            run.eyeFromWorld = glm::inverse(rotationInverted(glm::inverse(run.eyeFromWorld)));
-        },
+        [](Run &run) { run.eyeFromWorld = glm::inverse(rotationInverted(glm::inverse(run.eyeFromWorld))); },
         marked("its rotation only, about the eye"));
 }
 

@@ -121,7 +121,7 @@ void putDepthFirst(std::vector<Hypothesis> &best, const Given &given, std::span<
 }
 
 std::string verdictOf(const Hypothesis &best, std::span<const Hypothesis> list, double chance, const Given &given,
-                      std::span<const Prepared> points, std::span<const Target> targets)
+                      std::span<const Prepared> points)
 {
     if (best.worst > kCutOff)
         return "unknown";
@@ -133,7 +133,7 @@ std::string verdictOf(const Hypothesis &best, std::span<const Hypothesis> list, 
     const bool isByRay = std::any_of(points.begin(), points.end(), [](const Prepared &p) { return p.target.isLine; });
     const auto next = std::find_if(list.begin() + 1, list.end(), [&](const Hypothesis &other) {
         const bool isFitted = other.isSolved() && !best.isSolved();
-        return !isFitted && (other.worst > kCutOff || !isSameHere(given, targets, best, other));
+        return !isFitted && (other.worst > kCutOff || !isSameHere(given, best, other));
     });
     if (isByRay && next != list.end() && next->worst <= kCutOff && !saysDepth(best, given, points.front()))
         return "unknown";
@@ -148,19 +148,18 @@ bool explainsAsWell(const Hypothesis &best, const Diagnosis &diagnosis)
 }
 
 /// Sets the known points, and the verdict if no mistake explains the points as well.
-void lookAtKnown(Diagnosis &diagnosis, const Hypothesis &best, const Given &given, const Case &scene,
-                 std::span<const Target> targets)
+void lookAtKnown(Diagnosis &diagnosis, const Hypothesis &best, const Given &given, const Case &scene)
 {
     if (diagnosis.verdict == "right")
         return;
-    KnownPoints found = knownPoints(given, scene, targets);
+    KnownPoints found = knownPoints(given, scene);
     const bool isSure = found.chance <= kChanceOfKnown;
     if (isSure || diagnosis.verdict == "unknown")
         diagnosis.known = std::move(found.points);
     if ((!isSure && !diagnosis.known.empty()) || explainsAsWell(best, diagnosis))
         return;
     if (diagnosis.known.empty())
-        diagnosis.known = knownVertices(given, scene, targets);
+        diagnosis.known = knownVertices(given, scene);
     if (!diagnosis.known.empty())
         diagnosis.verdict = "known-point";
 }
@@ -179,50 +178,51 @@ std::vector<std::size_t> onlyMissed(std::span<const Hypothesis> all)
 }
 
 /// @param missed  receives onlyMissed() of the hypotheses
-Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given, double epsilon,
+Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> wrongPoints, double epsilon,
                             std::vector<std::size_t> &missed)
 {
     if (scene.otherSize) {
         if (const Check valid = check(*scene.otherSize); !valid)
             return valid.error();
     }
-    const Result<Given> input = Given::of(scene.setup, scene.distortion.value_or(cameras::Distortion{}));
+    Result<Given> input = Given::of(scene.setup, scene.distortion.value_or(cameras::Distortion{}));
     if (!input)
         return input.error();
+    Given given = std::move(input).value();
     std::vector<Prepared> points;
-    std::vector<Target> targets;
     std::vector<ErrorKind> wrongs;
-    for (const WrongPoint &point : given) {
+    for (const WrongPoint &point : wrongPoints) {
         if (const Check valid = checkPoint(scene, point); !valid)
             return valid.error();
-        points.push_back(prepared(scene, *input, point, epsilon));
-        targets.push_back(points.back().target);
-        wrongs.push_back(wrongOf(*input, points.back()));
+        points.push_back(prepared(scene, given, point, epsilon));
+        given.points.push_back(points.back().target);
+        wrongs.push_back(wrongOf(given, points.back()));
     }
-    const Hypothesis right = rightHypothesis(*input, points);
+    const Hypothesis right = rightHypothesis(given, points);
     const bool isRight = right.worst <= kCutOff;
-    const std::vector<Variant> list = variants(*input, scene, isRight ? std::span<const Target>() : targets);
-    std::vector<Hypothesis> all = hypotheses(*input, targets, list);
+    const std::vector<Variant> list = variants(given, scene, !isRight);
+    std::vector<Hypothesis> all = hypotheses(given, list);
     all.push_back(right);
     missed = onlyMissed(all);
     std::vector<Hypothesis> best = ranked(all);
-    Evidence evidence{all, std::min(right.distance, sizeOf(targets)), agreeing(points, wrongs)};
+    Evidence evidence{all, std::min(right.distance, sizeOf(given)), agreeing(points, wrongs)};
     orderSolvedAndPair(best, evidence);
-    putDepthFirst(best, *input, points);
+    putDepthFirst(best, given, points);
     std::erase_if(best, [&, first = best.front()](const Hypothesis &other) {
-        return other.worst <= kCutOff && isRestated(*input, targets, first, other);
+        return other.worst <= kCutOff && isRestated(given, first, other);
     });
 
     Diagnosis diagnosis;
     if (diagnosis.projected = points.front().projected; diagnosis.projected) {
-        const glm::dvec2 inImage = distorted(*input, glm::dvec2(*diagnosis.projected));
+        const glm::dvec2 inImage = distorted(given, glm::dvec2(*diagnosis.projected));
         diagnosis.projected = glm::dvec3(inImage, diagnosis.projected->z);
     }
-    if (const auto unsure = diagnosis.projected ? unsureOf(*input, points.front()) : std::nullopt)
+    if (const auto unsure = diagnosis.projected ? unsureOf(given, points.front()) : std::nullopt)
         diagnosis.depthUnsure = unsure->z;
-    diagnosis.right = rightPoint(scene, given.front(), points.front());
+    diagnosis.right = rightPoint(scene, wrongPoints.front(), points.front());
     if (diagnosis.right)
-        diagnosis.rightLastDigit = rightLastDigit(*input, points.front(), *diagnosis.right, given.front().lastDigit);
+        diagnosis.rightLastDigit =
+            rightLastDigit(given, points.front(), *diagnosis.right, wrongPoints.front().lastDigit);
     diagnosis.wrong = wrongs.front();
     diagnosis.tried = all.size();
     for (const Prepared &point : points) {
@@ -231,34 +231,34 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
             diagnosis.digitsGiven +=
                 countsIn(point.target, axis) ? digitsOf(point.target.got[axis], point.target.lastDigit[axis]) : 0;
     }
-    for (const WrongPoint &point : given) {
+    for (const WrongPoint &point : wrongPoints) {
         for (int axis = 0; axis < 3; ++axis)
             diagnosis.digitsWritten += digitsOf(point.got[axis], point.lastDigit[axis]);
     }
     // Compare only with others that determine the depth, if the best hypothesis does. The rest
     // match any point of the ray.
-    if (points.front().target.isLine && best.front().count > 0 && saysDepth(best.front(), *input, points.front())) {
-        std::erase_if(all, [&](const Hypothesis &each) { return !saysDepth(each, *input, points.front()); });
+    if (points.front().target.isLine && best.front().count > 0 && saysDepth(best.front(), given, points.front())) {
+        std::erase_if(all, [&](const Hypothesis &each) { return !saysDepth(each, given, points.front()); });
         evidence.all = all;
     }
     diagnosis.chance = chanceOf(evidence, best.front());
-    diagnosis.verdict = verdictOf(best.front(), best, diagnosis.chance, *input, points, targets);
+    diagnosis.verdict = verdictOf(best.front(), best, diagnosis.chance, given, points);
     const bool hasTies = diagnosis.namesMistake();
-    lookAtKnown(diagnosis, best.front(), *input, scene, targets);
+    lookAtKnown(diagnosis, best.front(), given, scene);
     if (diagnosis.verdict == "unknown")
-        diagnosis.lacking = lackOf(*input, targets);
+        diagnosis.lacking = lackOf(given);
     std::vector<Hypothesis> told, others;
     for (const Hypothesis &hypothesis : best) {
         const bool explains = hypothesis.worst <= kCutOff;
         const bool isFirst = diagnosis.candidates.empty();
         Alike alike = Alike::No;
         if (diagnosis.candidates.size() < (explains ? kMostCandidates : kFewestCandidates)) {
-            diagnosis.candidates.push_back(candidateOf(hypothesis, *input, points));
+            diagnosis.candidates.push_back(candidateOf(hypothesis, given, points));
             Candidate &candidate = diagnosis.candidates.back();
-            if (!isFirst && (hasTies ? explains : isSameHere(*input, targets, best.front(), hypothesis)))
-                candidate.alike = alike = alikeOf(*input, targets, best.front(), hypothesis);
+            if (!isFirst && (hasTies ? explains : isSameHere(given, best.front(), hypothesis)))
+                candidate.alike = alike = alikeOf(given, best.front(), hypothesis);
             if (alike == Alike::Here || alike == Alike::Always)
-                candidate.shared = sharedOf(*input, targets.front().clicks.front(), best.front(), hypothesis);
+                candidate.shared = sharedOf(given, given.points.front().clicks.front(), best.front(), hypothesis);
         }
         // Candidates that another click can distinguish from the first come before ones that are
         // distinct already.
@@ -278,11 +278,11 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
     std::function<std::optional<double>(const DevicePoint &)> depthAt;
     if (scene.pointOnMesh)
         depthAt = [&scene](const DevicePoint &position) { return depthOnMesh(scene, position); };
-    auto next = nextClick(*input, points.front().click, told, depthAt, tellable);
+    auto next = nextClick(given, points.front().click, told, depthAt, tellable);
     // Use the first hypothesis with another answer if theirs are the same everywhere.
     for (std::size_t i = 1; !next && i < std::min(best.size(), kMostTried); ++i) {
         const Hypothesis two[] = {best.front(), best[i]};
-        next = nextClick(*input, points.front().click, two, depthAt, tellable);
+        next = nextClick(given, points.front().click, two, depthAt, tellable);
     }
     if (next) {
         diagnosis.next = next->pixel;
@@ -291,45 +291,20 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
     return diagnosis;
 }
 
-bool isSame(const WrongPoint &a, const WrongPoint &b)
+bool isSameClick(const WrongPoint &a, const WrongPoint &b)
 {
-    return a.pixel.x == b.pixel.x && a.pixel.y == b.pixel.y && a.depth == b.depth && a.got == b.got
-           && a.space == b.space && a.model == b.model;
-}
-
-/// Points without repetitions, which are no further evidence.
-struct Different {
-    std::vector<WrongPoint> points;
-    std::vector<std::size_t> places; ///< the index of each among the given ones
-};
-
-Different withoutRepetitions(std::span<const WrongPoint> points)
-{
-    Different different;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (std::any_of(different.points.begin(), different.points.end(),
-                        [&](const WrongPoint &p) { return isSame(p, points[i]); }))
-            continue;
-        different.points.push_back(points[i]);
-        different.places.push_back(i);
-    }
-    return different;
+    return a.pixel.x == b.pixel.x && a.pixel.y == b.pixel.y && a.depth == b.depth && a.space == b.space
+           && a.model == b.model;
 }
 
 /// Two answers to one click, whose digits differ.
-bool doContradict(const WrongPoint &a, const WrongPoint &b, bool hasMesh)
-{
-    const bool isSameClick = a.pixel.x == b.pixel.x && a.pixel.y == b.pixel.y && a.depth == b.depth
-                             && a.space == b.space && a.model == b.model && (a.depth || hasMesh);
-    const glm::dvec3 off = glm::abs(a.got - b.got) / (a.lastDigit + b.lastDigit);
-    return isSameClick && greatestOf(off) > kCutOff;
-}
-
 std::optional<std::array<std::size_t, 2>> contradictionOf(const Case &scene, std::span<const WrongPoint> points)
 {
     for (std::size_t i = 0; i < points.size(); ++i) {
         for (std::size_t j = i + 1; j < points.size(); ++j) {
-            if (doContradict(points[i], points[j], scene.pointOnMesh != nullptr))
+            const WrongPoint &a = points[i], &b = points[j];
+            const glm::dvec3 off = glm::abs(a.got - b.got) / (a.lastDigit + b.lastDigit);
+            if (isSameClick(a, b) && (a.depth || scene.pointOnMesh) && greatestOf(off) > kCutOff)
                 return std::array{i, j};
         }
     }
@@ -433,7 +408,16 @@ bool Diagnosis::isNextFromRunnerUp() const
 
 Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> given)
 {
-    const auto [points, places] = withoutRepetitions(given);
+    // Repetitions are no further evidence.
+    std::vector<WrongPoint> points;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        if (std::any_of(points.begin(), points.end(),
+                        [&](const WrongPoint &p) { return isSameClick(p, given[i]) && p.got == given[i].got; }))
+            continue;
+        points.push_back(given[i]);
+        places.push_back(i);
+    }
     std::vector<std::size_t> missed;
     Result<Diagnosis> ofAll = inEitherPrecision(scene, points, missed);
     if (!ofAll || ofAll->verdict != "unknown")

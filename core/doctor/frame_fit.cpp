@@ -119,16 +119,4 @@ std::span<const AxisPermutation> axisPermutations()
     return all;
 }
 
-const AxisPermutation *axisPermutationOf(const glm::dmat3 &matrix, double most)
-{
-    for (const AxisPermutation &one : axisPermutations()) {
-        double off = 0.0;
-        for (int i = 0; i < 9; ++i)
-            off = std::max(off, std::abs(matrix[i / 3][i % 3] - one.matrix[i / 3][i % 3]));
-        if (off <= most)
-            return &one;
-    }
-    return nullptr;
-}
-
 } // namespace unprojector::doctor

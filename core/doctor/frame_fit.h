@@ -45,7 +45,4 @@ struct AxisPermutation {
 /// All 48, the identity first.
 std::span<const AxisPermutation> axisPermutations();
 
-/// The permutation that a matrix equals within `most` in each entry; null if none.
-const AxisPermutation *axisPermutationOf(const glm::dmat3 &matrix, double most);
-
 } // namespace unprojector::doctor

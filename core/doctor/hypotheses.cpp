@@ -16,25 +16,25 @@ namespace {
 constexpr double kSameAnswer = 1e-3;
 
 /// Tries a hypothesis on all points; returns empty if one of them has no answer.
-std::optional<Hypothesis> tried(const Given &given, std::span<const Target> points, Hypothesis hypothesis)
+std::optional<Hypothesis> tried(const Given &given, Hypothesis hypothesis)
 {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const auto found = hypothesis.nearest(given, points[i]);
+    for (std::size_t i = 0; i < given.points.size(); ++i) {
+        const auto found = hypothesis.nearest(given, given.points[i]);
         if (!found)
             return std::nullopt;
         if (i == 0)
             hypothesis.point = found->point;
-        hypothesis.distance += found->distance / double(points.size());
+        hypothesis.distance += found->distance / double(given.points.size());
         hypothesis.add(i, found->distance);
     }
     return hypothesis;
 }
 
 /// True if a mistake changes no answer distinguishably.
-bool isWithoutEffect(const Given &given, std::span<const Target> points, const Variant &variant)
+bool isWithoutEffect(const Given &given, const Variant &variant)
 {
     const Variant *const parts[] = {&variant};
-    for (const Target &target : points) {
+    for (const Target &target : given.points) {
         for (const Click &click : target.clicks) {
             const auto right = answer(given, click, {}), wrong = answer(given, click, parts);
             if (!right || !wrong || greatestOf((*wrong - *right) / target.lastDigit) > kSameAnswer)
@@ -134,14 +134,14 @@ std::optional<Nearest> Hypothesis::nearest(const Given &given, const Target &tar
         closest, std::max({unitsOff(target, 0, closest), unitsOff(target, 1, closest), unitsOff(target, 2, closest)})};
 }
 
-std::vector<Hypothesis> hypotheses(const Given &given, std::span<const Target> points, std::span<const Variant> list)
+std::vector<Hypothesis> hypotheses(const Given &given, std::span<const Variant> list)
 {
     std::vector<Hypothesis> result;
     std::vector<const Variant *> effective;
     for (const Variant &variant : list) {
-        if (isWithoutEffect(given, points, variant))
+        if (isWithoutEffect(given, variant))
             continue;
-        const auto one = tried(given, points, {{&variant, nullptr}, 1});
+        const auto one = tried(given, {{&variant, nullptr}, 1});
         // Solved values are right only if they explain all points without another mistake.
         const bool isSolved = variant.unknowns > 0;
         if (!isSolved && !variant.isAlone)
@@ -156,10 +156,10 @@ std::vector<Hypothesis> hypotheses(const Given &given, std::span<const Target> p
             // A program has one pixel ratio, and makes a mistake in one variant.
             if (a.mistake == b.mistake || (isRatio(a) && isRatio(b)))
                 continue;
-            if (const auto two = tried(given, points, {{&a, &b}, 2}))
+            if (const auto two = tried(given, {{&a, &b}, 2}))
                 result.push_back(*two);
             if (hasOtherWay(a, b)) {
-                if (const auto two = tried(given, points, {{&a, &b}, 2, true}))
+                if (const auto two = tried(given, {{&a, &b}, 2, true}))
                     result.push_back(*two);
             }
         }

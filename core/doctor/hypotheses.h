@@ -11,17 +11,6 @@
 
 namespace unprojector::doctor {
 
-/// A given point, and the clicks that programs must answer with it. One click, or two where the
-/// depth is not known exactly: then any answer between theirs fits. If the depth is unknown, any
-/// answer on their line fits.
-struct Target {
-    std::vector<Click> clicks; ///< one or two
-    bool isLine = false;       ///< the line through the two
-    glm::dvec3 got{0.0};
-    glm::dvec3 lastDigit{1.0};    ///< the last significant digit
-    glm::dvec3 writtenDigit{1.0}; ///< the last given digit
-};
-
 /// The tolerances in units of the last digit: half a unit for a rounded coordinate, a whole unit
 /// for a truncated one, plus the error of single precision.
 constexpr double kRounded = 0.6;
@@ -73,6 +62,6 @@ bool isSameAnswer(const glm::dvec3 &a, const glm::dvec3 &b);
 /// points are omitted, and solved values that do not explain all points. Pairs have no solved
 /// values.
 /// @param list  must outlive the result
-std::vector<Hypothesis> hypotheses(const Given &given, std::span<const Target> points, std::span<const Variant> list);
+std::vector<Hypothesis> hypotheses(const Given &given, std::span<const Variant> list);
 
 } // namespace unprojector::doctor

@@ -46,12 +46,6 @@ double chanceOf(const Target &target)
     return chance;
 }
 
-bool isWithin(const Target &target, const glm::dvec3 &known, double units)
-{
-    const glm::dvec3 off = glm::abs(known - target.got) / target.lastDigit;
-    return off.x <= units && off.y <= units && off.z <= units;
-}
-
 bool isFineEnough(const Target &target)
 {
     const double distance = glm::length(target.clicks.front().eye);
@@ -87,7 +81,7 @@ std::optional<KnownPoint> vertexOf(const Given &given, const Case &scene, const 
     std::optional<KnownPoint> found;
     for (KnownPoint vertex : scene.verticesIn(box.transformed(worldFromPoint))) {
         vertex.point = transformed(spaceFromWorld, vertex.point);
-        if (!isWithin(target, vertex.point, kAlone))
+        if (!(greatestOf((vertex.point - target.got) / target.lastDigit) <= kAlone))
             continue;
         if (found && !isSameAnswer(found->point, vertex.point))
             return std::nullopt;
@@ -99,27 +93,28 @@ std::optional<KnownPoint> vertexOf(const Given &given, const Case &scene, const 
 
 } // namespace
 
-KnownPoints knownPoints(const Given &given, const Case &scene, std::span<const Target> points)
+KnownPoints knownPoints(const Given &given, const Case &scene)
 {
-    KnownPoints known{fixedPoints(given, scene, points.front().clicks.front())};
+    KnownPoints known{fixedPoints(given, scene, given.points.front().clicks.front())};
     known.chance = double(known.points.size());
-    for (const Target &point : points)
+    for (const Target &point : given.points)
         known.chance *= chanceOf(point);
     std::erase_if(known.points, [&](const KnownPoint &one) {
-        return !std::all_of(points.begin(), points.end(), [&](const Target &p) { return isPoint(p, one.point); });
+        return !std::all_of(given.points.begin(), given.points.end(),
+                            [&](const Target &p) { return isPoint(p, one.point); });
     });
     if (std::any_of(known.points.begin(), known.points.end(),
-                    [&](const KnownPoint &one) { return isSameAnswer(points.front().got, one.point); }))
+                    [&](const KnownPoint &one) { return isSameAnswer(given.points.front().got, one.point); }))
         known.chance = 0.0;
     return known;
 }
 
-std::vector<KnownPoint> knownVertices(const Given &given, const Case &scene, std::span<const Target> points)
+std::vector<KnownPoint> knownVertices(const Given &given, const Case &scene)
 {
-    if (!scene.verticesIn || !std::all_of(points.begin(), points.end(), isFineEnough))
+    if (!scene.verticesIn || !std::all_of(given.points.begin(), given.points.end(), isFineEnough))
         return {};
     std::vector<KnownPoint> vertices;
-    for (const Target &target : points) {
+    for (const Target &target : given.points) {
         std::optional<KnownPoint> vertex = vertexOf(given, scene, target);
         if (!vertex)
             return {};

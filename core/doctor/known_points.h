@@ -18,11 +18,11 @@ struct KnownPoints {
 /// matrix's translation, the camera's centre, the world's origin and the objects' origins. A
 /// coordinate of several digits may also be truncated. Returns the ones of the first point if all
 /// points equal such a point.
-KnownPoints knownPoints(const Given &given, const Case &scene, std::span<const Target> points);
+KnownPoints knownPoints(const Given &given, const Case &scene);
 
 /// The vertex that equals the first wrong point, if all points equal a vertex. It must be the only
 /// one within the given digits, because on a dense mesh every point is close to some vertex.
-std::vector<KnownPoint> knownVertices(const Given &given, const Case &scene, std::span<const Target> points);
+std::vector<KnownPoint> knownVertices(const Given &given, const Case &scene);
 
 /// The vertices of the visible objects in a box of world space, including its faces, for
 /// Case::verticesIn. It tests every vertex, so no tree is needed. One per position, at most a

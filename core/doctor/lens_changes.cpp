@@ -74,7 +74,7 @@ void setAspect(Run &run, double aspect)
 Variant withOtherPlanes(double nearDistance, double farDistance)
 {
     return {.stage = Stage::Lens,
-            .apply = [](Run &run, const Variant &v) { setClipDistances(run, v.parameter, v.second); },
+            .apply = [](Run &run) { setClipDistances(run, run.parameter, run.second); },
             .parameter = nearDistance,
             .second = farDistance,
             .name = {marked("near is %1, far is %2"),
@@ -86,7 +86,7 @@ Variant withOtherPlanes(double nearDistance, double farDistance)
 Variant withOtherNear(const Given &given, double nearDistance)
 {
     return {.stage = Stage::Lens,
-            .apply = [](Run &run, const Variant &v) { setClipDistances(run, v.parameter, run.farDistance); },
+            .apply = [](Run &run) { setClipDistances(run, run.parameter, run.farDistance); },
             .parameter = nearDistance,
             .name = {marked("near is %1, the scene has %2"),
                      {valueText(nearDistance), valueText(given.nearDistance)},
@@ -97,9 +97,9 @@ Variant withOtherNear(const Given &given, double nearDistance)
 Variant withOtherNearOfFrustum(const Given &given, double nearDistance)
 {
     Variant variant = withOtherNear(given, nearDistance);
-    variant.apply = [](Run &run, const Variant &v) {
-        widen(run, run.nearDistance / v.parameter);
-        setClipDistances(run, v.parameter, run.farDistance);
+    variant.apply = [](Run &run) {
+        widen(run, run.nearDistance / run.parameter);
+        setClipDistances(run, run.parameter, run.farDistance);
     };
     variant.name.words = marked("near is %1, the scene has %2; the window of glFrustum is as it was");
     variant.name.sentence =
@@ -110,7 +110,7 @@ Variant withOtherNearOfFrustum(const Given &given, double nearDistance)
 Variant withOtherFar(const Given &given, double farDistance)
 {
     return {.stage = Stage::Lens,
-            .apply = [](Run &run, const Variant &v) { setClipDistances(run, run.nearDistance, v.parameter); },
+            .apply = [](Run &run) { setClipDistances(run, run.nearDistance, run.parameter); },
             .parameter = farDistance,
             .name = {marked("far is %1, the scene has %2"),
                      {valueText(farDistance), valueText(given.farDistance)},

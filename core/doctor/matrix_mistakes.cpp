@@ -39,13 +39,12 @@ void addAxes(VariantList &list)
                                  : axes == kOpenCvAxes.axes       ? kOpenCvAxes
                                  : glm::determinant(matrix) < 0.0 ? kMirroredAxes
                                                                   : kOtherAxes;
-        list.add("axes-differ",
-                 Variant{.stage = Stage::Point,
-                         .apply = [](Run &run, const Variant &v) { run.point = transformed(v.matrix, run.point); },
-                         .matrix = glm::dmat4(matrix),
-                         .name = {named.words, {axes}, named.sentence},
-                         .values = {{"axes", {}, axes}},
-                         .isAlone = !isUsual});
+        list.add("axes-differ", Variant{.stage = Stage::Point,
+                                        .apply = [](Run &run) { run.point = transformed(*run.matrix, run.point); },
+                                        .matrix = glm::dmat4(matrix),
+                                        .name = {named.words, {axes}, named.sentence},
+                                        .values = {{"axes", {}, axes}},
+                                        .isAlone = !isUsual});
     }
 }
 
@@ -59,11 +58,11 @@ std::array<glm::dvec4, 2> undividedEnds(const Run &run)
 
 /// Mixes the ends: x and y of one end, and the other's z divided by its w.
 /// @param v  its parameter is the index of the end
-void mixEnds(Run &run, const Variant &v)
+void mixEnds(Run &run)
 {
     run.isLost = run.isLost || run.isClosedForm;
     const std::array<glm::dvec4, 2> ends = undividedEnds(run);
-    const glm::dvec4 &own = ends[std::size_t(v.parameter)], &other = ends[1 - std::size_t(v.parameter)];
+    const glm::dvec4 &own = ends[std::size_t(run.parameter)], &other = ends[1 - std::size_t(run.parameter)];
     run.point = glm::dvec3(own.x, own.y, other.z) / own.w;
 }
 
@@ -80,15 +79,14 @@ void addPointMistakes(VariantList &list, std::span<const PlacedModel> models)
     for (std::size_t i = 0; i < models.size(); ++i) {
         const bool isAlone = i >= kMostInPairs;
         addModel(
-            list, "model-left-in",
-            [](Run &run, const Variant &v) { run.point = transformed(glm::inverse(v.matrix), run.point); }, models[i],
-            isAlone);
-        addModel(
-            list, "model-left-out", [](Run &run, const Variant &v) { run.point = transformed(v.matrix, run.point); },
+            list, "model-left-in", [](Run &run) { run.point = transformed(glm::inverse(*run.matrix), run.point); },
             models[i], isAlone);
+        addModel(
+            list, "model-left-out", [](Run &run) { run.point = transformed(*run.matrix, run.point); }, models[i],
+            isAlone);
     }
-    list.add("eye-added", Stage::Point, [](Run &run, const Variant &) { run.point += run.given.eyePosition; });
-    list.add("eye-subtracted", Stage::Point, [](Run &run, const Variant &) { run.point -= run.given.eyePosition; });
+    list.add("eye-added", Stage::Point, [](Run &run) { run.point += run.given.eyePosition; });
+    list.add("eye-subtracted", Stage::Point, [](Run &run) { run.point -= run.given.eyePosition; });
     addAxes(list);
     for (const auto &[end, words] : {std::pair(1.0, marked("z of the near end with the far end's w")),
                                      std::pair(0.0, marked("z of the far end with the near end's w"))})
@@ -100,26 +98,22 @@ void addPointMistakes(VariantList &list, std::span<const PlacedModel> models)
 void addMatrixMistakes(VariantList &list, const Given &, const Case &scene)
 {
     list.add("projection-transposed", Stage::Factors,
-             [](Run &run, const Variant &) { run.clipFromEye = glm::transpose(run.clipFromEye); });
-    list.add("view-transposed", Stage::Factors,
-             [](Run &run, const Variant &) { run.eyeFromWorld = glm::transpose(run.eyeFromWorld); });
-    list.add("both-transposed", Stage::Factors, [](Run &run, const Variant &) {
+             [](Run &run) { run.clipFromEye = glm::transpose(run.clipFromEye); });
+    list.add("view-transposed", Stage::Factors, [](Run &run) { run.eyeFromWorld = glm::transpose(run.eyeFromWorld); });
+    list.add("both-transposed", Stage::Factors, [](Run &run) {
         run.clipFromEye = glm::transpose(run.clipFromEye);
         run.eyeFromWorld = glm::transpose(run.eyeFromWorld);
     });
     list.add("view-inverse-as-view", Stage::Factors,
-             [](Run &run, const Variant &) { run.eyeFromWorld = glm::inverse(run.eyeFromWorld); });
-    list.add("view-left-out", Stage::Factors, [](Run &run, const Variant &) { run.eyeFromWorld = glm::dmat4(1.0); });
-    list.add("projection-left-out", Stage::Factors,
-             [](Run &run, const Variant &) { run.clipFromEye = glm::dmat4(1.0); });
-    list.add("product-transposed", Stage::Product,
-             [](Run &run, const Variant &) { run.order = Run::Order::InverseOfTransposed; });
-    list.add("inverse-order", Stage::Product,
-             [](Run &run, const Variant &) { run.order = Run::Order::InversesInTheOrderOfTheFactors; });
-    list.add("not-inverted", Stage::Product, [](Run &run, const Variant &) { run.order = Run::Order::NotInverted; });
-    list.add("overwritten-in-place", Stage::Divide, [](Run &run, const Variant &) { run.isInPlace = true; });
-    list.add("no-w-divide", Stage::Divide, [](Run &run, const Variant &) { run.divisions = 0; });
-    list.add("w-divided-twice", Stage::Divide, [](Run &run, const Variant &) { run.divisions = 2; });
+             [](Run &run) { run.eyeFromWorld = glm::inverse(run.eyeFromWorld); });
+    list.add("view-left-out", Stage::Factors, [](Run &run) { run.eyeFromWorld = glm::dmat4(1.0); });
+    list.add("projection-left-out", Stage::Factors, [](Run &run) { run.clipFromEye = glm::dmat4(1.0); });
+    list.add("product-transposed", Stage::Product, [](Run &run) { run.order = Run::Order::InverseOfTransposed; });
+    list.add("inverse-order", Stage::Product, [](Run &run) { run.order = Run::Order::InversesInTheOrderOfTheFactors; });
+    list.add("not-inverted", Stage::Product, [](Run &run) { run.order = Run::Order::NotInverted; });
+    list.add("overwritten-in-place", Stage::Divide, [](Run &run) { run.isInPlace = true; });
+    list.add("no-w-divide", Stage::Divide, [](Run &run) { run.divisions = 0; });
+    list.add("w-divided-twice", Stage::Divide, [](Run &run) { run.divisions = 2; });
     addPointMistakes(list, scene.models);
 }
 

@@ -265,12 +265,12 @@ int agreeing(std::span<const Prepared> points, std::span<const ErrorKind> wrongs
     return sum;
 }
 
-double sizeOf(std::span<const Target> points)
+double sizeOf(const Given &given)
 {
     double sum = 0.0;
-    for (const Target &point : points)
+    for (const Target &point : given.points)
         sum += greatestOf(point.got / point.lastDigit);
-    return std::max(1.0, sum / double(points.size()));
+    return std::max(1.0, sum / double(given.points.size()));
 }
 
 } // namespace unprojector::doctor

@@ -49,6 +49,6 @@ int agreeing(std::span<const Prepared> points, std::span<const ErrorKind> wrongs
 
 /// The mean over the points of the greatest coordinate, units of the last digit. Few digits near the
 /// origin are explained by chance more often than their distance from the right point tells.
-double sizeOf(std::span<const Target> points);
+double sizeOf(const Given &given);
 
 } // namespace unprojector::doctor

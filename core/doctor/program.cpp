@@ -46,12 +46,6 @@ void readLens(Given &given, const Lens &lens)
         form->parameters);
 }
 
-glm::dvec2 ndcXy(const Viewport &viewport, const glm::dvec2 &window)
-{
-    return {2.0 * (window.x - viewport.x) / viewport.width - 1.0,
-            2.0 * (window.y - viewport.y) / viewport.height - 1.0};
-}
-
 glm::dmat4 combined(const Run &run)
 {
     const glm::dmat4 eyeFromSpace = run.eyeFromWorld * run.click.worldFromObject;
@@ -86,8 +80,12 @@ public:
     void make(Stage stage)
     {
         for (const Variant *mistake : m_mistakes) {
-            if (mistake->stage == stage)
-                mistake->apply(m_run, *mistake);
+            if (mistake->stage != stage)
+                continue;
+            m_run.parameter = mistake->parameter;
+            m_run.second = mistake->second;
+            m_run.matrix = &mistake->matrix;
+            mistake->apply(m_run);
         }
     }
 
@@ -202,6 +200,12 @@ glm::dvec3 transformed(const glm::dmat4 &m, const glm::dvec3 &point)
 {
     const glm::dvec4 result = m * glm::dvec4(point, 1.0);
     return glm::dvec3(result) / result.w;
+}
+
+glm::dvec2 ndcXy(const Viewport &viewport, const glm::dvec2 &window)
+{
+    return {2.0 * (window.x - viewport.x) / viewport.width - 1.0,
+            2.0 * (window.y - viewport.y) / viewport.height - 1.0};
 }
 
 double greatestOf(const glm::dvec3 &v)

@@ -9,10 +9,34 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace unprojector::doctor {
 
-/// The input of the wrong program: the setup as plain numbers, computed once.
+/// One click of the program, and its right answer.
+struct Click {
+    geometry::DevicePoint pixel; ///< undistorted
+    glm::dvec2 distortedBy{0.0}; ///< from there to the pixel in the image
+    double depth = 0.0;
+    PointSpace space = PointSpace::World;
+    glm::dmat4 worldFromObject{1.0}; ///< of the object in whose space the answer is; the identity for other spaces
+    glm::dvec3 eye{0.0};             ///< the right point, eye space
+    /// Depths of the pixels above and below, if the scene has a mesh there.
+    std::optional<double> depthAbove, depthBelow;
+};
+
+/// A given point, and the clicks that programs must answer with it. One click, or two where the
+/// depth is not known exactly: then any answer between theirs fits. If the depth is unknown, any
+/// answer on their line fits.
+struct Target {
+    std::vector<Click> clicks; ///< one or two
+    bool isLine = false;       ///< the line through the two
+    glm::dvec3 got{0.0};
+    glm::dvec3 lastDigit{1.0};    ///< the last significant digit
+    glm::dvec3 writtenDigit{1.0}; ///< the last given digit
+};
+
+/// The input of the wrong program, the setup as plain numbers, computed once; and its points.
 struct Given {
     geometry::Surface surface;
     geometry::Viewport viewport;
@@ -30,6 +54,7 @@ struct Given {
     glm::dmat4 eyeFromClip{1.0}, worldFromClip{1.0};
     glm::dvec3 eyePosition{0.0};    ///< world space
     cameras::Distortion distortion; ///< of the pixels; only a perspective has it
+    std::vector<Target> points;     ///< empty for mistakes of fixed form only
 
     /// @return the errors of check(setup), clipFromEye and eyeFromWorld; SingularMatrix
     static geometry::Result<Given> of(const geometry::Setup &setup, const cameras::Distortion &distortion = {});
@@ -45,18 +70,6 @@ struct Given {
     }
     /// The share of the way from the near plane to the far plane, for a depth in [0, 1].
     double shareFromNear(double unitDepth) const { return isReversed ? 1.0 - unitDepth : unitDepth; }
-};
-
-/// One click of the program, and its right answer.
-struct Click {
-    geometry::DevicePoint pixel; ///< undistorted
-    glm::dvec2 distortedBy{0.0}; ///< from there to the pixel in the image
-    double depth = 0.0;
-    PointSpace space = PointSpace::World;
-    glm::dmat4 worldFromObject{1.0}; ///< of the object in whose space the answer is; the identity for other spaces
-    glm::dvec3 eye{0.0};             ///< the right point, eye space
-    /// Depths of the pixels above and below, if the scene has a mesh there.
-    std::optional<double> depthAbove, depthBelow;
 };
 
 /// The stages from a click to a point. Each mistake belongs to one stage, so two mistakes of
@@ -79,6 +92,9 @@ struct Run {
 
     const Given &given;
     const Click &click;
+    /// The numbers of the mistake that is being made, see Variant.
+    double parameter = 0.0, second = 0.0;
+    const glm::dmat4 *matrix = nullptr;
 
     glm::dvec2 position{0.0}; ///< device pixels, origin top-left
     double flipHeight = 0.0;  ///< y_w = flipHeight - y
@@ -113,7 +129,7 @@ struct Run {
 struct Variant {
     std::size_t mistake = 0; ///< index in the list of mistakes
     Stage stage = Stage::Pixel;
-    void (*apply)(Run &, const Variant &) = nullptr;
+    void (*apply)(Run &) = nullptr;
     double parameter = 0.0, second = 0.0;
     glm::dmat4 matrix{1.0};            ///< of a model, or of another frame
     VariantName name{};                ///< empty if the mistake has one variant
@@ -139,6 +155,8 @@ std::optional<glm::dvec3> answer(const Given &given, const Click &click, std::sp
 
 /// A point divided by its w.
 glm::dvec3 transformed(const glm::dmat4 &m, const glm::dvec3 &point);
+/// x and y of a window point in NDC.
+glm::dvec2 ndcXy(const geometry::Viewport &viewport, const glm::dvec2 &window);
 /// The greatest coordinate's size.
 double greatestOf(const glm::dvec3 &v);
 

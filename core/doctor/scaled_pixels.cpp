@@ -75,9 +75,9 @@ Variant variantOf(const Letterbox &box, const Fit &fit)
     if (!box.isFlippedIn)
         return variant;
     const double height = withoutNoise(fit.x * box.surface.y + 2.0 * moved.y);
-    variant.apply = [](Run &run, const Variant &v) {
-        run.position = v.matrix[0][0] * run.position + glm::dvec2(v.parameter, v.second);
-        run.flipHeight = v.matrix[0][1];
+    variant.apply = [](Run &run) {
+        run.position = (*run.matrix)[0][0] * run.position + glm::dvec2(run.parameter, run.second);
+        run.flipHeight = (*run.matrix)[0][1];
     };
     variant.matrix[0][1] = height;
     variant.name.words = marked("scaled by %1 and moved by (%2), y flipped with a height of %3");
@@ -97,12 +97,11 @@ bool isLetterbox(const Letterbox &box, const Solution &scale, const Solution &ba
            && scale.value * kMostScale > 1.0 && size.x > 0.0 && size.y > 0.0;
 }
 
-void addLetterbox(VariantList &list, const Given &given, std::span<const Target> points, const Letterbox &box,
-                  std::span<const double> known)
+void addLetterbox(VariantList &list, const Given &given, const Letterbox &box, std::span<const double> known)
 {
     const auto solved = [&](const Numbers &numbers, int k) {
-        return solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
-            const auto fit = fitOf(given, box, click, got);
+        return solvedFrom(given, [&](const Answered &of) -> Value {
+            const auto fit = fitOf(given, box, of.click, of.got);
             return fit ? std::optional(numbers.of(box, *fit)[k]) : std::nullopt;
         });
     };
@@ -128,22 +127,21 @@ Variant scaledAndMoved(double scale, double dx, double dy)
     dx = withoutNoise(dx);
     dy = withoutNoise(dy);
     scale = withoutNoise(scale);
-    Variant variant{.stage = Stage::Pixel,
-                    .apply =
-                        [](Run &run, const Variant &v) {
-                            run.position = v.matrix[0][0] * run.position + glm::dvec2(v.parameter, v.second);
-                        },
-                    .parameter = dx,
-                    .second = dy,
-                    .name = {marked("scaled by %1 and moved by (%2)"),
-                             {valueText(scale), valueText(dx) + ", " + valueText(dy)},
-                             marked("Your program's pixel is scaled by %1 and moved by (%2).")},
-                    .values = {{"scale", {scale}}, {"dx", {dx}}, {"dy", {dy}}}};
+    Variant variant{
+        .stage = Stage::Pixel,
+        .apply =
+            [](Run &run) { run.position = (*run.matrix)[0][0] * run.position + glm::dvec2(run.parameter, run.second); },
+        .parameter = dx,
+        .second = dy,
+        .name = {marked("scaled by %1 and moved by (%2)"),
+                 {valueText(scale), valueText(dx) + ", " + valueText(dy)},
+                 marked("Your program's pixel is scaled by %1 and moved by (%2).")},
+        .values = {{"scale", {scale}}, {"dx", {dx}}, {"dy", {dy}}}};
     variant.matrix[0][0] = scale;
     return variant;
 }
 
-void addLetterboxes(VariantList &list, const Given &given, const Case &scene, std::span<const Target> points)
+void addLetterboxes(VariantList &list, const Given &given, const Case &scene)
 {
     const Viewport &v = given.viewport;
     std::vector<double> known = usualSizes(given, scene);
@@ -154,7 +152,7 @@ void addLetterboxes(VariantList &list, const Given &given, const Case &scene, st
     for (const bool isFlippedIn : {false, true}) {
         for (const int barAxis : {0, 1})
             addLetterbox(
-                list, given, points,
+                list, given,
                 {barAxis, isFlippedIn, {given.surface.widthPixels, given.surface.heightPixels}, {v.width, v.height}},
                 known);
     }

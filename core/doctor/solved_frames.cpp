@@ -26,10 +26,10 @@ struct Points {
     glm::dvec3 lastDigit{0.0}; ///< the greatest of all points
 };
 
-std::optional<Points> pointsOf(const Given &given, std::span<const Target> targets)
+std::optional<Points> pointsOf(const Given &given)
 {
     Points points;
-    for (const Target &target : targets) {
+    for (const Target &target : given.points) {
         const auto right = answer(given, middleOf(given, target), {});
         if (!right)
             return std::nullopt;
@@ -183,18 +183,18 @@ void add(VariantList &list, const Solved &solved, const Points &points)
     roundOff(frame.scale, frame, points);
     for (int axis = 0; axis < 3; ++axis)
         roundOff(frame.translation[axis], frame, points);
-    const AxisPermutation *permutation = axisPermutationOf(frame.rotation, 0.0);
-    const bool isTurned = !permutation;
-    if (permutation == &axisPermutations().front())
-        permutation = nullptr;
+    const auto all = axisPermutations();
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const AxisPermutation &p) { return p.matrix == frame.rotation; });
+    const bool isTurned = found == all.end();
+    const AxisPermutation *permutation = isTurned || found == all.begin() ? nullptr : &*found;
     const SolvedValue moved{"translation", {frame.translation.x, frame.translation.y, frame.translation.z}};
     const SolvedValue scaled{"scale", {frame.scale}};
-    Variant variant{
-        .stage = Stage::Point,
-        .apply = [](Run &run, const Variant &v) { run.point = glm::dvec3(v.matrix * glm::dvec4(run.point, 1.0)); },
-        .matrix = glm::dmat4(frame.scale * frame.rotation),
-        .name = nameOf(frame, permutation, isTurned),
-        .unknowns = solved.unknowns};
+    Variant variant{.stage = Stage::Point,
+                    .apply = [](Run &run) { run.point = glm::dvec3(*run.matrix * glm::dvec4(run.point, 1.0)); },
+                    .matrix = glm::dmat4(frame.scale * frame.rotation),
+                    .name = nameOf(frame, permutation, isTurned),
+                    .unknowns = solved.unknowns};
     variant.matrix[3] = glm::dvec4(frame.translation, 1.0);
     if (permutation) {
         variant.values = {{"axes", {}, permutation->axes}};
@@ -214,9 +214,9 @@ void add(VariantList &list, const Solved &solved, const Points &points)
 
 } // namespace
 
-void addSolvedFrames(VariantList &list, const Given &given, std::span<const Target> targets)
+void addSolvedFrames(VariantList &list, const Given &given)
 {
-    const std::optional<Points> points = pointsOf(given, targets);
+    const std::optional<Points> points = pointsOf(given);
     if (!points || extentOf(points->right) == Extent::Point)
         return;
     std::vector<Solved> all;

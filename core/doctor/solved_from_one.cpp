@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace unprojector::doctor {
 using namespace geometry;
@@ -27,55 +28,54 @@ bool isUnlikely(const Solution &plane, std::span<const double> known, bool hides
     return hidesAll && written(plane, known).coincidence > kRoundByChance;
 }
 
-void addFar(VariantList &list, const Given &given, std::span<const Target> points)
+void addFar(VariantList &list, const Given &given)
 {
-    const auto solved = solvedFar(given, points, given.nearDistance);
+    const auto solved = solvedFar(given, given.nearDistance);
     if (!solved)
         return;
     const std::array known{given.nearDistance, given.farDistance};
-    if (isUnlikely(*solved, known, hideAll(given, points, given.nearDistance, solved->value)))
+    if (isUnlikely(*solved, known, hideAll(given, given.nearDistance, solved->value)))
         return;
-    addSolvedNumber(list, "far-differs", given, points, *solved, known,
+    addSolvedNumber(list, "far-differs", given, *solved, known,
                     [&](double value) { return withOtherFar(given, value); });
 }
 
-void addNear(VariantList &list, const Given &given, std::span<const Target> points)
+void addNear(VariantList &list, const Given &given)
 {
-    const auto solved = solvedNear(given, points, given.farDistance);
+    const auto solved = solvedNear(given, given.farDistance);
     if (!solved)
         return;
     const std::array known{given.nearDistance, given.farDistance};
-    if (isUnlikely(*solved, known, hideAll(given, points, solved->value, given.farDistance)))
+    if (isUnlikely(*solved, known, hideAll(given, solved->value, given.farDistance)))
         return;
-    addSolvedNumber(list, "near-differs", given, points, *solved, known,
+    addSolvedNumber(list, "near-differs", given, *solved, known,
                     [&](double value) { return withOtherNear(given, value); });
     if (given.isFrustum)
-        addSolvedNumber(list, "near-differs", given, points, *solved, known,
+        addSolvedNumber(list, "near-differs", given, *solved, known,
                         [&](double value) { return withOtherNearOfFrustum(given, value); });
 }
 
 /// Another vertical angle: both axes are widened by the same factor.
-void addFovy(VariantList &list, const Given &given, std::span<const Target> points)
+void addFovy(VariantList &list, const Given &given)
 {
     const double tangent = std::abs(1.0 / given.clipFromEye[1][1]);
     const auto tangentsOf = [&](const glm::dvec3 &eye) { return glm::dvec2(eye) / (given.side * eye.z); };
-    const auto solved =
-        solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
-            const glm::dvec2 right = tangentsOf(click.eye), wrong = tangentsOf(eyeFromGot(given, click, got));
-            if (glm::length(right) < 1e-9)
-                return std::nullopt;
-            return degreesFromRadians(2.0 * std::atan(tangent * glm::dot(right, wrong) / glm::dot(right, right)));
-        });
+    const auto solved = solvedFrom(given, [&](const Answered &of) -> Value {
+        const glm::dvec2 right = tangentsOf(of.click.eye), wrong = tangentsOf(eyeFromGot(given, of));
+        if (glm::length(right) < 1e-9)
+            return std::nullopt;
+        return degreesFromRadians(2.0 * std::atan(tangent * glm::dot(right, wrong) / glm::dot(right, right)));
+    });
     if (!solved || !(solved->value > 0.0))
         return;
     const double fovy = degreesFromRadians(2.0 * std::atan(tangent));
     const double fovx = degreesFromRadians(2.0 * std::atan(std::abs(1.0 / given.clipFromEye[0][0])));
     const std::array known{fovx, fovy / 2.0, fovx / 2.0};
-    addSolvedNumber(list, "fovy-differs", given, points, *solved, known, [&](double value) {
+    addSolvedNumber(list, "fovy-differs", given, *solved, known, [&](double value) {
         return Variant{.stage = Stage::Lens,
                        .apply =
-                           [](Run &run, const Variant &v) {
-                               setTangent(run, std::copysign(std::tan(radiansFromDegrees(v.parameter) / 2.0),
+                           [](Run &run) {
+                               setTangent(run, std::copysign(std::tan(radiansFromDegrees(run.parameter) / 2.0),
                                                              run.clipFromEye[1][1]));
                            },
                        .parameter = value,
@@ -87,29 +87,28 @@ void addFovy(VariantList &list, const Given &given, std::span<const Target> poin
 }
 
 /// Another height of an orthographic box: both axes are widened by the same factor about its middle.
-void addBoxSize(VariantList &list, const Given &given, std::span<const Target> points)
+void addBoxSize(VariantList &list, const Given &given)
 {
     const glm::dmat4 &m = given.clipFromEye;
     const glm::dvec2 middle(-m[3][0] / m[0][0], -m[3][1] / m[1][1]);
     const double height = 2.0 / std::abs(m[1][1]), width = 2.0 / std::abs(m[0][0]);
-    const auto solved =
-        solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
-            const glm::dvec2 right = glm::dvec2(click.eye) - middle;
-            const glm::dvec2 wrong = glm::dvec2(eyeFromGot(given, click, got)) - middle;
-            if (glm::length(right) < 1e-9 * height)
-                return std::nullopt;
-            return height * glm::dot(right, wrong) / glm::dot(right, right);
-        });
+    const auto solved = solvedFrom(given, [&](const Answered &of) -> Value {
+        const glm::dvec2 right = glm::dvec2(of.click.eye) - middle;
+        const glm::dvec2 wrong = glm::dvec2(eyeFromGot(given, of)) - middle;
+        if (glm::length(right) < 1e-9 * height)
+            return std::nullopt;
+        return height * glm::dot(right, wrong) / glm::dot(right, right);
+    });
     if (!solved || !(solved->value > 0.0))
         return;
     const std::array known{height / 2.0, 2.0 * height, width};
-    addSolvedNumber(list, "box-size-differs", given, points, *solved, known, [&](double value) {
+    addSolvedNumber(list, "box-size-differs", given, *solved, known, [&](double value) {
         return Variant{.stage = Stage::Lens,
                        .apply =
-                           [](Run &run, const Variant &v) {
-                               widen(run, v.parameter);
-                               run.clipFromEye[3][0] /= v.parameter;
-                               run.clipFromEye[3][1] /= v.parameter;
+                           [](Run &run) {
+                               widen(run, run.parameter);
+                               run.clipFromEye[3][0] /= run.parameter;
+                               run.clipFromEye[3][1] /= run.parameter;
                            },
                        .parameter = value / height,
                        .name = {marked("the box is %1 high, the scene's %2"),
@@ -120,9 +119,9 @@ void addBoxSize(VariantList &list, const Given &given, std::span<const Target> p
 }
 
 /// A position in the window that is off by the same number of pixels at every click.
-void addShift(VariantList &list, const Given &given, std::span<const Target> points)
+void addShift(VariantList &list, const Given &given)
 {
-    std::optional<std::array<Solution, 2>> shift = solvedShift(given, points);
+    std::optional<std::array<Solution, 2>> shift = solvedShift(given);
     if (!shift)
         return;
     for (Solution &along : *shift)
@@ -138,22 +137,33 @@ void addShift(VariantList &list, const Given &given, std::span<const Target> poi
 
 /// The program's use of a viewport's wrong size.
 struct UseOfSize {
-    bool isFlip = false;   ///< its height flips y
-    bool isAspect = false; ///< its aspect is the projection's
+    bool isFlip;   ///< its height flips y
+    bool isAspect; ///< its aspect is the projection's
+    VariantList::Apply apply;
+    const char *words, *sentence; ///< of a VariantName
 };
 
-/// The number of uses that are tried.
-constexpr int kUsesOfSize = 4;
-
-void useSize(Run &run, const Variant &v, const UseOfSize &use)
+template <bool isFlip, bool isAspect>
+void useSize(Run &run)
 {
-    run.viewport.width = v.parameter;
-    run.viewport.height = v.second;
-    if (use.isFlip && run.isFlipped)
-        run.window.y += v.second - run.flipHeight;
-    if (use.isAspect)
-        setAspect(run, v.parameter / v.second);
+    run.viewport.width = run.parameter;
+    run.viewport.height = run.second;
+    if (isFlip && run.isFlipped)
+        run.window.y += run.second - run.flipHeight;
+    if (isAspect)
+        setAspect(run, run.parameter / run.second);
 }
+
+constexpr UseOfSize kUsesOfSize[] = {
+    {false, false, useSize<false, false>, marked("%1 pixels"),
+     marked("Your program's viewport has %1 pixels; the scene's has %2.")},
+    {true, false, useSize<true, false>, marked("%1 pixels, y flipped with this height"),
+     marked("Your program's viewport has %1 pixels, and its height flips y; the scene's has %2.")},
+    {false, true, useSize<false, true>, marked("%1 pixels, with their aspect"),
+     marked("Your program's viewport has %1 pixels and their aspect; the scene's has %2.")},
+    {true, true, useSize<true, true>, marked("%1 pixels, with their aspect, y flipped with this height"),
+     marked("Your program's viewport has %1 pixels and their aspect, and its height flips y; the scene's has %2.")},
+};
 
 std::string sizeText(double width, double height)
 {
@@ -161,35 +171,26 @@ std::string sizeText(double width, double height)
 }
 
 /// A viewport of another size, its origin the scene's.
-void addViewportSize(VariantList &list, const Given &given, std::span<const Target> points,
-                     std::span<const double> known, const UseOfSize &use, VariantList::Apply apply, const char *words,
-                     const char *sentence)
+void addViewportSize(VariantList &list, const Given &given, std::span<const double> known, const UseOfSize &use)
 {
     const Viewport &v = given.viewport;
-    const auto ndcOf = [&](const Click &click, const glm::dvec3 &got) -> std::optional<glm::dvec2> {
-        const auto there = projected(given, click, got);
-        if (!there)
-            return std::nullopt;
-        const glm::dvec2 window(there->x, flippedY(given.surface, there->y));
-        return glm::dvec2(2.0 * (window.x - v.x) / v.width - 1.0, 2.0 * (window.y - v.y) / v.height - 1.0);
+    const auto ndcOf = [&](const Answered &of) {
+        return ndcXy(v, glm::dvec2(of.there->x, flippedY(given.surface, of.there->y)));
     };
-    const auto heightOf = [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
-        const auto ndc = ndcOf(click, got);
-        if (!ndc)
+    const auto heightOf = [&](const Answered &of) -> Value {
+        if (!of.there)
             return std::nullopt;
-        return use.isFlip ? 2.0 * (click.pixel.y + v.y) / (1.0 - ndc->y)
-                          : 2.0 * (flippedY(given.surface, click.pixel.y) - v.y) / (ndc->y + 1.0);
+        return use.isFlip ? 2.0 * (of.click.pixel.y + v.y) / (1.0 - ndcOf(of).y)
+                          : 2.0 * (flippedY(given.surface, of.click.pixel.y) - v.y) / (ndcOf(of).y + 1.0);
     };
     const double aspect = given.clipFromEye[1][1] / given.clipFromEye[0][0];
-    const auto widthOf = [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
-        const auto ndc = ndcOf(click, got);
-        const std::optional<double> height = use.isAspect ? heightOf(click, got) : 0.0;
-        if (!ndc || !height)
+    const auto widthOf = [&](const Answered &of) -> Value {
+        if (!of.there)
             return std::nullopt;
-        const double fromLeft = 2.0 * (click.pixel.x - v.x);
-        return use.isAspect ? fromLeft - ndc->x * aspect * *height : fromLeft / (ndc->x + 1.0);
+        const double fromLeft = 2.0 * (of.click.pixel.x - v.x), x = ndcOf(of).x;
+        return use.isAspect ? fromLeft - x * aspect * *heightOf(of) : fromLeft / (x + 1.0);
     };
-    const auto width = solvedFrom(given, points, widthOf), height = solvedFrom(given, points, heightOf);
+    const auto width = solvedFrom(given, widthOf), height = solvedFrom(given, heightOf);
     if (!width || !height || !(width->value > 0.0) || !(height->value > 0.0))
         return;
     const std::array size{Solution{width->value, width->unsure, v.width},
@@ -197,63 +198,60 @@ void addViewportSize(VariantList &list, const Given &given, std::span<const Targ
     addSolved(
         list, "viewport-size-differs", size, known,
         [&](std::span<const double> values) {
-            return Variant{.stage = Stage::Lens,
-                           .apply = apply,
-                           .parameter = values[0],
-                           .second = values[1],
-                           .name = {words, {sizeText(values[0], values[1]), sizeText(v.width, v.height)}, sentence},
-                           .values = {{"width", {values[0]}}, {"height", {values[1]}}}};
+            return Variant{
+                .stage = Stage::Lens,
+                .apply = use.apply,
+                .parameter = values[0],
+                .second = values[1],
+                .name = {use.words, {sizeText(values[0], values[1]), sizeText(v.width, v.height)}, use.sentence},
+                .values = {{"width", {values[0]}}, {"height", {values[1]}}}};
         },
-        kUsesOfSize);
+        int(std::size(kUsesOfSize)));
 }
 
-void addViewportSizes(VariantList &list, const Given &given, const Case &scene, std::span<const Target> points)
+void addViewportSizes(VariantList &list, const Given &given, const Case &scene)
 {
     const std::vector<double> known = usualSizes(given, scene);
-    addViewportSize(
-        list, given, points, known, {}, [](Run &run, const Variant &v) { useSize(run, v, {}); }, marked("%1 pixels"),
-        marked("Your program's viewport has %1 pixels; the scene's has %2."));
-    addViewportSize(
-        list, given, points, known, {true, false},
-        [](Run &run, const Variant &v) {
-            useSize(run, v, {true, false});
-        },
-        marked("%1 pixels, y flipped with this height"),
-        marked("Your program's viewport has %1 pixels, and its height flips y; the scene's has %2."));
     // The entries of a projection's centre belong to its own aspect.
-    if (given.clipFromEye[2][0] != 0.0 || given.clipFromEye[3][0] != 0.0)
-        return;
-    addViewportSize(
-        list, given, points, known, {false, true},
-        [](Run &run, const Variant &v) {
-            useSize(run, v, {false, true});
-        },
-        marked("%1 pixels, with their aspect"),
-        marked("Your program's viewport has %1 pixels and their aspect; the scene's has %2."));
-    addViewportSize(
-        list, given, points, known, {true, true},
-        [](Run &run, const Variant &v) {
-            useSize(run, v, {true, true});
-        },
-        marked("%1 pixels, with their aspect, y flipped with this height"),
-        marked("Your program's viewport has %1 pixels and their aspect, and its height flips y; the scene's has %2."));
+    const bool hasCentre = given.clipFromEye[2][0] != 0.0 || given.clipFromEye[3][0] != 0.0;
+    for (const UseOfSize &use : kUsesOfSize) {
+        if (!use.isAspect || !hasCentre)
+            addViewportSize(list, given, known, use);
+    }
 }
 
+/// A free ratio, by the corner that it scales from and the pixels that it takes for the others.
+struct FreeRatio {
+    const char *words, *sentence; ///< of a VariantName
+    const char *fixedForm;        ///< the mistake of a usual ratio
+};
+constexpr FreeRatio kFromTopDevice{
+    marked("ratio %1, device pixels in a logical viewport, flipped in logical pixels"),
+    marked("Your program has device pixels in a logical viewport, and flips y in logical pixels; the ratio is %1."),
+    "ratio-device-in-logical"};
+constexpr FreeRatio kFromTopLogical{marked("ratio %1, logical pixels in a device viewport"),
+                                    marked("Your program has logical pixels in a device viewport; the ratio is %1."),
+                                    "ratio-logical-in-device"};
+constexpr FreeRatio kFromBottomDevice{marked("ratio %1, device pixels in a logical viewport"),
+                                      marked("Your program has device pixels in a logical viewport; the ratio is %1."),
+                                      "ratio-device-in-logical"};
+constexpr FreeRatio kFromBottomLogical{
+    marked("ratio %1, pixel and flip in logical pixels"),
+    marked("Your program has the pixel and the flip in logical pixels; the ratio is %1."), "ratio-logical-both"};
+
 /// A pixel ratio: the position is scaled from the window's top-left or bottom-left corner.
-void addRatio(VariantList &list, const Given &given, const Case &scene, std::span<const Target> points, bool isFromTop)
+void addRatio(VariantList &list, const Given &given, const Case &scene, bool isFromTop)
 {
     const auto fromCorner = [&](double x, double y) {
         return glm::dvec2(x, isFromTop ? y : flippedY(given.surface, y));
     };
-    const auto solved =
-        solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
-            const auto there = projected(given, click, got);
-            const glm::dvec2 right = fromCorner(click.pixel.x, click.pixel.y);
-            if (!there || !(glm::length(right) > 0.0))
-                return std::nullopt;
-            const double scale = glm::dot(fromCorner(there->x, there->y), right) / glm::dot(right, right);
-            return scale < 1.0 ? 1.0 / scale : -scale;
-        });
+    const auto solved = solvedFrom(given, [&](const Answered &of) -> Value {
+        const glm::dvec2 right = fromCorner(of.click.pixel.x, of.click.pixel.y);
+        if (!of.there || !(glm::length(right) > 0.0))
+            return std::nullopt;
+        const double scale = glm::dot(fromCorner(of.there->x, of.there->y), right) / glm::dot(right, right);
+        return scale < 1.0 ? 1.0 / scale : -scale;
+    });
     // A negative number is the factor of device pixels in a logical viewport.
     if (!solved || !(std::abs(solved->value) > 1.0))
         return;
@@ -264,34 +262,21 @@ void addRatio(VariantList &list, const Given &given, const Case &scene, std::spa
     }
     const bool isLogical = solved->value > 0.0;
     const Solution ratio{std::abs(solved->value), solved->unsure};
-    addSolvedNumber(list, "ratio-differs", given, points, ratio, known, [&](double value) {
-        Variant variant;
-        variant.stage = Stage::Pixel;
-        if (isFromTop)
-            variant.apply = [](Run &run, const Variant &v) { run.position *= v.parameter; };
-        else
-            variant.apply = [](Run &run, const Variant &v) {
-                run.position *= v.parameter;
-                run.flipHeight *= v.parameter;
-            };
-        variant.parameter = isLogical ? 1.0 / value : value;
-        const char *words = isFromTop   ? isLogical ? marked("ratio %1, logical pixels in a device viewport")
-                                                    : marked("ratio %1, device pixels in a logical viewport, flipped "
-                                                               "in logical pixels")
-                              : isLogical ? marked("ratio %1, pixel and flip in logical pixels")
-                                        : marked("ratio %1, device pixels in a logical viewport");
-        const char *sentence =
-            isFromTop   ? isLogical ? marked("Your program has logical pixels in a device viewport; the ratio is %1.")
-                                    : marked("Your program has device pixels in a logical viewport, and flips y in "
-                                               "logical pixels; the ratio is %1.")
-              : isLogical ? marked("Your program has the pixel and the flip in logical pixels; the ratio is %1.")
-                        : marked("Your program has device pixels in a logical viewport; the ratio is %1.");
-        variant.name = {words, {valueText(value)}, sentence};
-        const char *fixedForm = !isLogical  ? "ratio-device-in-logical"
-                                : isFromTop ? "ratio-logical-in-device"
-                                            : "ratio-logical-both";
-        variant.values = {{"ratio", {value}}, {"as", {}, fixedForm}};
-        return variant;
+    const FreeRatio &form = isFromTop   ? isLogical ? kFromTopLogical : kFromTopDevice
+                            : isLogical ? kFromBottomLogical
+                                        : kFromBottomDevice;
+    addSolvedNumber(list, "ratio-differs", given, ratio, known, [&](double value) {
+        const double factor = isLogical ? 1.0 / value : value;
+        return Variant{.stage = Stage::Pixel,
+                       .apply =
+                           [](Run &run) {
+                               run.position *= run.parameter;
+                               run.flipHeight *= run.second;
+                           },
+                       .parameter = factor,
+                       .second = isFromTop ? 1.0 : factor,
+                       .name = {form.words, {valueText(value)}, form.sentence},
+                       .values = {{"ratio", {value}}, {"as", {}, form.fixedForm}}};
     });
 }
 
@@ -315,30 +300,29 @@ glm::dvec3 eyeIn(const Given &given, const Click &click)
 }
 
 /// Another unit of length, or distances of another unit.
-void addScale(VariantList &list, const Given &given, std::span<const Target> points, bool isAboutEye)
+void addScale(VariantList &list, const Given &given, bool isAboutEye)
 {
-    const auto solved =
-        solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
-            const auto right = answer(given, click, {});
-            const glm::dvec3 centre = isAboutEye ? eyeIn(given, click) : glm::dvec3(0.0);
-            if (!right || !(glm::length(*right - centre) > 0.0))
-                return std::nullopt;
-            return glm::dot(got - centre, *right - centre) / glm::dot(*right - centre, *right - centre);
-        });
+    const auto solved = solvedFrom(given, [&](const Answered &of) -> Value {
+        const auto right = answer(given, of.click, {});
+        const glm::dvec3 centre = isAboutEye ? eyeIn(given, of.click) : glm::dvec3(0.0);
+        if (!right || !(glm::length(*right - centre) > 0.0))
+            return std::nullopt;
+        return glm::dot(of.got - centre, *right - centre) / glm::dot(*right - centre, *right - centre);
+    });
     // A factor of 0 gives one point for all clicks, which knownPoints() names.
     if (!solved || std::abs(solved->value) <= solved->unsure)
         return;
     static const std::vector<double> known = unitFactors();
-    addSolvedNumber(list, "scaled", given, points, *solved, known, [&](double value) {
+    addSolvedNumber(list, "scaled", given, *solved, known, [&](double value) {
         Variant variant;
         variant.stage = Stage::Point;
         if (isAboutEye)
-            variant.apply = [](Run &run, const Variant &v) {
+            variant.apply = [](Run &run) {
                 const glm::dvec3 eye = eyeIn(run.given, run.click);
-                run.point = eye + v.parameter * (run.point - eye);
+                run.point = eye + run.parameter * (run.point - eye);
             };
         else
-            variant.apply = [](Run &run, const Variant &v) { run.point *= v.parameter; };
+            variant.apply = [](Run &run) { run.point *= run.parameter; };
         variant.parameter = value;
         variant.name = {isAboutEye ? marked("by %1 from the eye") : marked("by %1 from the origin"),
                         {valueText(value)},
@@ -349,14 +333,14 @@ void addScale(VariantList &list, const Given &given, std::span<const Target> poi
     });
     // In a perspective, both planes at a multiple of their distances give the same points. At one
     // depth there is always such a multiple, so it says something only if it is round.
-    const std::vector<Lack> lacks = lackOf(given, points);
-    const bool isOneDepth = points.size() == 1 || std::count(lacks.begin(), lacks.end(), Lack::OtherDepth) > 0;
+    const std::vector<Lack> lacks = lackOf(given);
+    const bool isOneDepth = given.points.size() == 1 || std::count(lacks.begin(), lacks.end(), Lack::OtherDepth) > 0;
     if (!isAboutEye || !given.isPerspective || !std::isfinite(given.nearDistance) || !(solved->value > 0.0))
         return;
-    const bool hidesAll = hideAll(given, points, solved->value * given.nearDistance, solved->value * given.farDistance);
+    const bool hidesAll = hideAll(given, solved->value * given.nearDistance, solved->value * given.farDistance);
     if (isUnlikely(*solved, known, isOneDepth || hidesAll))
         return;
-    addSolvedNumber(list, "near-far-differ", given, points, *solved, known, [&](double value) {
+    addSolvedNumber(list, "near-far-differ", given, *solved, known, [&](double value) {
         Variant variant =
             withOtherPlanes(withoutNoise(value * given.nearDistance), withoutNoise(value * given.farDistance));
         variant.coincidence = 2.0; // it takes two planes
@@ -365,23 +349,20 @@ void addScale(VariantList &list, const Given &given, std::span<const Target> poi
 }
 
 /// A depth that is read in another scale.
-void addDepthScale(VariantList &list, const Given &given, std::span<const Target> points)
+void addDepthScale(VariantList &list, const Given &given)
 {
-    const auto solved =
-        solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
-            const auto there = projected(given, click, got);
-            return there && click.depth != 0.0 ? std::optional(there->z / click.depth) : std::nullopt;
-        });
+    const auto solved = solvedFrom(given, [&](const Answered &of) -> Value {
+        return of.there && of.click.depth != 0.0 ? std::optional(of.there->z / of.click.depth) : std::nullopt;
+    });
     if (!solved || !(solved->value > 0.0))
         return;
     constexpr std::array kUsual{1.0 / 255.0, 1.0 / 65535.0, 65535.0 / 65536.0, 0.5, 2.0};
-    addSolvedNumber(list, "depth-scaled", given, points, *solved, kUsual, [](double value) {
-        return Variant{
-            .stage = Stage::Depth,
-            .apply = [](Run &run, const Variant &v) { run.depth = run.given.unitDepth(v.parameter * run.click.depth); },
-            .parameter = value,
-            .name = {marked("by %1"), {valueText(value)}, marked("Your program scales the depth by %1.")},
-            .values = {{"factor", {value}}}};
+    addSolvedNumber(list, "depth-scaled", given, *solved, kUsual, [](double value) {
+        return Variant{.stage = Stage::Depth,
+                       .apply = [](Run &run) { run.depth = run.given.unitDepth(run.parameter * run.click.depth); },
+                       .parameter = value,
+                       .name = {marked("by %1"), {valueText(value)}, marked("Your program scales the depth by %1.")},
+                       .values = {{"factor", {value}}}};
     });
 }
 
@@ -404,54 +385,52 @@ std::vector<double> usualSizes(const Given &given, const Case &scene)
 
 // 1/z is linear in the depth in a perspective, z in a box.
 
-std::optional<Solution> solvedFar(const Given &given, std::span<const Target> points, double nearDistance)
+std::optional<Solution> solvedFar(const Given &given, double nearDistance)
 {
     const double n = nearDistance;
-    const auto solved =
-        solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
-            const double share = shareFromNear(given, click), z = given.side * eyeFromGot(given, click, got).z;
-            if (share == 0.0)
-                return std::nullopt;
-            return given.isPerspective ? share / (1.0 / z - (1.0 - share) / n) : n + (z - n) / share;
-        });
+    const auto solved = solvedFrom(given, [&](const Answered &of) -> Value {
+        const double share = shareFromNear(given, of.click), z = given.side * eyeFromGot(given, of).z;
+        if (share == 0.0)
+            return std::nullopt;
+        return given.isPerspective ? share / (1.0 / z - (1.0 - share) / n) : n + (z - n) / share;
+    });
     return solved && solved->value > n ? solved : std::nullopt;
 }
 
-std::optional<Solution> solvedNear(const Given &given, std::span<const Target> points, double farDistance)
+std::optional<Solution> solvedNear(const Given &given, double farDistance)
 {
     const double f = farDistance;
-    const auto solved =
-        solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
-            const double share = shareFromNear(given, click), z = given.side * eyeFromGot(given, click, got).z;
-            if (share == 1.0)
-                return std::nullopt;
-            return given.isPerspective ? (1.0 - share) / (1.0 / z - share / f) : (z - share * f) / (1.0 - share);
-        });
+    const auto solved = solvedFrom(given, [&](const Answered &of) -> Value {
+        const double share = shareFromNear(given, of.click), z = given.side * eyeFromGot(given, of).z;
+        if (share == 1.0)
+            return std::nullopt;
+        return given.isPerspective ? (1.0 - share) / (1.0 / z - share / f) : (z - share * f) / (1.0 - share);
+    });
     const bool isPossible = solved && solved->value < f && (!given.isPerspective || isAhead(solved->value));
     return isPossible ? solved : std::nullopt;
 }
 
-void addSolvedFromOne(VariantList &list, const Given &given, const Case &scene, std::span<const Target> points)
+void addSolvedFromOne(VariantList &list, const Given &given, const Case &scene)
 {
-    if (areDepthsKnown(points)) {
+    if (areDepthsKnown(given)) {
         if (std::isfinite(given.nearDistance)) {
-            addFar(list, given, points);
-            addNear(list, given, points);
+            addFar(list, given);
+            addNear(list, given);
         }
-        addDepthScale(list, given, points);
-        if (points.front().clicks.front().space != PointSpace::Eye)
-            addScale(list, given, points, false);
-        addScale(list, given, points, true);
+        addDepthScale(list, given);
+        if (given.points.front().clicks.front().space != PointSpace::Eye)
+            addScale(list, given, false);
+        addScale(list, given, true);
     }
     if (given.isPerspective)
-        addFovy(list, given, points);
+        addFovy(list, given);
     else
-        addBoxSize(list, given, points);
-    addShift(list, given, points);
-    addViewportSizes(list, given, scene, points);
-    addRatio(list, given, scene, points, true);
-    addRatio(list, given, scene, points, false);
-    addLetterboxes(list, given, scene, points);
+        addBoxSize(list, given);
+    addShift(list, given);
+    addViewportSizes(list, given, scene);
+    addRatio(list, given, scene, true);
+    addRatio(list, given, scene, false);
+    addLetterboxes(list, given, scene);
 }
 
 } // namespace unprojector::doctor

@@ -22,69 +22,61 @@ using namespace geometry;
 using base::marked;
 namespace {
 
-/// The clicks of the points, and the points themselves.
-struct Pairs {
-    std::vector<Click> clicks;
-    std::vector<glm::dvec3> got;
-};
-
+using Answers = std::vector<Answered>;
 /// The values that fit all points best; empty if the points do not determine them.
-using Fit = std::function<std::optional<std::vector<double>>(const Pairs &)>;
-
-Pairs pairsOf(const Given &given, std::span<const Target> points)
-{
-    Pairs pairs;
-    for (const Target &point : points) {
-        pairs.clicks.push_back(middleOf(given, point));
-        pairs.got.push_back(point.got);
-    }
-    return pairs;
-}
+using Fit = std::function<std::vector<double>(const Answers &)>;
 
 /// The fitted values, each with the sum of its changes by the last digits of all points.
-std::vector<Solution> solved(const Given &given, std::span<const Target> points, const Fit &fit)
+std::vector<Solution> solved(const Given &given, const Fit &fit)
 {
-    Pairs pairs = pairsOf(given, points);
-    const auto values = fit(pairs);
-    if (!values)
-        return {};
+    Answers answers;
+    for (const Target &point : given.points) {
+        answers.emplace_back(given, middleOf(given, point), point.got);
+        if (!answers.back().there)
+            return {};
+    }
     std::vector<Solution> solutions;
-    for (const double value : *values) {
+    for (const double value : fit(answers)) {
         if (!std::isfinite(value))
             return {};
         solutions.push_back({value, 0.0});
     }
     // More points make the values no less certain.
-    const std::size_t most = std::min<std::size_t>(points.size(), 4);
-    for (std::size_t i = 0; i < most; ++i) {
+    const std::size_t most = std::min<std::size_t>(given.points.size(), 4);
+    for (std::size_t i = 0; !solutions.empty() && i < most; ++i) {
+        const Answered kept = answers[i];
         for (int axis = 0; axis < 3; ++axis) {
-            const double kept = pairs.got[i][axis];
-            pairs.got[i][axis] += kCutOff * points[i].lastDigit[axis];
-            const auto moved = fit(pairs);
-            pairs.got[i][axis] = kept;
-            if (!moved)
+            glm::dvec3 moved = kept.got;
+            moved[axis] += kCutOff * given.points[i].lastDigit[axis];
+            answers[i] = Answered(given, kept.click, moved);
+            const std::vector<double> values = answers[i].there ? fit(answers) : std::vector<double>();
+            if (values.empty())
                 return {};
             for (std::size_t k = 0; k < solutions.size(); ++k)
-                solutions[k].unsure += std::abs((*moved)[k] - solutions[k].value);
+                solutions[k].unsure += std::abs(values[k] - solutions[k].value);
         }
+        answers[i] = kept;
     }
     return solutions;
 }
 
 /// The two numbers of least squares: y = a u + b v.
-std::optional<glm::dvec2> twoNumbers(std::span<const glm::dvec2> factors, std::span<const double> values)
-{
-    glm::dmat2 normal(0.0);
-    glm::dvec2 right(0.0);
-    for (std::size_t i = 0; i < factors.size(); ++i) {
-        normal += glm::outerProduct(factors[i], factors[i]);
-        right += factors[i] * values[i];
+struct TwoNumbers {
+    glm::dmat2 normal{0.0};
+    glm::dvec2 right{0.0};
+
+    void add(const glm::dvec2 &factors, double value)
+    {
+        normal += glm::outerProduct(factors, factors);
+        right += factors * value;
     }
-    constexpr double kSingular = 1e-12;
-    if (!(glm::determinant(normal) > kSingular * normal[0][0] * normal[1][1]))
-        return std::nullopt;
-    return glm::inverse(normal) * right;
-}
+    bool areDetermined() const
+    {
+        constexpr double kSingular = 1e-12;
+        return glm::determinant(normal) > kSingular * normal[0][0] * normal[1][1];
+    }
+    glm::dvec2 numbers() const { return glm::inverse(normal) * right; }
+};
 
 /// True if a solved value may be `value`. Then a mistake with fewer values explains the points.
 bool mayBe(const Solution &solution, double value)
@@ -95,34 +87,31 @@ bool mayBe(const Solution &solution, double value)
 // Depth
 
 /// Near and far: 1/z is linear in the depth in a perspective, z in a box.
-std::optional<std::vector<double>> nearAndFar(const Given &given, const Pairs &pairs)
+std::vector<double> nearAndFar(const Given &given, const Answers &answers)
 {
-    std::vector<glm::dvec2> shares;
-    std::vector<double> values;
-    for (std::size_t i = 0; i < pairs.clicks.size(); ++i) {
-        const double share = shareFromNear(given, pairs.clicks[i]);
-        const double z = given.side * eyeFromGot(given, pairs.clicks[i], pairs.got[i]).z;
+    TwoNumbers fit;
+    for (const Answered &of : answers) {
+        const double share = shareFromNear(given, of.click), z = given.side * eyeFromGot(given, of).z;
         // z² times an error of 1/z is the error of z.
         const double weight = given.isPerspective ? z * z : 1.0;
-        shares.push_back(weight * glm::dvec2(1.0 - share, share));
-        values.push_back(weight * (given.isPerspective ? 1.0 / z : z));
+        fit.add(weight * glm::dvec2(1.0 - share, share), weight * (given.isPerspective ? 1.0 / z : z));
     }
-    const auto ends = twoNumbers(shares, values);
-    if (!ends)
-        return std::nullopt;
-    return given.isPerspective ? std::vector{1.0 / ends->x, 1.0 / ends->y} : std::vector{ends->x, ends->y};
+    if (!fit.areDetermined())
+        return {};
+    const glm::dvec2 ends = fit.numbers();
+    return given.isPerspective ? std::vector{1.0 / ends.x, 1.0 / ends.y} : std::vector{ends.x, ends.y};
 }
 
 /// Adds the pairs of round numbers that explain all points together. The errors of near and far
 /// belong together: one plane is rounded, then the other is solved with it and rounded.
-void addRoundPlanes(VariantList &list, const Given &given, std::span<const Target> points,
-                    std::span<const Solution> planes, std::span<const double> known)
+void addRoundPlanes(VariantList &list, const Given &given, std::span<const Solution> planes,
+                    std::span<const double> known)
 {
     constexpr double kOrders = 2.0;
     for (const bool isNearFirst : {true, false}) {
         for (const WrittenValue &first : roundValues(planes[isNearFirst ? 0 : 1], known)) {
             const std::optional<Solution> other =
-                isNearFirst ? solvedFar(given, points, first.value) : solvedNear(given, points, first.value);
+                isNearFirst ? solvedFar(given, first.value) : solvedNear(given, first.value);
             if (!other)
                 continue;
             for (const WrittenValue &second : roundValues(*other, known)) {
@@ -137,19 +126,19 @@ void addRoundPlanes(VariantList &list, const Given &given, std::span<const Targe
     }
 }
 
-void addNearAndFar(VariantList &list, const Given &given, std::span<const Target> points)
+void addNearAndFar(VariantList &list, const Given &given)
 {
     const std::vector<Solution> planes =
-        solved(given, points, [&](const Pairs &pairs) { return nearAndFar(given, pairs); });
+        solved(given, [&](const Answers &answers) { return nearAndFar(given, answers); });
     if (planes.empty() || !(planes[0].value < planes[1].value) || (given.isPerspective && !(planes[0].value > 0.0)))
         return;
     // Then one plane alone explains the points.
-    if ((mayBe(planes[0], given.nearDistance) && solvedFar(given, points, given.nearDistance))
-        || (mayBe(planes[1], given.farDistance) && solvedNear(given, points, given.farDistance)))
+    if ((mayBe(planes[0], given.nearDistance) && solvedFar(given, given.nearDistance))
+        || (mayBe(planes[1], given.farDistance) && solvedNear(given, given.farDistance)))
         return;
     const std::array known{given.nearDistance, given.farDistance};
-    addRoundPlanes(list, given, points, planes, known);
-    if (hideAll(given, points, planes[0].value, planes[1].value))
+    addRoundPlanes(list, given, planes, known);
+    if (hideAll(given, planes[0].value, planes[1].value))
         return;
     addSolved(list, "near-far-differ", planes, known,
               [](std::span<const double> values) { return withOtherPlanes(values[0], values[1]); });
@@ -157,48 +146,31 @@ void addNearAndFar(VariantList &list, const Given &given, std::span<const Target
 
 // Pixels: the position (x, y) that the program uses is a linear function of the right one
 
-/// The positions where the right matrices put the points, device pixels from the top-left corner.
-std::optional<std::vector<glm::dvec2>> positionsOf(const Given &given, const Pairs &pairs)
-{
-    std::vector<glm::dvec2> positions;
-    for (std::size_t i = 0; i < pairs.clicks.size(); ++i) {
-        const auto there = projected(given, pairs.clicks[i], pairs.got[i]);
-        if (!there)
-            return std::nullopt;
-        positions.emplace_back(*there);
-    }
-    return positions;
-}
-
 /// The shift and the scale of all positions: dx, dy, scale.
-std::optional<std::vector<double>> shiftAndScale(const Given &given, const Pairs &pairs)
+std::vector<double> shiftAndScale(const Answers &answers)
 {
-    const auto there = positionsOf(given, pairs);
-    if (!there)
-        return std::nullopt;
-    const double count = double(there->size());
+    const double count = double(answers.size());
     glm::dvec2 from(0.0), to(0.0);
-    for (std::size_t i = 0; i < there->size(); ++i) {
-        from += pairs.clicks[i].pixel.coordinates() / count;
-        to += (*there)[i] / count;
+    for (const Answered &of : answers) {
+        from += of.click.pixel.coordinates() / count;
+        to += glm::dvec2(*of.there) / count;
     }
     double squares = 0.0, products = 0.0;
-    for (std::size_t i = 0; i < there->size(); ++i) {
-        const glm::dvec2 off = pairs.clicks[i].pixel.coordinates() - from;
+    for (const Answered &of : answers) {
+        const glm::dvec2 off = of.click.pixel.coordinates() - from;
         squares += glm::dot(off, off);
-        products += glm::dot(off, (*there)[i] - to);
+        products += glm::dot(off, glm::dvec2(*of.there) - to);
     }
     if (!(squares > 0.0))
-        return std::nullopt;
+        return {};
     const double scale = products / squares;
     const glm::dvec2 shift = to - scale * from;
-    return std::vector{shift.x, shift.y, scale};
+    return {shift.x, shift.y, scale};
 }
 
-void addShiftAndScale(VariantList &list, const Given &given, std::span<const Target> points)
+void addShiftAndScale(VariantList &list, const Given &given)
 {
-    const std::vector<Solution> values =
-        solved(given, points, [&](const Pairs &pairs) { return shiftAndScale(given, pairs); });
+    const std::vector<Solution> values = solved(given, shiftAndScale);
     if (values.empty() || !(values[2].value > values[2].unsure))
         return;
     if (mayBe(values[2], 1.0) || (mayBe(values[0], 0.0) && mayBe(values[1], 0.0)))
@@ -209,9 +181,9 @@ void addShiftAndScale(VariantList &list, const Given &given, std::span<const Tar
 }
 
 /// Another centre of K. It moves all pixels alike, so the values are those of a shift.
-void addCentre(VariantList &list, const Given &given, std::span<const Target> points)
+void addCentre(VariantList &list, const Given &given)
 {
-    const auto shift = solvedShift(given, points);
+    const auto shift = solvedShift(given);
     if (!shift)
         return;
     const cameras::Intrinsics k = intrinsicsOf(given);
@@ -229,24 +201,20 @@ void addCentre(VariantList &list, const Given &given, std::span<const Target> po
 }
 
 /// Another focal length for each axis, or another aspect of the lens.
-void addFocalLengths(VariantList &list, const Given &given, std::span<const Target> points)
+void addFocalLengths(VariantList &list, const Given &given)
 {
     const cameras::Intrinsics k = intrinsicsOf(given);
     const glm::dvec2 focalOfView(k.fx, k.fy), centreOfView(k.cx, k.cy);
-    const std::vector<Solution> focal =
-        solved(given, points, [&](const Pairs &pairs) -> std::optional<std::vector<double>> {
-            const auto there = positionsOf(given, pairs);
-            if (!there)
-                return std::nullopt;
-            glm::dvec2 squares(0.0), products(0.0);
-            for (std::size_t i = 0; i < there->size(); ++i) {
-                const glm::dvec2 from = pairs.clicks[i].pixel.coordinates() - centreOfView;
-                squares += from * from;
-                products += from * ((*there)[i] - centreOfView);
-            }
-            const glm::dvec2 lengths = focalOfView * squares / products;
-            return std::vector{lengths.x, lengths.y};
-        });
+    const std::vector<Solution> focal = solved(given, [&](const Answers &answers) {
+        glm::dvec2 squares(0.0), products(0.0);
+        for (const Answered &of : answers) {
+            const glm::dvec2 from = of.click.pixel.coordinates() - centreOfView;
+            squares += from * from;
+            products += from * (glm::dvec2(*of.there) - centreOfView);
+        }
+        const glm::dvec2 lengths = focalOfView * squares / products;
+        return std::vector{lengths.x, lengths.y};
+    });
     if (focal.empty() || !(focal[0].value * focalOfView.x > 0.0) || !(focal[1].value * focalOfView.y > 0.0))
         return;
     const double x = focal[0].value / focalOfView.x, y = focal[1].value / focalOfView.y;
@@ -256,9 +224,9 @@ void addFocalLengths(VariantList &list, const Given &given, std::span<const Targ
     addSolved(list, "focal-lengths-differ", focal, known, [&](std::span<const double> values) {
         return Variant{.stage = Stage::Lens,
                        .apply =
-                           [](Run &run, const Variant &v) {
-                               run.clipFromEye[0][0] *= v.parameter;
-                               run.clipFromEye[1][1] *= v.second;
+                           [](Run &run) {
+                               run.clipFromEye[0][0] *= run.parameter;
+                               run.clipFromEye[1][1] *= run.second;
                            },
                        .parameter = values[0] / focalOfView.x,
                        .second = values[1] / focalOfView.y,
@@ -269,39 +237,22 @@ void addFocalLengths(VariantList &list, const Given &given, std::span<const Targ
     });
 }
 
-/// The viewport's rectangle of one axis: the origin and the size.
-std::optional<glm::dvec2> rectangleOf(std::span<const glm::dvec2> ndcAndWindow)
-{
-    // window = (ndc + 1) / 2 * size + origin
-    std::vector<glm::dvec2> factors;
-    std::vector<double> windows;
-    for (const glm::dvec2 &each : ndcAndWindow) {
-        factors.emplace_back(1.0, (each.x + 1.0) / 2.0);
-        windows.push_back(each.y);
-    }
-    return twoNumbers(factors, windows);
-}
-
-void addRectangle(VariantList &list, const Given &given, std::span<const Target> points)
+/// The viewport's rectangle: window = (ndc + 1) / 2 * size + origin, for each axis.
+void addRectangle(VariantList &list, const Given &given)
 {
     const Viewport &own = given.viewport;
-    const std::vector<Solution> rectangle =
-        solved(given, points, [&](const Pairs &pairs) -> std::optional<std::vector<double>> {
-            const auto there = positionsOf(given, pairs);
-            if (!there)
-                return std::nullopt;
-            std::vector<glm::dvec2> x, y;
-            for (std::size_t i = 0; i < there->size(); ++i) {
-                const DevicePoint &pixel = pairs.clicks[i].pixel;
-                const double up = flippedY(given.surface, (*there)[i].y);
-                x.emplace_back(2.0 * ((*there)[i].x - own.x) / own.width - 1.0, pixel.x);
-                y.emplace_back(2.0 * (up - own.y) / own.height - 1.0, flippedY(given.surface, pixel.y));
-            }
-            const auto across = rectangleOf(x), along = rectangleOf(y);
-            if (!across || !along)
-                return std::nullopt;
-            return std::vector{across->x, along->x, across->y, along->y};
-        });
+    const std::vector<Solution> rectangle = solved(given, [&](const Answers &answers) -> std::vector<double> {
+        TwoNumbers x, y;
+        for (const Answered &of : answers) {
+            const glm::dvec2 ndc = ndcXy(own, glm::dvec2(of.there->x, flippedY(given.surface, of.there->y)));
+            x.add({1.0, (ndc.x + 1.0) / 2.0}, of.click.pixel.x);
+            y.add({1.0, (ndc.y + 1.0) / 2.0}, flippedY(given.surface, of.click.pixel.y));
+        }
+        if (!x.areDetermined() || !y.areDetermined())
+            return {};
+        const glm::dvec2 across = x.numbers(), along = y.numbers();
+        return {across.x, along.x, across.y, along.y};
+    });
     if (rectangle.empty() || !(rectangle[2].value > 0.0) || !(rectangle[3].value > 0.0))
         return;
     const bool isPlaceOwn = mayBe(rectangle[0], own.x) && mayBe(rectangle[1], own.y);
@@ -318,8 +269,8 @@ void addRectangle(VariantList &list, const Given &given, std::span<const Target>
         Variant variant{
             .stage = Stage::Lens,
             .apply =
-                [](Run &run, const Variant &v) {
-                    const glm::dvec4 &r = v.matrix[0];
+                [](Run &run) {
+                    const glm::dvec4 &r = (*run.matrix)[0];
                     run.viewport = {r[0], r[1], r[2], r[3]};
                 },
             .name = {marked("%1 pixels at %2"),
@@ -334,14 +285,14 @@ void addRectangle(VariantList &list, const Given &given, std::span<const Target>
 
 } // namespace
 
-std::vector<Lack> lackOf(const Given &given, std::span<const Target> points)
+std::vector<Lack> lackOf(const Given &given)
 {
     std::vector<Lack> lacks;
-    if (points.size() < 2 || !areDepthsKnown(points))
+    if (given.points.size() < 2 || !areDepthsKnown(given))
         return lacks;
     std::vector<glm::dvec3> right;
     double low = 1.0, high = 0.0;
-    for (const Target &point : points) {
+    for (const Target &point : given.points) {
         const Click click = middleOf(given, point);
         if (const auto answered = answer(given, click, {}))
             right.push_back(*answered);
@@ -356,20 +307,20 @@ std::vector<Lack> lackOf(const Given &given, std::span<const Target> points)
     return lacks;
 }
 
-void addSolvedFromSeveral(VariantList &list, const Given &given, std::span<const Target> points)
+void addSolvedFromSeveral(VariantList &list, const Given &given)
 {
-    if (points.size() < 2)
+    if (given.points.size() < 2)
         return;
-    if (areDepthsKnown(points) && std::isfinite(given.nearDistance))
-        addNearAndFar(list, given, points);
-    addShiftAndScale(list, given, points);
-    addRectangle(list, given, points);
+    if (areDepthsKnown(given) && std::isfinite(given.nearDistance))
+        addNearAndFar(list, given);
+    addShiftAndScale(list, given);
+    addRectangle(list, given);
     if (given.isPerspective) {
-        addCentre(list, given, points);
-        addFocalLengths(list, given, points);
+        addCentre(list, given);
+        addFocalLengths(list, given);
     }
-    if (areDepthsKnown(points))
-        addSolvedFrames(list, given, points);
+    if (areDepthsKnown(given))
+        addSolvedFrames(list, given);
 }
 
 } // namespace unprojector::doctor

@@ -17,20 +17,20 @@ namespace {
 std::optional<Solution> solvedFromOne(const Given &given, const Target &target, const Solve &solve)
 {
     const Click click = middleOf(given, target);
-    const std::optional<double> value = solve(click, target.got);
+    const Value value = solve({given, click, target.got});
     if (!value || !std::isfinite(*value))
         return std::nullopt;
     double unsure = 0.0;
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 moved = target.got;
         moved[axis] += kCutOff * target.lastDigit[axis];
-        const std::optional<double> there = solve(click, moved);
+        const Value there = solve({given, click, moved});
         if (!there)
             return std::nullopt;
         unsure += std::abs(*there - *value);
     }
     if (target.clicks.size() > 1 && !target.isLine) {
-        const std::optional<double> there = solve(target.clicks.front(), target.got);
+        const Value there = solve({given, target.clicks.front(), target.got});
         if (!there)
             return std::nullopt;
         unsure += std::abs(*there - *value);
@@ -40,13 +40,13 @@ std::optional<Solution> solvedFromOne(const Given &given, const Target &target, 
 
 /// The greatest distance of a variant's answers from the points, in units of the last digit. It is
 /// without the jump of unitsOff(), so that it can be minimised.
-double distanceOf(const Given &given, std::span<const Target> points, const Variant &variant)
+double distanceOf(const Given &given, const Variant &variant)
 {
     Hypothesis hypothesis;
     hypothesis.parts[0] = &variant;
     hypothesis.count = 1;
     double worst = 0.0;
-    for (const Target &target : points) {
+    for (const Target &target : given.points) {
         const auto found = hypothesis.nearest(given, target);
         if (!found)
             return std::numeric_limits<double>::infinity();
@@ -83,11 +83,11 @@ double leastOf(double low, double high, const std::function<double(double)> &f)
 
 } // namespace
 
-std::optional<Solution> solvedFrom(const Given &given, std::span<const Target> points, const Solve &solve)
+std::optional<Solution> solvedFrom(const Given &given, const Solve &solve)
 {
     double low = -std::numeric_limits<double>::infinity(), high = -low;
     double sum = 0.0, weights = 0.0;
-    for (const Target &target : points) {
+    for (const Target &target : given.points) {
         const auto one = solvedFromOne(given, target, solve);
         if (!one)
             continue;
@@ -103,15 +103,13 @@ std::optional<Solution> solvedFrom(const Given &given, std::span<const Target> p
     return Solution{mean, std::max(mean - low, high - mean)};
 }
 
-std::optional<std::array<Solution, 2>> solvedShift(const Given &given, std::span<const Target> points)
+std::optional<std::array<Solution, 2>> solvedShift(const Given &given)
 {
     std::array<Solution, 2> shift;
     for (int axis = 0; axis < 2; ++axis) {
-        const auto solved =
-            solvedFrom(given, points, [&](const Click &click, const glm::dvec3 &got) -> std::optional<double> {
-                const auto there = projected(given, click, got);
-                return there ? std::optional((*there)[axis] - click.pixel.coordinates()[axis]) : std::nullopt;
-            });
+        const auto solved = solvedFrom(given, [&](const Answered &of) -> Value {
+            return of.there ? std::optional((*of.there)[axis] - of.click.pixel.coordinates()[axis]) : std::nullopt;
+        });
         if (!solved)
             return std::nullopt;
         shift[std::size_t(axis)] = *solved;
@@ -122,7 +120,7 @@ std::optional<std::array<Solution, 2>> solvedShift(const Given &given, std::span
 Variant shifted(double dx, double dy, VariantName name, std::vector<SolvedValue> values)
 {
     return {.stage = Stage::Pixel,
-            .apply = [](Run &run, const Variant &v) { run.position += glm::dvec2(v.parameter, v.second); },
+            .apply = [](Run &run) { run.position += glm::dvec2(run.parameter, run.second); },
             .parameter = dx,
             .second = dy,
             .name = std::move(name),
@@ -171,11 +169,10 @@ void addSolved(VariantList &list, std::string_view id, std::span<const Solution>
     add(std::move(asSolved), false, 1.0);
 }
 
-void addSolvedNumber(VariantList &list, std::string_view id, const Given &given, std::span<const Target> points,
-                     const Solution &solution, std::span<const double> known,
-                     const std::function<Variant(double)> &made)
+void addSolvedNumber(VariantList &list, std::string_view id, const Given &given, const Solution &solution,
+                     std::span<const double> known, const std::function<Variant(double)> &made)
 {
-    const auto distance = [&](double value) { return distanceOf(given, points, made(value)); };
+    const auto distance = [&](double value) { return distanceOf(given, made(value)); };
     Solution best = solution;
     best.value = leastOf(solution.value - solution.unsure, solution.value + solution.unsure, distance);
     if (distance(solution.value) <= distance(best.value))
@@ -194,17 +191,17 @@ Click middleOf(const Given &given, const Target &target)
     return click;
 }
 
-bool hideAll(const Given &given, std::span<const Target> points, double nearDistance, double farDistance)
+bool hideAll(const Given &given, double nearDistance, double farDistance)
 {
-    return std::all_of(points.begin(), points.end(), [&](const Target &target) {
+    return std::all_of(given.points.begin(), given.points.end(), [&](const Target &target) {
         const double distance = given.side * middleOf(given, target).eye.z;
         return distance < nearDistance || distance > farDistance;
     });
 }
 
-bool areDepthsKnown(std::span<const Target> points)
+bool areDepthsKnown(const Given &given)
 {
-    return std::none_of(points.begin(), points.end(), [](const Target &target) { return target.isLine; });
+    return std::none_of(given.points.begin(), given.points.end(), [](const Target &target) { return target.isLine; });
 }
 
 double shareFromNear(const Given &given, const Click &click)
@@ -212,17 +209,10 @@ double shareFromNear(const Given &given, const Click &click)
     return given.shareFromNear(given.unitDepth(click.depth));
 }
 
-glm::dvec3 eyeFromGot(const Given &given, const Click &click, const glm::dvec3 &got)
+glm::dvec3 eyeFromGot(const Given &given, const Answered &of)
 {
-    const glm::dmat4 eyeFromSpace =
-        click.space == PointSpace::Eye ? glm::dmat4(1.0) : given.eyeFromWorld * click.worldFromObject;
-    return transformed(eyeFromSpace, got);
-}
-
-void addSolvedMistakes(VariantList &list, const Given &given, const Case &scene, std::span<const Target> points)
-{
-    addSolvedFromOne(list, given, scene, points);
-    addSolvedFromSeveral(list, given, points);
+    const bool isEye = of.click.space == PointSpace::Eye;
+    return transformed(isEye ? glm::dmat4(1.0) : given.eyeFromWorld * of.click.worldFromObject, of.got);
 }
 
 } // namespace unprojector::doctor

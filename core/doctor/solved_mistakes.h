@@ -15,33 +15,46 @@
 /// with `values` and `unknowns`. It competes with the mistakes of fixed form, but not in pairs.
 namespace unprojector::doctor {
 
-/// Adds the solved mistakes of all families whose values the points determine. A variant that does
-/// not explain all points is dropped later, by hypotheses().
-void addSolvedMistakes(VariantList &list, const Given &given, const Case &scene, std::span<const Target> points);
+// Each adds the mistakes of some families whose values the points determine. A variant that does
+// not explain all points is dropped later, by hypotheses().
+
 /// The mistakes that one point determines.
-void addSolvedFromOne(VariantList &list, const Given &given, const Case &scene, std::span<const Target> points);
+void addSolvedFromOne(VariantList &list, const Given &given, const Case &scene);
 /// Pixels of a letterboxed window, from one point or more.
-void addLetterboxes(VariantList &list, const Given &given, const Case &scene, std::span<const Target> points);
+void addLetterboxes(VariantList &list, const Given &given, const Case &scene);
 /// The mistakes that take two points or three.
-void addSolvedFromSeveral(VariantList &list, const Given &given, std::span<const Target> points);
+void addSolvedFromSeveral(VariantList &list, const Given &given);
 /// Another frame, or other axes with a scale or a translation. All depths must be known.
-void addSolvedFrames(VariantList &list, const Given &given, std::span<const Target> points);
+void addSolvedFrames(VariantList &list, const Given &given);
 
 /// The lacks of several points that keep values from being solved; none for one point.
-std::vector<Lack> lackOf(const Given &given, std::span<const Target> points);
+std::vector<Lack> lackOf(const Given &given);
+
+/// A click, the program's answer, and the pixel where the right matrices put it, see projected().
+struct Answered {
+    Answered(const Given &given, const Click &clicked, const glm::dvec3 &answer)
+        : click(clicked), got(answer), there(projected(given, clicked, answer))
+    {
+    }
+
+    Click click;
+    glm::dvec3 got;
+    std::optional<glm::dvec3> there;
+};
 
 /// Solves a value from one point.
 /// @return empty if this point does not determine it
-using Solve = std::function<std::optional<double>(const Click &click, const glm::dvec3 &got)>;
+using Value = std::optional<double>;
+using Solve = std::function<Value(const Answered &)>;
 
 /// The value that all points have in common, with its uncertainty. Points that do not determine it
 /// are skipped.
 /// @return empty if the points contradict each other, or if none determines the value
-std::optional<Solution> solvedFrom(const Given &given, std::span<const Target> points, const Solve &solve);
+std::optional<Solution> solvedFrom(const Given &given, const Solve &solve);
 
 /// The shift of all positions along x and y, device pixels to the right and down.
 /// @return empty if the points do not have one
-std::optional<std::array<Solution, 2>> solvedShift(const Given &given, std::span<const Target> points);
+std::optional<std::array<Solution, 2>> solvedShift(const Given &given);
 
 /// A pixel that is off by the same way at every click, device pixels to the right and down.
 Variant shifted(double dx, double dy, VariantName name, std::vector<SolvedValue> values);
@@ -54,11 +67,11 @@ std::vector<double> usualSizes(const Given &given, const Case &scene);
 
 /// True if no clicked point lies between these planes: a program that shows nothing there hardly
 /// has them. Round values are believed nevertheless.
-bool hideAll(const Given &given, std::span<const Target> points, double nearDistance, double farDistance);
+bool hideAll(const Given &given, double nearDistance, double farDistance);
 
 /// The far plane if near is at `nearDistance`, and the near plane if far is at `farDistance`.
-std::optional<Solution> solvedFar(const Given &given, std::span<const Target> points, double nearDistance);
-std::optional<Solution> solvedNear(const Given &given, std::span<const Target> points, double farDistance);
+std::optional<Solution> solvedFar(const Given &given, double nearDistance);
+std::optional<Solution> solvedNear(const Given &given, double farDistance);
 
 /// Adds a solved mistake: with the round values if they are round, and with the values as they are
 /// determined. ranked() takes the first that explains the points. `made` builds the variant from
@@ -69,17 +82,16 @@ void addSolved(VariantList &list, std::string_view id, std::span<const Solution>
 
 /// Adds a mistake with one solved value, as addSolved() does. Within its bound the value is the one
 /// whose answers are closest to the points.
-void addSolvedNumber(VariantList &list, std::string_view id, const Given &given, std::span<const Target> points,
-                     const Solution &solution, std::span<const double> known,
-                     const std::function<Variant(double)> &made);
+void addSolvedNumber(VariantList &list, std::string_view id, const Given &given, const Solution &solution,
+                     std::span<const double> known, const std::function<Variant(double)> &made);
 
 /// The click of a target, in the middle of its possible depths.
 Click middleOf(const Given &given, const Target &target);
 /// True if the depths of all clicks are known.
-bool areDepthsKnown(std::span<const Target> points);
+bool areDepthsKnown(const Given &given);
 /// The share of the depth's way from the near plane to the far plane.
 double shareFromNear(const Given &given, const Click &click);
-/// A point in eye space.
-glm::dvec3 eyeFromGot(const Given &given, const Click &click, const glm::dvec3 &got);
+/// The program's point in eye space.
+glm::dvec3 eyeFromGot(const Given &given, const Answered &of);
 
 } // namespace unprojector::doctor

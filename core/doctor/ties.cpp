@@ -106,9 +106,9 @@ bool isSameEverywhere(const Given &given, const Click &like, const Hypothesis &a
 
 } // namespace
 
-bool isSameHere(const Given &given, std::span<const Target> points, const Hypothesis &a, const Hypothesis &b)
+bool isSameHere(const Given &given, const Hypothesis &a, const Hypothesis &b)
 {
-    return std::all_of(points.begin(), points.end(), [&](const Target &target) {
+    return std::all_of(given.points.begin(), given.points.end(), [&](const Target &target) {
         return std::all_of(target.clicks.begin(), target.clicks.end(), [&](const Click &click) {
             const auto first = a.answerTo(given, click), second = b.answerTo(given, click);
             return first && second && isSameAnswer(*first, *second);
@@ -116,12 +116,12 @@ bool isSameHere(const Given &given, std::span<const Target> points, const Hypoth
     });
 }
 
-Alike alikeOf(const Given &given, std::span<const Target> points, const Hypothesis &best, const Hypothesis &other)
+Alike alikeOf(const Given &given, const Hypothesis &best, const Hypothesis &other)
 {
-    if (isSameHere(given, points, best, other))
-        return isSameEverywhere(given, points.front().clicks.front(), best, other) ? Alike::Always : Alike::Here;
+    if (isSameHere(given, best, other))
+        return isSameEverywhere(given, given.points.front().clicks.front(), best, other) ? Alike::Always : Alike::Here;
     // All depth mistakes explain a point on the ray if only rays are known.
-    if (std::any_of(points.begin(), points.end(), [](const Target &target) { return target.isLine; }))
+    if (std::any_of(given.points.begin(), given.points.end(), [](const Target &target) { return target.isLine; }))
         return Alike::No;
     const double allowed = best.worst <= kRounded ? kRounded : kCutOff;
     const bool isAsSimple =
@@ -129,14 +129,13 @@ Alike alikeOf(const Given &given, std::span<const Target> points, const Hypothes
     return isAsSimple && other.worst <= allowed ? Alike::InDigits : Alike::No;
 }
 
-bool isRestated(const Given &given, std::span<const Target> points, const Hypothesis &best, const Hypothesis &pair)
+bool isRestated(const Given &given, const Hypothesis &best, const Hypothesis &pair)
 {
     if (best.count != 1 || pair.count != 2)
         return false;
     const std::string_view id = mistakes()[best.parts[0]->mistake].id;
     const bool isTwoByName = id == "opencv-axes"; // y not flipped, and z of the eye point positive
-    return (isTwoByName || pair.parts[0]->stage == pair.parts[1]->stage)
-           && alikeOf(given, points, best, pair) == Alike::Always;
+    return (isTwoByName || pair.parts[0]->stage == pair.parts[1]->stage) && alikeOf(given, best, pair) == Alike::Always;
 }
 
 Shared sharedOf(const Given &given, const Click &click, const Hypothesis &a, const Hypothesis &b)

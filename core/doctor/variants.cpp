@@ -18,13 +18,15 @@ Variant &VariantList::add(std::string_view id, Stage stage, Apply apply, Variant
         id, Variant{.stage = stage, .apply = apply, .parameter = parameter, .second = second, .name = std::move(name)});
 }
 
-std::vector<Variant> variants(const Given &given, const Case &scene, std::span<const Target> points)
+std::vector<Variant> variants(const Given &given, const Case &scene, bool hasSolved)
 {
     VariantList list;
     for (const auto add : {addPixelMistakes, addDepthMistakes, addLensMistakes, addMatrixMistakes, addCameraMistakes})
         add(list, given, scene);
-    if (!points.empty())
-        addSolvedMistakes(list, given, scene, points);
+    if (hasSolved) {
+        addSolvedFromOne(list, given, scene);
+        addSolvedFromSeveral(list, given);
+    }
     std::stable_sort(list.all.begin(), list.all.end(),
                      [](const Variant &a, const Variant &b) { return a.mistake < b.mistake; });
     return std::move(list.all);

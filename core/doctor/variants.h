@@ -9,11 +9,9 @@
 
 namespace unprojector::doctor {
 
-struct Target;
-
 /// Collects the variants of mistakes.
 struct VariantList {
-    using Apply = void (*)(Run &, const Variant &);
+    using Apply = void (*)(Run &);
 
     /// @param name  needed if there are several
     /// @return the variant, valid until the next one is added
@@ -33,7 +31,7 @@ void addMatrixMistakes(VariantList &list, const Given &given, const Case &scene)
 void addCameraMistakes(VariantList &list, const Given &given, const Case &scene);
 
 /// All variants of all mistakes for this input, sorted by mistake; those of one mistake stay in the order of addition.
-/// @param points  the points from which free values are solved; none: mistakes of fixed form only
-std::vector<Variant> variants(const Given &given, const Case &scene, std::span<const Target> points = {});
+/// @param hasSolved  false: mistakes of fixed form only
+std::vector<Variant> variants(const Given &given, const Case &scene, bool hasSolved = false);
 
 } // namespace unprojector::doctor

@@ -49,6 +49,13 @@ bool isName(std::string_view word)
     return isLetter(word.front()) && small != "nan" && small != "inf" && small != "infinity";
 }
 
+/// True for a program's output for NaN or infinity: nan, -inf, 1.#IND.
+bool isNotFinite(std::string_view word)
+{
+    const std::string small = base::lowerCase(word);
+    return small.find("nan") != small.npos || small.find("inf") != small.npos || small.find("ind") != small.npos;
+}
+
 } // namespace
 
 std::optional<WrittenNumber> writtenNumber(std::string_view text)
@@ -84,24 +91,6 @@ std::optional<WrittenNumber> writtenNumber(std::string_view text)
     return number;
 }
 
-bool NumbersFault::isNotFinite() const
-{
-    const std::string small = base::lowerCase(word);
-    return small.find("nan") != small.npos || small.find("inf") != small.npos || small.find("ind") != small.npos;
-}
-
-std::string faultText(const NumbersFault &fault, const std::string &wanted)
-{
-    if (!fault.word.empty())
-        return fault.isNotFinite() ? base::tr(
-                   "\"%1\" is not a finite number; give a click for which the program has a point", fault.word)
-                                   : base::tr("\"%1\" is not a number; give %2", fault.word, wanted);
-    if (fault.areCommasMixed)
-        return base::tr("it has commas between some numbers and not between others; write decimals with a point, %1",
-                        wanted);
-    return base::tr(fault.found == 1 ? "it has %1 number; give %2" : "it has %1 numbers; give %2", fault.found, wanted);
-}
-
 std::string depthOutsideText(const std::string &depth, const DepthRange &range)
 {
     return base::tr(
@@ -109,7 +98,8 @@ std::string depthOutsideText(const std::string &depth, const DepthRange &range)
         depth, base::shortestText(range.atNear), base::shortestText(range.atFar));
 }
 
-Result<std::vector<WrittenNumber>, NumbersFault> numbersOrFault(std::string_view given, std::size_t count)
+Result<std::vector<WrittenNumber>, std::string> writtenNumbers(std::string_view given, std::size_t count,
+                                                               const std::string &wanted)
 {
     constexpr std::string_view kBetween = " \t\r\n,;()[]{}<>=:\"'|";
     const std::string text = inAscii(given);
@@ -129,7 +119,9 @@ Result<std::vector<WrittenNumber>, NumbersFault> numbersOrFault(std::string_view
             continue;
         const auto number = writtenNumber(word);
         if (!number)
-            return NumbersFault{std::string(word), numbers.size(), false};
+            return isNotFinite(word)
+                       ? base::tr("\"%1\" is not a finite number; give a click for which the program has a point", word)
+                       : base::tr("\"%1\" is not a number; give %2", word, wanted);
         if (!numbers.empty() && isBehindComma)
             ++commas;
         isBehindComma = false;
@@ -137,18 +129,14 @@ Result<std::vector<WrittenNumber>, NumbersFault> numbersOrFault(std::string_view
     }
     // 1,500.5 2 3 are not four numbers.
     if (commas != 0 && commas + 1 != numbers.size())
-        return NumbersFault{{}, numbers.size(), true};
+        return base::tr("it has commas between some numbers and not between others; write decimals with a point, %1",
+                        wanted);
     if (count == 3 && numbers.size() == 4 && numbers.back().value == 1.0)
         numbers.pop_back();
     if (numbers.size() != count || numbers.empty())
-        return NumbersFault{{}, numbers.size(), false};
+        return base::tr(numbers.size() == 1 ? "it has %1 number; give %2" : "it has %1 numbers; give %2",
+                        numbers.size(), wanted);
     return numbers;
-}
-
-std::optional<std::vector<WrittenNumber>> writtenNumbers(std::string_view text, std::size_t count)
-{
-    auto numbers = numbersOrFault(text, count);
-    return numbers ? std::optional(std::move(numbers).value()) : std::nullopt;
 }
 
 double depthLastDigit(const WrittenNumber &depth)
@@ -225,10 +213,10 @@ Result<WrongPoint, std::string> wrongPointOf(const std::string &pixel, const std
                                              const PointTextNames &names)
 {
     WrongPoint point;
-    const auto position = numbersOrFault(pixel, 2);
+    const auto position =
+        writtenNumbers(pixel, 2, base::tr("device pixels from the top left corner, as in 400.5,300.5"));
     if (!position)
-        return names.pixel + (' ' + pixel) + ": "
-               + faultText(position.error(), base::tr("device pixels from the top left corner, as in 400.5,300.5"));
+        return names.pixel + (' ' + pixel) + ": " + position.error();
     point.pixel = DevicePoint((*position)[0].value, (*position)[1].value);
     if (!depth.empty()) {
         const auto number = writtenNumber(depth);
@@ -238,11 +226,11 @@ Result<WrongPoint, std::string> wrongPointOf(const std::string &pixel, const std
         point.depth = number->value;
         point.depthLastDigit = depthLastDigit(*number);
     }
-    const auto coordinates = numbersOrFault(got, 3);
+    const auto coordinates = writtenNumbers(got, 3,
+                                            base::tr("the three coordinates as the program printed them, as in "
+                                                     "0.7051,-0.4122,0.0918 or vec3(0.7051, -0.4122, 0.0918)"));
     if (!coordinates)
-        return names.got + (' ' + got) + ": "
-               + faultText(coordinates.error(), base::tr("the three coordinates as the program printed them, as in "
-                                                         "0.7051,-0.4122,0.0918 or vec3(0.7051, -0.4122, 0.0918)"));
+        return names.got + (' ' + got) + ": " + coordinates.error();
     for (int axis = 0; axis < 3; ++axis) {
         point.got[axis] = (*coordinates)[std::size_t(axis)].value;
         point.lastDigit[axis] = (*coordinates)[std::size_t(axis)].lastDigit;

@@ -26,22 +26,11 @@ std::optional<WrittenNumber> writtenNumber(std::string_view text);
 /// Parses `count` numbers as programs print them: "1.5 2 -3", "1.5, 2, -3", "vec3(1.5, 2, -3)",
 /// "[1.5 2. -3.]", "x=1.5 y=2 z=-3". Commas separate all of them or none. A further 1, the w of a
 /// point, may follow three.
-/// @return empty if the count differs, or if the text has anything else
-std::optional<std::vector<WrittenNumber>> writtenNumbers(std::string_view text, std::size_t count);
-
-/// The reason why a text is not the expected numbers.
-struct NumbersFault {
-    std::string word;            ///< the first word that is no finite number; empty: the count or the commas are wrong
-    std::size_t found = 0;       ///< count of numbers
-    bool areCommasMixed = false; ///< some are separated by commas and others are not, as with decimal commas
-    /// True if the word is a program's output for NaN or infinity: nan, -inf, 1.#IND.
-    bool isNotFinite() const;
-};
-/// The error in the given numbers and the remedy, in the language of base::tr().
-/// @param wanted  "the three coordinates as the program has printed them"
-std::string faultText(const NumbersFault &fault, const std::string &wanted);
-/// Parses like writtenNumbers, but returns the reason of a failure.
-geometry::Result<std::vector<WrittenNumber>, NumbersFault> numbersOrFault(std::string_view text, std::size_t count);
+/// @param wanted  "the three coordinates as the program has printed them", for the error
+/// @return the error and the remedy, in the language of base::tr(): a word that is no finite number,
+///         another count, commas between some numbers only
+geometry::Result<std::vector<WrittenNumber>, std::string> writtenNumbers(std::string_view text, std::size_t count,
+                                                                         const std::string &wanted = {});
 
 /// The unit of a depth's last digit, see WrongPoint. A depth of fewer than four decimals counts as
 /// exact, as 0.5 does; one with more counts as rounded.

@@ -54,8 +54,8 @@ double depthIn(const SurfaceImage &surfaces, const Setup &setup, const DevicePix
 /// Takes the click's logical pixel, whole as toolkits report it, for a device pixel. The doctor
 /// divides by the ratio instead, because the wrong point does not reveal the position within the
 /// pixel.
-/// @param variant  parameter: whether the height is in logical pixels too
-void takeLogicalPixel(doctor::Run &run, const doctor::Variant &variant)
+/// @param run  its parameter: whether the height is in logical pixels too
+void takeLogicalPixel(doctor::Run &run)
 {
     const Surface &surface = run.given.surface;
     const Surface logical{logicalFromDevice(surface, surface.widthPixels),
@@ -65,7 +65,7 @@ void takeLogicalPixel(doctor::Run &run, const doctor::Variant &variant)
     run.isLost = !pixel;
     if (pixel)
         run.position = pixelCenter(*pixel).coordinates();
-    if (variant.parameter != 0.0)
+    if (run.parameter != 0.0)
         run.flipHeight = logical.heightPixels;
 }
 

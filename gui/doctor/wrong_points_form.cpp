@@ -91,7 +91,7 @@ bool isFilled(const QLineEdit &field)
     return !field.text().trimmed().isEmpty();
 }
 
-std::optional<std::vector<WrittenNumber>> numbersOf(const QLineEdit &field, std::size_t count)
+auto numbersOf(const QLineEdit &field, std::size_t count)
 {
     return writtenNumbers(field.text().toStdString(), count);
 }
@@ -369,15 +369,13 @@ void WrongPointsForm::edited(Row &row)
 
 std::optional<WrongPointsForm::Fault> WrongPointsForm::faultOf(const Row &row) const
 {
-    const auto why = [](const NumbersFault &fault, const QString &wanted) {
-        return ended(faultText(fault, wanted.toStdString()));
-    };
     if (isFilled(*row.pixel)) {
-        const auto position = numbersOrFault(row.pixel->text().toStdString(), 2);
+        const auto position =
+            writtenNumbers(row.pixel->text().toStdString(), 2, tr("its x and y, such as 400.5, 300.5").toStdString());
         if (!position)
-            return Fault{row.pixel,
-                         tr("%1 is not a pixel: %2", "the field's text, why")
-                             .arg(quoted(*row.pixel), why(position.error(), tr("its x and y, such as 400.5, 300.5")))};
+            return Fault{
+                row.pixel,
+                tr("%1 is not a pixel: %2", "the field's text, why").arg(quoted(*row.pixel), ended(position.error()))};
         const double x = (*position)[0].value, y = (*position)[1].value;
         if (m_setup
             && !(x >= 0.0 && y >= 0.0 && x <= m_setup->surface.widthPixels && y <= m_setup->surface.heightPixels))
@@ -397,12 +395,10 @@ std::optional<WrongPointsForm::Fault> WrongPointsForm::faultOf(const Row &row) c
     }
     if (!isFilled(*row.got))
         return std::nullopt;
-    if (const auto got = numbersOrFault(row.got->text().toStdString(), 3); !got)
+    const QString wanted = tr("three coordinates as the program prints them, such as 0.7051 -0.4122 0.0918");
+    if (const auto got = writtenNumbers(row.got->text().toStdString(), 3, wanted.toStdString()); !got)
         return Fault{row.got,
-                     tr("%1 is not a point: %2", "the field's text, why")
-                         .arg(quoted(*row.got),
-                              why(got.error(),
-                                  tr("three coordinates as the program prints them, such as 0.7051 -0.4122 0.0918")))};
+                     tr("%1 is not a point: %2", "the field's text, why").arg(quoted(*row.got), ended(got.error()))};
     return std::nullopt;
 }
 
