@@ -2,9 +2,9 @@
 
 #include "core/base/translation.h"
 #include "core/cli/commands/command.h"
-#include "core/cli/commands/refusal.h"
 #include "core/cli/rows/byte_stream.h"
 #include "core/cli/terminal/console.h"
+#include "core/cli/terminal/refusal.h"
 
 #include <CLI/CLI.hpp>
 

@@ -91,15 +91,19 @@ bool isNoPosition(const base::Json &value)
 Landmark landmarkAt(std::span<const std::string_view> words, std::size_t line,
                     const std::function<bool(std::string_view)> &isMissing)
 {
+    glm::dvec3 v(0.0);
+    std::size_t missing = 0;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (isMissing(words[i]))
+            ++missing;
+        else
+            v[static_cast<int>(i)] = numberOf(words[i], line, kAxes[i]);
+    }
     Landmark landmark;
-    const auto missing = static_cast<std::size_t>(std::count_if(words.begin(), words.end(), isMissing));
     if (missing == words.size())
         return landmark;
     if (missing > 0)
         fail(line, tr("some coordinates of a point are missing and some are not; a point is missing as a whole"));
-    glm::dvec3 v(0.0);
-    for (std::size_t i = 0; i < words.size(); ++i)
-        v[static_cast<int>(i)] = numberOf(words[i], line, kAxes[i]);
     landmark.world = WorldPoint(v);
     return landmark;
 }

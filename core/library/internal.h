@@ -3,12 +3,15 @@
 #include "unprojector/result.h"
 #include "unprojector/setup.h"
 
+#include "core/base/error.h"
+#include "core/base/path_text.h"
 #include "core/base/translation.h"
 #include "core/geometry/api_conventions.h"
 #include "core/geometry/error_text.h"
 #include "core/geometry/result.h"
 #include "core/geometry/setup.h"
 
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,6 +46,18 @@ inline std::vector<std::string> worldFindings(geometry::Api api)
     return {"conventions: "
             + base::tr("%1's own world has z negated; world coordinates here are the scene's, right-handed",
                        conventions.name)};
+}
+
+/// @param file  the file that the user named; empty: the error's own
+inline Error publicError(base::Error error, const std::filesystem::path &file = {})
+{
+    if (!file.empty())
+        error.file = base::utf8FromPath(file);
+    const bool isMissing = error.kind == base::Error::Kind::NoFile;
+    return {isMissing                               ? Error::Kind::MissingFile
+            : error.kind == base::Error::Kind::File ? Error::Kind::File
+                                                    : Error::Kind::Value,
+            error.message()};
 }
 
 /// The public error of a value.

@@ -12,15 +12,6 @@
 namespace unprojector {
 namespace {
 
-Error publicError(base::Error error, const std::filesystem::path &file)
-{
-    error.file = base::utf8FromPath(file);
-    const Error::Kind kind = error.kind == base::Error::Kind::NoFile ? Error::Kind::MissingFile
-                             : error.kind == base::Error::Kind::File ? Error::Kind::File
-                                                                     : Error::Kind::Value;
-    return {kind, error.message()};
-}
-
 std::vector<std::string> sentences(const std::filesystem::path &file, const std::vector<base::Note> &notes)
 {
     std::vector<landmark_files::FileNote> named;

@@ -5,14 +5,6 @@
 
 namespace unprojector {
 
-Error publicError(const base::Error &error)
-{
-    return {error.kind == base::Error::Kind::NoFile ? Error::Kind::MissingFile
-            : error.kind == base::Error::Kind::File ? Error::Kind::File
-                                                    : Error::Kind::Value,
-            error.message()};
-}
-
 namespace {
 
 SceneObject publicObject(const scene::SceneObject &object)

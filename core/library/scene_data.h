@@ -25,8 +25,6 @@ struct Scene::Data {
     mutable std::vector<std::shared_ptr<const ray::RayCaster>> casters;
 };
 
-Error publicError(const base::Error &error);
-
 /// The way of the library's own code into a Scene.
 struct SceneAccess {
     static Scene make(opening::OpenedScene opened, const Setup &setup);

@@ -1,7 +1,7 @@
 // Matrices as other programs print them, pasted behind `unproject scene --from-matrices`.
 
-#include "core/cli/commands/refusal.h"
 #include "core/cli/commands/scene_command.h"
+#include "core/cli/terminal/refusal.h"
 #include "core/scene_file/scene_file.h"
 #include "tests/fuzz/fuzzing.h"
 

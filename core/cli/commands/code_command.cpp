@@ -1,6 +1,6 @@
 #include "core/cli/commands/command.h"
-#include "core/cli/commands/refusal.h"
 #include "core/cli/rows/scene_input.h"
+#include "core/cli/terminal/refusal.h"
 #include "core/scene_code/scene_code.h"
 
 #include <memory>

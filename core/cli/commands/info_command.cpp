@@ -4,8 +4,8 @@
 #include "core/base/translation.h"
 #include "core/cli/commands/command.h"
 #include "core/cli/commands/inputs.h"
-#include "core/cli/commands/refusal.h"
 #include "core/cli/rows/byte_stream.h"
+#include "core/cli/terminal/refusal.h"
 #include "core/report/report.h"
 #include "core/scene/measures.h"
 

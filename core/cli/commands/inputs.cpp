@@ -6,8 +6,8 @@
 #include "core/base/translation.h"
 #include "core/base/utf8.h"
 #include "core/cameras/lens.h"
-#include "core/cli/commands/refusal.h"
 #include "core/cli/rows/scene_input.h"
+#include "core/cli/terminal/refusal.h"
 #include "core/geometry/api_conventions.h"
 
 #include <algorithm>

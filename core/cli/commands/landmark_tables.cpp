@@ -2,7 +2,7 @@
 #include "core/base/translation.h"
 #include "core/cli/commands/inputs.h"
 #include "core/cli/commands/landmarks_command.h"
-#include "core/cli/commands/refusal.h"
+#include "core/cli/terminal/refusal.h"
 #include "core/curves/measured_sets.h"
 #include "core/landmark_files/landmark_folder.h"
 #include "core/landmark_files/measures_file.h"

@@ -3,8 +3,8 @@
 #include "core/base/translation.h"
 #include "core/cli/commands/command.h"
 #include "core/cli/commands/inputs.h"
-#include "core/cli/commands/refusal.h"
 #include "core/cli/terminal/progress_bar.h"
+#include "core/cli/terminal/refusal.h"
 #include "core/maps/pixel_map.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "core/base/identifier.h"
 #include "core/base/translation.h"
 #include "core/cli/commands/command.h"
-#include "core/cli/commands/refusal.h"
 #include "core/cli/rows/scene_input.h"
+#include "core/cli/terminal/refusal.h"
 #include "core/geometry/api_conventions.h"
 #include "core/matrices/matrix_format.h"
 

@@ -2,9 +2,9 @@
 #include "core/cameras/lens.h"
 #include "core/cli/commands/command.h"
 #include "core/cli/commands/inputs.h"
-#include "core/cli/commands/refusal.h"
 #include "core/cli/rows/row_table.h"
 #include "core/cli/rows/scene_input.h"
+#include "core/cli/terminal/refusal.h"
 #include "core/unproject/pixel_projection.h"
 
 #include <glm/geometric.hpp>

@@ -5,7 +5,7 @@
 #include "core/cameras/lens.h"
 #include "core/cli/commands/command.h"
 #include "core/cli/commands/inputs.h"
-#include "core/cli/commands/refusal.h"
+#include "core/cli/terminal/refusal.h"
 #include "core/geometry/condition_number.h"
 #include "core/matrices/decomposition.h"
 #include "core/matrices/matrix_findings.h"

@@ -4,7 +4,6 @@
 #include "core/base/printable.h"
 #include "core/base/system_error.h"
 #include "core/base/translation.h"
-#include "core/cli/terminal/progress_bar.h"
 #include "core/mesh/import/named_files.h"
 
 #include <algorithm>
@@ -37,19 +36,6 @@ std::filesystem::path namedPath(const std::string &file, const char *standardStr
 }
 
 } // namespace
-
-void complain(std::string_view line)
-{
-    std::string text = base::printableLine(line);
-    text += '\n';
-    withoutProgressBar([&text] { std::fwrite(text.data(), 1, text.size(), stderr); });
-}
-
-void refuse(std::string_view reason)
-{
-    complain(reason);
-    throw Refused();
-}
 
 std::string inputName(const std::string &file)
 {

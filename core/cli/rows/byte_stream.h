@@ -3,6 +3,7 @@
 #include "core/base/replace_file.h"
 #include "core/cli/terminal/console.h"
 #include "core/cli/terminal/exit_code.h"
+#include "core/cli/terminal/refusal.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,14 +15,6 @@
 #include <vector>
 
 namespace unprojector::cli {
-
-/// Prints a line on stderr, formatted by base::printableLine. A progress bar is erased first.
-void complain(std::string_view line);
-
-/// Ends the run of a command as ExitCode::UnusableInput, after the reason was printed.
-struct Refused {};
-/// Prints the reason on stderr and ends the run.
-[[noreturn]] void refuse(std::string_view reason);
 
 /// The names of files for messages: "stdin" and "stdout" for "-".
 std::string inputName(const std::string &file);

@@ -2,7 +2,7 @@
 
 #include "core/base/path_text.h"
 #include "core/base/translation.h"
-#include "core/cli/commands/refusal.h"
+#include "core/cli/terminal/refusal.h"
 #include "core/mesh/import/file_contents.h"
 #include "core/opening/models.h"
 #include "core/scene_file/scene_file.h"

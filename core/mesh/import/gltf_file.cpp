@@ -244,7 +244,8 @@ GltfFile::Buffer GltfFile::readBuffer(const std::string &address)
         buffer.file = std::make_unique<FileBytes>(file);
         m_bufferFiles.push_back(file);
     } catch (const base::Error &) {
-        failMalformed(tr("the file \"%1\", which it needs, cannot be read; check its permissions", address));
+        throw base::Error{.text = tr("the file \"%1\", which it needs, cannot be read; check its permissions", address),
+                          .kind = base::Error::Kind::File};
     }
     noteIfOutside(m_notes, m_source.file, file, address);
     return buffer;

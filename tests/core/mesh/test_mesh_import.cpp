@@ -426,8 +426,11 @@ private slots:
 
         const std::filesystem::path locked = write("locked.obj", objBox());
         std::filesystem::permissions(locked, std::filesystem::perms::none);
-        if (!std::ifstream(locked)) // administrators, and Windows, read it all the same
+        const std::filesystem::path needsIt = write("needs it.gltf", gltfJson("locked.obj"));
+        if (!std::ifstream(locked)) { // administrators, and Windows, read it all the same
             QCOMPARE(int(errorOf(locked).kind), int(base::Error::Kind::File));
+            QCOMPARE(int(errorOf(needsIt).kind), int(base::Error::Kind::File));
+        }
         std::filesystem::permissions(locked, std::filesystem::perms::owner_all);
     }
 

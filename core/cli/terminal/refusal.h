@@ -1,13 +1,21 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/cli/rows/byte_stream.h"
 #include "core/geometry/error_text.h"
 
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace unprojector::cli {
+
+/// Prints a line on stderr, formatted by base::printableLine. A progress bar is erased first.
+void complain(std::string_view line);
+
+/// Ends the run of a command as ExitCode::UnusableInput, after the reason was printed.
+struct Refused {};
+/// Prints the reason on stderr and ends the run.
+[[noreturn]] void refuse(std::string_view reason);
 
 /// The value, or the end of the run with the error.
 /// @param name  of the input, for the message
