@@ -7,8 +7,8 @@
 
 namespace unprojector::cameras {
 
-// A new program takes a function here and a line in camera_reader.cpp. A function returns false if
-// the text does not have its program's form.
+// A new program takes a function here and a line in camera_reader.cpp. A function returns false or
+// nothing if the text does not have its program's form.
 
 /// K, R, t and distortion coefficients: text, JSON, the YAML and XML of cv::FileStorage, ROS's
 /// camera_info.

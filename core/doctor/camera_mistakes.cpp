@@ -66,7 +66,7 @@ constexpr const char *kQuaternions[] = {
     marked("w x y z read as x y z w, OpenGL's camera pose"), marked("x y z w read as w x y z, OpenGL's camera pose"),
 };
 
-/// @param v  its parameter is the index of its name
+/// The run's parameter is the index of the name.
 void readQuaternion(Run &run)
 {
     const int way = int(run.parameter);
@@ -117,14 +117,14 @@ glm::dmat3 productOf(const glm::dvec3 &angles, const EulerOrder &order)
     return product;
 }
 
-/// @param v  its parameters are the index of the right order and of the program's
+/// The run's numbers are the index of the right order and of the program's.
 void multiplyInAnotherOrder(Run &run)
 {
     const glm::dvec3 angles = anglesOf(rotationOf(run, Pose::Camera, false), kOrders[std::size_t(run.parameter)]);
     setRotation(run, Pose::Camera, false, productOf(angles, kOrders[std::size_t(run.second)]));
 }
 
-/// @param v  its parameters are the index of the order and the factor of the angles
+/// The run's numbers are the index of the order and the factor of the angles.
 void scaleAngles(Run &run)
 {
     const EulerOrder &order = kOrders[std::size_t(run.parameter)];

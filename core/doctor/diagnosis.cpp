@@ -297,7 +297,7 @@ bool isSameClick(const WrongPoint &a, const WrongPoint &b)
            && a.model == b.model;
 }
 
-/// Two answers to one click, whose digits differ.
+/// The indices of two answers to one click whose digits differ.
 std::optional<std::array<std::size_t, 2>> contradictionOf(const Case &scene, std::span<const WrongPoint> points)
 {
     for (std::size_t i = 0; i < points.size(); ++i) {

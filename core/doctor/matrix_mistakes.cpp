@@ -57,7 +57,7 @@ std::array<glm::dvec4, 2> undividedEnds(const Run &run)
 }
 
 /// Mixes the ends: x and y of one end, and the other's z divided by its w.
-/// @param v  its parameter is the index of the end
+/// The run's parameter is the index of the end.
 void mixEnds(Run &run)
 {
     run.isLost = run.isLost || run.isClosedForm;

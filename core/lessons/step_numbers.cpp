@@ -281,7 +281,7 @@ Expected<LessonNumbers> LessonNumbers::of(const Lesson &lesson, const Surface &s
     for (const Step &step : lesson.steps) {
         const Expected<Scene> scene = sceneOf(step);
         if (!scene)
-            return scene.error();
+            return failed(lesson.name + ".json", scene.error().message());
         Expected<StepNumbers> made = StepNumbers::of(*scene, surfaceOf(step, surface), step.points, step.changes);
         if (!made)
             return failed(lesson.name + ".json: " + step.id, made.error().message());

@@ -12,6 +12,7 @@
 #include <utility>
 
 namespace unprojector {
+static_assert(int(DepthIs::Disparity) == int(clouds::DepthMeaning::Disparity));
 namespace {
 
 clouds::DepthValues::Type internalType(NumberType type)

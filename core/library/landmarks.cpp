@@ -10,6 +10,7 @@
 #include <utility>
 
 namespace unprojector {
+static_assert(int(Absence::Missing) == int(landmarks::Absence::Missing));
 namespace {
 
 std::vector<std::string> sentences(const std::filesystem::path &file, const std::vector<base::Note> &notes)

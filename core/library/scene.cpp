@@ -13,6 +13,7 @@
 #include <utility>
 
 namespace unprojector {
+static_assert(int(Snap::Face) == int(ray::Snap::Face));
 namespace {
 
 Result<Scene> madeOf(base::Expected<opening::OpenedScene, base::Error> opened)

@@ -18,6 +18,7 @@
 #include <vector>
 
 namespace unprojector {
+static_assert(int(Method::Matrix) == int(unproject::Method::Matrix));
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();

@@ -146,7 +146,9 @@ Shape broadcastShape(std::span<const Numbers> arguments)
     try {
         const py::object together = py::module_::import("numpy").attr("broadcast")(*arrays);
         return together.attr("shape").cast<Shape>();
-    } catch (const py::error_already_set &) {
+    } catch (const py::error_already_set &error) {
+        if (!error.matches(PyExc_ValueError))
+            throw;
         throw py::value_error("these shapes do not broadcast:" + shapes);
     }
 }

@@ -25,7 +25,7 @@ inline std::string oneStep(const char *members)
     return std::string(R"({"title": "T", "steps": [{"id": "a", "title": "A", "text": ["x"])") + members + "}]}";
 }
 
-/// The keys of a lesson's texts that a translation lacks: "model_view.title".
+/// The keys of a lesson's texts that a translation lacks, or has alone: "model_view.title".
 /// @param lesson, translation  contents of the files
 inline std::vector<std::string> untranslated(const std::string &lesson, const std::string &translation)
 {
@@ -34,7 +34,8 @@ inline std::vector<std::string> untranslated(const std::string &lesson, const st
     const auto look = [&missing](const nlohmann::json &english, const nlohmann::json &own, const std::string &place,
                                  std::initializer_list<const char *> keys) {
         for (const char *key : keys) {
-            if (english.contains(key) && (!own.contains(key) || own[key].empty()))
+            const auto has = [key](const nlohmann::json &texts) { return texts.contains(key) && !texts[key].empty(); };
+            if (has(english) != has(own))
                 missing.push_back(place + key);
         }
     };

@@ -1,5 +1,6 @@
 #include "tests/core/lessons/statements.h"
 
+#include "core/base/letters.h"
 #include "core/base/number_text.h"
 
 #include <algorithm>
@@ -19,15 +20,8 @@ constexpr std::string_view kPlusMinus = "\xc2\xb1";
 /// The tolerance of numbers stated exactly: the rounding error of the computation.
 constexpr double kRounding = 1e-9;
 
-bool isDigit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
-bool isLetter(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
+using base::isDigit;
+using base::isLetter;
 
 /// True if the text before a number makes it part of a name: "w" in w9, "m[" in m[14].
 bool isOfName(std::string_view before)
@@ -64,11 +58,6 @@ Digits digitsAt(std::string_view text, std::size_t at)
     return digits;
 }
 
-bool endsWith(std::string_view text, std::string_view end)
-{
-    return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
-}
-
 std::vector<StatedNumber> numbersIn(std::string_view text)
 {
     std::vector<StatedNumber> numbers;
@@ -80,7 +69,7 @@ std::vector<StatedNumber> numbersIn(std::string_view text)
         const std::string_view before = text.substr(0, at);
         Digits digits = digitsAt(text, at);
         if (!isOfName(before)) {
-            StatedNumber number{digits.value, 0.0, endsWith(before, kPlusMinus)};
+            StatedNumber number{digits.value, 0.0, before.ends_with(kPlusMinus)};
             if (digits.decimals > 0)
                 number.tolerance = 0.5 * std::pow(10.0, -digits.decimals) * (1.0 + kRounding);
             for (const std::string_view over : {std::string_view("/"), std::string_view(" : ")}) {
@@ -92,7 +81,7 @@ std::vector<StatedNumber> numbersIn(std::string_view text)
                     break;
                 }
             }
-            if (endsWith(before, "-") || endsWith(before, kMinus))
+            if (before.ends_with("-") || before.ends_with(kMinus))
                 number.value = -number.value;
             if (number.tolerance == 0.0)
                 number.tolerance = kRounding * std::fmax(1.0, std::fabs(number.value));

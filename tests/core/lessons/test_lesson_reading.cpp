@@ -304,6 +304,9 @@ private slots:
         QCOMPARE(translated->steps[0].text, std::vector<std::string>{"x"});
         QCOMPARE(untranslated(lesson, R"({"steps": [{"id": "a", "title": "甲"}]})"),
                  (std::vector<std::string>{"title", "a.text", "a.source"}));
+        QCOMPARE(untranslated(oneStep(""), R"({"title": "T", "steps": [{"id": "a", "title": "甲", "text": ["x"],
+                                                                       "source": "源"}]})"),
+                 (std::vector<std::string>{"a.source"}));
         const auto other = parseLesson("t", lesson, R"({"steps": [{"id": "b"}]})");
         QVERIFY(!other);
         QCOMPARE(other.error().message(), std::string("t, translated:1:12: steps[0]: the lesson has no step \"b\""));
