@@ -1,5 +1,6 @@
 #include "core/cli/command_line.h"
 
+#include "core/base/columns.h"
 #include "core/base/translation.h"
 #include "core/cli/commands/command.h"
 #include "core/cli/rows/byte_stream.h"
@@ -9,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -26,10 +28,31 @@ constexpr std::pair<const char *, AddOptions *> kCommands[] = {
     {"matrices", addMatrices}, {"code", addCode},   {"landmarks", addLandmarks}, {"doctor", addDoctor},
 };
 
-/// The library's format of --help, with its words in the user's language.
+/// The library's format of --help, which counts columns as terminals do instead of bytes, and has
+/// full-width colons behind Chinese.
+class HelpFormatter : public CLI::Formatter {
+    std::string make_option(const CLI::Option *option, bool isPositional) const override
+    {
+        const std::string head = "  " + make_option_name(option, isPositional) + make_option_opts(option);
+        const std::string margin = '\n' + std::string(get_column_width(), ' ');
+        return (base::columnsOf(head) < get_column_width() ? base::padded(head, get_column_width()) : head + margin)
+               + CLI::detail::find_and_replace(make_option_desc(option), "\n", margin) + '\n';
+    }
+    std::string make_help(const CLI::App *app, std::string name, CLI::AppFormatMode mode) const override
+    {
+        std::string help = Formatter::make_help(app, std::move(name), mode);
+        for (std::size_t at = help.find(':'); at != help.npos; at = help.find(':', at + 1)) {
+            if (at > 0 && static_cast<unsigned char>(help[at - 1]) >= 0x80)
+                help.replace(at, help.substr(at + 1).starts_with(' ') ? 2 : 1, "：");
+        }
+        return help;
+    }
+};
+
+/// The same with its words in the user's language.
 std::shared_ptr<CLI::Formatter> helpFormatter()
 {
-    auto formatter = std::make_shared<CLI::Formatter>();
+    auto formatter = std::make_shared<HelpFormatter>();
     for (const auto &[word, label] :
          {std::pair("Usage", tr("Usage")), std::pair("OPTIONS", tr("OPTIONS")),
           std::pair("SUBCOMMAND", tr("SUBCOMMAND")), std::pair("Positionals", tr("Positionals")),

@@ -33,6 +33,28 @@ bool isExample(const QString &line)
     return start.match(line).hasMatch();
 }
 
+/// The line without a list of words at its end, which the program adds unfolded: "…：double, float"
+/// behind a description, "…：--table --repeats" behind an option.
+QString withoutList(QString line)
+{
+    static const QRegularExpression list(QStringLiteral("(?:[\\w.-]+,? )+[\\w.-]*$"));
+    return line.remove(list);
+}
+
+/// Returns whether a line of the help has its description in the column of those that continue it,
+/// or has none because that begins in the next line.
+bool isInColumn(const std::string &line, const QString &next)
+{
+    constexpr std::size_t kDescriptions = 30;
+    const std::string_view start = base::firstColumns(line, kDescriptions);
+    const std::string_view head = start.substr(0, start.find_last_not_of(' ') + 1);
+    if (base::columnsOf(start) == kDescriptions && head.size() < start.size())
+        return head.find("  ", 2) == head.npos && line.size() > start.size() && line[start.size()] != ' ';
+    static const QRegularExpression description(QStringLiteral("^ {30}[^ ]"));
+    return base::columnsOf(line) >= kDescriptions && line.find("  ", 2) == line.npos
+           && description.match(next).hasMatch();
+}
+
 } // namespace
 
 class TestChinese : public QObject {
@@ -90,14 +112,22 @@ private slots:
         const Run run = runCommand(words, {}, kChinese);
         VERIFY_SUCCEEDED(run);
         const QString help = QString::fromUtf8(run.output);
-        QVERIFY(help.contains(QStringLiteral("\n用法: unproject")));
+        QVERIFY(help.contains(QStringLiteral("\n用法：unproject")));
+        QVERIFY(help.contains(QStringLiteral("\n选项：\n")));
         QVERIFY(!help.contains(QChar::ReplacementCharacter));
-        for (const QString &line : help.split(u'\n')) {
+        const QStringList lines = help.split(u'\n');
+        const QStringList headings{QStringLiteral("参数："), QStringLiteral("选项："), QStringLiteral("命令：")};
+        bool isEntry = false;
+        for (qsizetype i = 0; i < lines.size(); ++i) {
+            const QString &line = lines[i];
             if (isExample(line))
                 continue;
             QVERIFY2(!hasEnglish(line), qPrintable(line));
-            const bool isOption = line.startsWith(QStringLiteral("  "));
-            QVERIFY2(isOption || base::columnsOf(line.toStdString()) <= 80, qPrintable(line));
+            QVERIFY2(base::columnsOf(withoutList(line).toStdString()) <= 80, qPrintable(line));
+            if (!line.startsWith(u' '))
+                isEntry = headings.contains(line);
+            QVERIFY2(!isEntry || !line.startsWith(u' ') || isInColumn(line.toStdString(), lines.value(i + 1)),
+                     qPrintable(line));
         }
     }
 
