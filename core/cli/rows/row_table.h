@@ -68,6 +68,8 @@ public:
     /// @param results  names of the columns written
     RowTable(const RowOptions &options, const std::vector<ColumnNames> &alternatives,
              const std::vector<std::string> &results);
+    RowTable(const RowTable &) = delete; // m_blocks refers to m_source
+    RowTable &operator=(const RowTable &) = delete;
 
     /// The name of the input, for messages.
     const std::string &name() const { return m_source.name(); }
