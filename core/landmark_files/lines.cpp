@@ -88,24 +88,34 @@ bool isNoPosition(const base::Json &value)
     return isNothing(value) || (value.is_array() && std::all_of(value.begin(), value.end(), isNothing));
 }
 
+void Coordinates::add(std::string_view word, std::size_t line, bool isMissing)
+{
+    if (isMissing)
+        ++m_missing;
+    else
+        m_position[static_cast<int>(m_count)] = numberOf(word, line, kAxes[m_count]);
+    ++m_count;
+    m_line = line;
+}
+
+Landmark Coordinates::landmark() const
+{
+    Landmark landmark;
+    if (m_missing == m_count)
+        return landmark;
+    if (m_missing > 0)
+        fail(m_line, tr("some coordinates of a point are missing and some are not; a point is missing as a whole"));
+    landmark.world = WorldPoint(m_position);
+    return landmark;
+}
+
 Landmark landmarkAt(std::span<const std::string_view> words, std::size_t line,
                     const std::function<bool(std::string_view)> &isMissing)
 {
-    glm::dvec3 v(0.0);
-    std::size_t missing = 0;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (isMissing(words[i]))
-            ++missing;
-        else
-            v[static_cast<int>(i)] = numberOf(words[i], line, kAxes[i]);
-    }
-    Landmark landmark;
-    if (missing == words.size())
-        return landmark;
-    if (missing > 0)
-        fail(line, tr("some coordinates of a point are missing and some are not; a point is missing as a whole"));
-    landmark.world = WorldPoint(v);
-    return landmark;
+    Coordinates coordinates;
+    for (const std::string_view word : words)
+        coordinates.add(word, line, isMissing(word));
+    return coordinates.landmark();
 }
 
 std::string numbersText(const glm::dvec3 &v, char separator)

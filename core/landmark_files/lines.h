@@ -63,6 +63,17 @@ std::uint32_t countOf(std::string_view word, std::size_t line, std::string_view 
 bool isMissingWord(std::string_view word);
 /// True if a value is a program's position of a missing point: null, "", "NA", [] or three times null.
 bool isNoPosition(const base::Json &value);
+/// A landmark from its coordinates, one after another, which may stand on several lines.
+class Coordinates {
+public:
+    void add(std::string_view word, std::size_t line, bool isMissing);
+    /// The landmark; without a position if all coordinates are missing.
+    landmarks::Landmark landmark() const;
+
+private:
+    glm::dvec3 m_position{0.0};
+    std::size_t m_count = 0, m_missing = 0, m_line = 0; ///< the line of the last one
+};
 /// Parses two or three coordinates: a landmark without a position if all are missing.
 landmarks::Landmark landmarkAt(std::span<const std::string_view> words, std::size_t line,
                                const std::function<bool(std::string_view)> &isMissing = isMissingWord);

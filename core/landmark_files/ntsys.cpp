@@ -198,10 +198,12 @@ ReadLandmarks readNts(std::string_view text)
         else if (parameters.rowLabels == 'B')
             set.name = words.need();
         for (std::size_t column = 0; column < parameters.columns; column += axes) {
-            std::vector<std::string_view> numbers;
-            for (std::size_t axis = 0; axis < axes; ++axis)
-                numbers.push_back(words.need());
-            Landmark landmark = landmarkAt(numbers, lines.number(), isMissing);
+            Coordinates coordinates;
+            for (std::size_t axis = 0; axis < axes; ++axis) {
+                const std::string_view word = words.need();
+                coordinates.add(word, lines.number(), isMissing(word));
+            }
+            Landmark landmark = coordinates.landmark();
             if (!columnLabels.empty() && !isOneSpecimen)
                 landmark.name = nameOf(columnLabels, column, axes);
             set.landmarks.push_back(std::move(landmark));
