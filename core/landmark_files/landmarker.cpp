@@ -2,10 +2,14 @@
 // with labels.
 
 #include "core/base/json_fields.h"
+#include "core/base/number_text.h"
 #include "core/base/translation.h"
 #include "core/landmark_files/lines.h"
 
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 namespace unprojector::landmark_files {
 using namespace landmarks;
@@ -17,25 +21,44 @@ namespace {
 struct Room {};
 using Reader = base::JsonReader<Room>;
 
-struct Place {
+struct Position {
     std::optional<geometry::WorldPoint> world;
 };
-using Places = std::vector<Place>;
+using Positions = std::vector<Position>;
 
 struct Label {
     std::string text;
     std::vector<std::size_t> mask; ///< indices of its points
 };
 
-void readPlace(Reader &json, Place &place)
+/// True for null and three times null.
+bool isMissing(const Json &point)
 {
-    if (json.exists() && isNoPosition(json.json()))
-        return;
+    return point.is_null()
+           || (point.is_array() && point.size() == 3
+               && std::all_of(point.begin(), point.end(), [](const Json &value) { return value.is_null(); }));
+}
+
+void readPosition(Reader &json, Position &position)
+{
     if (json.exists() && json.json().is_array() && json.json().size() == 2)
         json.fail(tr("has two coordinates: these are points in an image, not in space"));
+    if (json.exists() && isMissing(json.json()))
+        return;
     glm::dvec3 v(0.0);
     json.value(v);
-    place.world = geometry::WorldPoint(v);
+    position.world = geometry::WorldPoint(v);
+}
+
+/// Parses the index of one of the points.
+std::size_t indexOf(const Reader &json, std::size_t count)
+{
+    const double index = json.number();
+    if (!(index >= 0.0 && index < static_cast<double>(count) && index == std::floor(index)))
+        json.fail(
+            tr(count == 1 ? "is %1; there is %2 point, counted from 0" : "is %1; there are %2 points, counted from 0",
+               base::shortestText(index), count));
+    return static_cast<std::size_t>(index);
 }
 
 /// The name of a point of a label: the label if it has one point, else the label with the point's
@@ -56,22 +79,24 @@ void noteLinks(const Json &object, Notes &notes)
 /// "connectivity": […]}}.
 LandmarkSet setOf(Reader &json, Notes &notes)
 {
-    Places places;
+    Positions positions;
     json.object("landmarks", [&](Reader &object) {
-        object.required("points", places, readPlace);
+        object.required("points", positions, readPosition);
         noteLinks(object.json(), notes);
     });
     LandmarkSet set;
-    for (const Place &place : places)
-        set.landmarks.emplace_back().world = place.world;
+    for (const Position &position : positions)
+        set.landmarks.emplace_back().world = position.world;
     std::vector<Label> labels;
-    json.optional("labels", labels, [&places](Reader &object, Label &label) {
+    json.optional("labels", labels, [&positions](Reader &object, Label &label) {
         object.required("label", label.text);
-        object.required("mask", label.mask, base::Whole{0.0, static_cast<double>(places.size()) - 1.0});
+        object.required("mask", label.mask, [&positions](Reader &element, std::size_t &index) {
+            index = indexOf(element, positions.size());
+        });
     });
     // A point may have several labels, including "all". The one with the fewest points is the most
     // specific.
-    std::vector<std::size_t> fewest(places.size(), places.size() + 1);
+    std::vector<std::size_t> fewest(positions.size(), positions.size() + 1);
     for (const auto &[text, mask] : labels) {
         for (std::size_t k = 0; k < mask.size(); ++k) {
             if (mask.size() >= fewest[mask[k]])
@@ -90,15 +115,15 @@ LandmarkSet firstVersion(Reader &json, Notes &notes)
     for (std::size_t i = 0; i < json.size(); ++i) {
         Reader group(json, i);
         std::string label;
-        Places places;
+        Positions positions;
         group.required("label", label);
-        group.required("landmarks", places,
-                       [](Reader &object, Place &place) { object.required("point", place, readPlace); });
+        group.required("landmarks", positions,
+                       [](Reader &object, Position &position) { object.required("point", position, readPosition); });
         noteLinks(group.json(), notes);
-        for (std::size_t k = 0; k < places.size(); ++k) {
+        for (std::size_t k = 0; k < positions.size(); ++k) {
             Landmark &landmark = set.landmarks.emplace_back();
-            landmark.name = nameOf(label, k, places.size());
-            landmark.world = places[k].world;
+            landmark.name = nameOf(label, k, positions.size());
+            landmark.world = positions[k].world;
         }
     }
     return set;

@@ -77,17 +77,6 @@ bool isMissingWord(std::string_view word)
     return std::find(kWords.begin(), kWords.end(), lowerCase(word)) != kWords.end();
 }
 
-bool isNoPosition(const base::Json &value)
-{
-    const auto isNothing = [](const base::Json &each) {
-        return each.is_null()
-               || (each.is_string()
-                   && (trimmed(each.get_ref<const std::string &>()).empty()
-                       || isMissingWord(trimmed(each.get_ref<const std::string &>()))));
-    };
-    return isNothing(value) || (value.is_array() && std::all_of(value.begin(), value.end(), isNothing));
-}
-
 void Coordinates::add(std::string_view word, std::size_t line, bool isMissing)
 {
     if (isMissing)

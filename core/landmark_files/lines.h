@@ -61,8 +61,6 @@ double numberOf(std::string_view word, std::size_t line, std::string_view what);
 std::uint32_t countOf(std::string_view word, std::size_t line, std::string_view what);
 /// True if a word means "no number": NA, NaN, N/A, #N/A, null or none, in any case.
 bool isMissingWord(std::string_view word);
-/// True if a value is a program's position of a missing point: null, "", "NA", [] or three times null.
-bool isNoPosition(const base::Json &value);
 /// A landmark from its coordinates, one after another, which may stand on several lines.
 class Coordinates {
 public:
@@ -72,7 +70,8 @@ public:
 
 private:
     glm::dvec3 m_position{0.0};
-    std::size_t m_count = 0, m_missing = 0, m_line = 0; ///< the line of the last one
+    std::size_t m_count = 0, m_missing = 0;
+    std::size_t m_line = 0; ///< of the last one
 };
 /// Parses two or three coordinates: a landmark without a position if all are missing.
 landmarks::Landmark landmarkAt(std::span<const std::string_view> words, std::size_t line,

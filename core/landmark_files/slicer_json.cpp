@@ -50,6 +50,18 @@ struct Document {
     base::JsonValue extra;
 };
 
+/// True for a position of a missing point, as programs write one: null, "", "NA", [] or three times null.
+bool isNoPosition(const Json &value)
+{
+    const auto isNothing = [](const Json &each) {
+        return each.is_null()
+               || (each.is_string()
+                   && (trimmed(each.get_ref<const std::string &>()).empty()
+                       || isMissingWord(trimmed(each.get_ref<const std::string &>()))));
+    };
+    return isNothing(value) || (value.is_array() && std::all_of(value.begin(), value.end(), isNothing));
+}
+
 template <class Fields, Is<Point> T>
 void describe(Fields &json, T &point)
 {
