@@ -25,10 +25,11 @@ Configuration onlyPlaced(Configuration points, const Configuration &placed)
 PlaceExpectation::PlaceExpectation(std::span<const Configuration> others)
     : m_others(superimposed(others, Estimate::Robust))
 {
-    for (std::size_t k = 0; k < m_others.aligned.size(); ++k) {
-        std::vector<Configuration> rest = m_others.aligned;
-        rest[k].assign(rest[k].size(), std::nullopt);
-        m_rest.push_back(meanOf(rest, Estimate::Robust));
+    for (Configuration &points : m_others.aligned) {
+        Configuration kept(points.size());
+        kept.swap(points); // the mean is that of the rest
+        m_rest.push_back(meanOf(m_others.aligned, Estimate::Robust));
+        kept.swap(points);
     }
 }
 
