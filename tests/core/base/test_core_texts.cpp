@@ -229,6 +229,15 @@ private slots:
         }
     }
 
+    /// “%1” has a blank on both sides or on none.
+    void noQuotesHaveABlankOnOneSide()
+    {
+        static const QRegularExpression oneSide(QStringLiteral("\\p{Han} “[^”]*”\\p{Han}|\\p{Han}“[^”]*” \\p{Han}"));
+        const QJsonObject texts = catalogue();
+        for (const QJsonValue text : texts)
+            QVERIFY2(!oneSide.match(text.toString()).hasMatch(), qPrintable(text.toString()));
+    }
+
     /// A side that is right and a verdict that is right are two words in Chinese.
     void aWordAloneSaysWhereItStands()
     {
