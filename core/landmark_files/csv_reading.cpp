@@ -450,7 +450,7 @@ void addTableNotes(Notes &notes, const Table &table)
                marked("%1 empty rows at the end of the table are left out")},
               table.paddingCount());
     if (table.header().axes == Axes::Ras)
-        notes.add(kTurned);
+        notes.add(kAxesFlipped);
 }
 
 } // namespace

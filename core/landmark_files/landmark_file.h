@@ -3,7 +3,6 @@
 #include "core/base/csv.h"
 #include "core/base/error.h"
 #include "core/base/note.h"
-#include "core/geometry/result.h"
 #include "core/landmarks/landmark.h"
 
 #include <array>

@@ -109,8 +109,9 @@ inline constexpr NoteText kNameChanged{base::marked("the name \"%1\" as \"%2\"")
     kCurveUnknown{base::marked("the curve \"%1\" has no semilandmarks and is left out: its path is computed when its "
                                "mesh is open")},
     kDecimalCommas{base::marked("the numbers have a decimal comma: 1,5 is one and a half")},
-    kTurned{base::marked("the file is in RAS; x and y are negated, so that the points lie on a mesh as 3D Slicer reads "
-                         "one (LPS)")},
+    kAxesFlipped{
+        base::marked("the file is in RAS; x and y are negated, so that the points lie on a mesh as 3D Slicer reads "
+                     "one (LPS)")},
     kBlanksLeftOut{base::marked("the blanks around %1 cell text are removed; put the text in quotes to keep them"),
                    base::marked("the blanks around %1 cell texts are removed; put the texts in quotes to keep them")},
     kCommentsLeftOut{base::marked("%1 comment is left out"), base::marked("%1 comments are left out")},

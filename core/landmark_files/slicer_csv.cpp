@@ -303,7 +303,7 @@ ReadLandmarks readSlicerCsv(std::string_view text)
     if (dialect.mark.isComma())
         notes.add(kDecimalCommas);
     if (set.axes == Axes::Ras && !set.landmarks.empty())
-        notes.add(kTurned);
+        notes.add(kAxesFlipped);
     read.notes = notes.take();
     return read;
 }

@@ -225,7 +225,7 @@ LandmarkSet setOf(Markup &&markup, Notes &notes)
     for (std::size_t i = 0; i < markup.points.size(); ++i)
         set.landmarks.push_back(landmarkOf(std::move(markup.points[i]), set.axes, i, notes));
     if (set.axes == Axes::Ras && !set.landmarks.empty())
-        notes.add(kTurned);
+        notes.add(kAxesFlipped);
     return set;
 }
 
@@ -255,7 +255,7 @@ ReadLandmarks readSlicerJson(std::string_view text)
             if (const Json &extra = markup.extra.json(); extra.contains(kUnits) && extra[kUnits].is_string())
                 set.unit = extra[kUnits].get<std::string>();
             if (set.axes == Axes::Ras)
-                notes.add(kTurned);
+                notes.add(kAxesFlipped);
         }
         read.sets.back().curves.push_back(curveOf(std::move(markup), notes));
     }

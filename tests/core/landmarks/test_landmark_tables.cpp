@@ -13,7 +13,7 @@ using namespace unprojector::landmarks;
 
 namespace {
 
-const QString kTurned = QStringLiteral(
+const QString kAxesFlipped = QStringLiteral(
     "the file is in RAS; x and y are negated, so that the points lie on a mesh as 3D Slicer reads one (LPS)");
 const QString kCommas = QStringLiteral("the numbers have a decimal comma: 1,5 is one and a half");
 
@@ -35,8 +35,9 @@ private slots:
         QVERIFY(set.landmarks[0].isHidden && !set.landmarks[1].isHidden);
         QCOMPARE(set.landmarks[0].extra.json().dump(), std::string(R"({"selected":false,"locked":true})"));
         QVERIFY(set.landmarks[1].extra.json().is_null());
-        QCOMPARE(noteTexts(read->notes),
-                 (QStringList{kTurned, "1 point is marked as not placed and had coordinates, which are left out"}));
+        QCOMPARE(
+            noteTexts(read->notes),
+            (QStringList{kAxesFlipped, "1 point is marked as not placed and had coordinates, which are left out"}));
         const auto fcsv = landmarksText({&set, 1}, Format::SlicerCsv);
         QVERIFY(fcsv && fcsv->text.find("0,1,2,3,0,0,0,1,0,0,1,\"a, b\",worn,") != std::string::npos);
     }
