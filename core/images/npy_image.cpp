@@ -12,24 +12,86 @@ using base::Error;
 using base::tr;
 namespace {
 
-/// The value of a key in the dictionary of a header, {'descr': '<f4', 'fortran_order': False, 'shape': (480, 640), };
-/// nothing without it.
-std::optional<std::string_view> valueOf(std::string_view header, std::string_view key)
+/// The dictionary of a header: {'descr': '<f4', 'fortran_order': False, 'shape': (480, 640), }
+struct Header {
+    std::string_view type, order, sides;
+};
+
+/// Iterates over the parts of a dictionary.
+class HeaderScanner {
+public:
+    explicit HeaderScanner(std::string_view text) : m_text(text) {}
+
+    /// Moves past blanks and a character. Returns whether it is there.
+    bool take(char c)
+    {
+        m_text = base::trimmed(m_text);
+        const bool isThere = m_text.starts_with(c);
+        m_text.remove_prefix(isThere ? 1 : 0);
+        return isThere;
+    }
+    /// The text up to one of some characters outside quotes and brackets, or to the end; without blanks around it.
+    std::string_view textBefore(std::string_view ends)
+    {
+        std::size_t at = 0;
+        char quote = '\0';
+        for (int depth = 0; at < m_text.size(); ++at) {
+            const char c = m_text[at];
+            if (quote != '\0')
+                quote = c == quote ? '\0' : quote;
+            else if (depth == 0 && ends.find(c) != ends.npos)
+                break;
+            else if (c == '\'' || c == '"')
+                quote = c;
+            else
+                depth += c == '[' || c == '(' ? 1 : c == ']' || c == ')' ? -1 : 0;
+        }
+        const std::string_view text = m_text.substr(0, at);
+        m_text.remove_prefix(at);
+        return base::trimmed(text);
+    }
+
+private:
+    std::string_view m_text;
+};
+
+/// The text between quotes; nothing without the same quote at both ends.
+std::optional<std::string_view> unquoted(std::string_view text)
 {
-    const std::size_t at = header.find('\'' + std::string(key) + '\'');
-    const std::size_t colon = std::min(header.find(':', at), header.size());
-    const std::string_view value = base::trimmed(header.substr(std::min(colon + 1, header.size())));
-    const char closing = value.starts_with('(') ? ')' : value.starts_with('[') ? ']' : '\0';
-    const std::size_t end = closing != '\0' ? value.find(closing) : value.find_first_of(",}");
-    if (end == value.npos)
+    const bool isQuoted =
+        text.size() >= 2 && (text[0] == '\'' || text[0] == '"') && text.find(text[0], 1) == text.size() - 1;
+    return isQuoted ? std::optional(text.substr(1, text.size() - 2)) : std::nullopt;
+}
+
+/// Nothing for a damaged text.
+std::optional<Header> headerIn(std::string_view text)
+{
+    HeaderScanner scanner(text);
+    Header header;
+    if (!scanner.take('{'))
         return std::nullopt;
-    return value.substr(0, closing != '\0' ? end + 1 : end);
+    while (!scanner.take('}')) {
+        const auto key = unquoted(scanner.textBefore(":"));
+        if (!scanner.take(':'))
+            return std::nullopt;
+        const std::string_view value = scanner.textBefore(",}");
+        scanner.take(',');
+        if (key == "descr")
+            header.type = unquoted(value).value_or(value.starts_with('[') ? value : "");
+        else if (key == "fortran_order")
+            header.order = value;
+        else if (key == "shape")
+            header.sides = value;
+        else
+            return std::nullopt;
+    }
+    return header;
 }
 
 /// The sides of an array: "(480, 640)". Nothing for another text.
 std::optional<std::vector<std::size_t>> shapeOf(std::string_view text)
 {
-    if (!text.starts_with('('))
+    if (!text.starts_with('(') || !text.ends_with(')'))
         return std::nullopt;
     std::string words(text.substr(1, text.size() - 2));
     std::ranges::replace(words, ',', ' ');
@@ -60,11 +122,15 @@ std::string headerText(ImageBytes &bytes)
     constexpr std::size_t kMagic = 6, kMostText = 65536;
     std::array<char, 6> start{}; // version and length
     bytes.moveTo(kMagic);
-    const bool isRead = bytes.read(start.data(), 4) && (start[0] == 1 || bytes.read(start.data() + 4, 2));
-    const auto *length = reinterpret_cast<const std::uint8_t *>(start.data()) + 2;
-    std::string text(start[0] == 1 ? base::numberAt<std::uint16_t>(length) : base::numberAt<std::uint32_t>(length),
-                     ' ');
-    if (!isRead || start[0] < 1 || start[0] > 3 || text.size() > kMostText || !bytes.read(text.data(), text.size()))
+    if (!bytes.read(start.data(), 4) || start[0] < 1 || start[0] > 3
+        || (start[0] > 1 && !bytes.read(start.data() + 4, 2)))
+        return {};
+    const auto *at = reinterpret_cast<const std::uint8_t *>(start.data()) + 2;
+    const std::size_t length = start[0] == 1 ? base::numberAt<std::uint16_t>(at) : base::numberAt<std::uint32_t>(at);
+    if (length > kMostText)
+        return {};
+    std::string text(length, ' ');
+    if (!bytes.read(text.data(), text.size()))
         return {};
     return text;
 }
@@ -73,16 +139,14 @@ std::string headerText(ImageBytes &bytes)
 
 NumberImage readNpy(ImageBytes &bytes, const ImageRequest &request)
 {
-    std::string text = headerText(bytes);
-    std::ranges::replace(text, '"', '\'');
-    const auto type = valueOf(text, "descr"), order = valueOf(text, "fortran_order"), sides = valueOf(text, "shape");
-    const auto shape = sides ? shapeOf(*sides) : std::nullopt;
-    if (!type || !shape || (order != "True" && order != "False"))
+    const std::string text = headerText(bytes);
+    const std::optional<Header> header = headerIn(text);
+    const auto shape = header ? shapeOf(header->sides) : std::nullopt;
+    if (!shape || header->type.empty() || (header->order != "True" && header->order != "False"))
         throw Error{tr("the header is damaged")};
     NumberImage image;
-    image.size = sizeOf(*shape, *sides);
-    // "<f4"
-    const std::string_view name = type->starts_with('\'') ? type->substr(1, type->size() - 2) : *type;
+    image.size = sizeOf(*shape, header->sides);
+    const std::string_view name = header->type; // "<f4"
     const bool hasOrder = name.find_first_of("<>=|") == 0;
     const std::optional<FileNumber> number = hasOrder ? fileNumber(name.substr(1)) : std::nullopt;
     if (!number)
@@ -98,7 +162,7 @@ NumberImage readNpy(ImageBytes &bytes, const ImageRequest &request)
     };
     std::visit(
         [&]<class File>(File) {
-            if (order == "True")
+            if (header->order == "True")
                 readNumbers<File>(bytes, image, byteOrder, request, columnByColumn);
             else
                 readNumbers<File>(bytes, image, byteOrder, request);

@@ -4,6 +4,8 @@
 
 #include <QFile>
 
+#include <cmath>
+
 #ifdef UNPROJECTOR_TIFF
 #include <tiffio.h>
 #endif
@@ -27,6 +29,16 @@ QVector<Number> numbers()
         values << Number(2 + 7 * i);
     return values;
 }
+
+/// A float of 16 bits: sign, exponent and fraction. For whole numbers from 1 to 2047.
+struct Half {
+    explicit Half(int number)
+    {
+        const int exponent = std::ilogb(double(number));
+        bits = quint16((exponent + 15) << 10 | (number << (10 - exponent) & 0x3ff));
+    }
+    quint16 bits = 0;
+};
 
 #ifdef UNPROJECTOR_TIFF
 /// The kind of a TIFF.
@@ -57,7 +69,7 @@ QByteArray tiffOf(const QString &file, const TiffKind &kind)
         constexpr int kTile = 16;
         TIFFSetField(tiff, TIFFTAG_TILEWIDTH, kTile);
         TIFFSetField(tiff, TIFFTAG_TILELENGTH, kTile);
-        QVector<Number> tile(qsizetype(kTile) * kTile, Number(0));
+        QVector<Number> tile(qsizetype(kTile) * kTile, Number(1));
         for (int i = 0; i < values.size(); ++i)
             tile[i / kWidth * kTile + i % kWidth] = values[i];
         TIFFWriteTile(tiff, tile.data(), 0, 0, 0, 0);

@@ -51,17 +51,6 @@ QByteArray npyInFortranOrder()
     return npy(npyHeader("<f4", "(3, 4)", true), bytesOf(columns));
 }
 
-/// 16 bits of sign, exponent and fraction; for whole numbers from 2 to 2047.
-QByteArray npyOfHalves()
-{
-    QVector<quint16> halves;
-    for (const int number : numbers<int>()) {
-        const int exponent = std::ilogb(double(number));
-        halves << quint16((exponent + 15) << 10 | (number << (10 - exponent) & 0x3ff));
-    }
-    return npy(npyHeader("<f2", "(3, 4)"), bytesOf(halves));
-}
-
 QByteArray pgm(int greatest)
 {
     QByteArray bytes = "P5\n4 3\n" + QByteArray::number(greatest) + "\n";
@@ -131,7 +120,7 @@ private slots:
         newRow("COLMAP") << "4&3&1&" + bytesOf(numbers<float>());
         newRow("npy, floats") << npyOf<float>("<f4");
         newRow("npy, doubles") << npyOf<double>("<f8");
-        newRow("npy, halves") << npyOfHalves();
+        newRow("npy, halves") << npyOf<Half>("<f2");
         newRow("npy, 8 bits") << npyOf<quint8>("|u1");
         newRow("npy, 8 bits, signed") << npyOf<qint8>("|i1");
         newRow("npy, 16 bits") << npyOf<quint16>("<u2");
@@ -150,6 +139,11 @@ private slots:
         second[6] = 2;
         second.insert(10, QByteArray(2, '\0'));
         newRow("npy, version 2") << second;
+        const auto withHeader = [](const char *header) { return npy(header, bytesOf(numbers<float>())); };
+        newRow("npy, blanks before commas")
+            << withHeader("{'descr': '<f4' , 'fortran_order' : False , 'shape': (3 , 4) , }");
+        newRow("npy, no blanks, other order")
+            << withHeader("{\"shape\":(3,4),\"fortran_order\":False,\"descr\":\"<f4\"}");
         addLibraryFormats();
     }
 
@@ -440,6 +434,23 @@ private slots:
                                   << QByteArray("numbers of type [('z', '<f4')]");
         newRow("npy, too long") << floats + '\0' << QByteArray("too long");
         newRow("npy, no header") << QByteArray("\x93NUMPY\x01\x00\x03\x00{a}", 13) << QByteArray("header is damaged");
+        newRow("npy, a field named shape")
+            << npy("{'descr': [('shape', '<f4'), ('z', '<f4')], 'fortran_order': False, 'shape': (3, 4)}", {})
+            << QByteArray("numbers of type [('shape', '<f4'), ('z', '<f4')]");
+        for (const char *header :
+             {"'descr': '<f4', 'fortran_order': False, 'shape': (3, 4), }",
+              "{'descr': '<f4', 'fortran_order': False, 'shape': (3, 4), ",
+              "{'descr': '<f42, 'fortran_order': False, 'shape': (3, 4), }",
+              "{'descr': '<f4\", 'fortran_order': False, 'shape': (3, 4), }",
+              "{'descr': '<f4'x, 'fortran_order': False, 'shape': (3, 4), }",
+              "{'descr': '<f4', 'fortran_order': False, 'shape': (3, 4}", "{'descr': '<f4', 'fortran_order': False}",
+              "{'descr': '<f4', 'shape': (3, 4)}", "{'fortran_order': False, 'shape': (3, 4)}"})
+            newRow(header) << npy(header, bytesOf(numbers<float>())) << QByteArray("header is damaged");
+        newRow("npy, a header of 4 GiB") << QByteArray("\x93NUMPY\x02\x00\xff\xff\xff\xff", 12)
+                                         << QByteArray("header is damaged");
+        newRow("npy, a header beyond the most")
+            << QByteArray("\x93NUMPY\x02\x00\x01\x00\x01\x00", 12) << QByteArray("header is damaged");
+        newRow("npy, version 4") << floats.left(6) + '\x04' + floats.mid(7) << QByteArray("header is damaged");
         newRow("npz") << QByteArray("PK\x03\x04xxxx") << QByteArray("an archive (.npz or .zip)");
         newRow("JPEG") << QByteArray("\xff\xd8\xff\xe0\x00\x10JFIF", 10)
                        << QByteArray("a JPEG image holds no exact numbers");
@@ -537,6 +548,7 @@ private:
 #ifdef UNPROJECTOR_TIFF
         const QString file = m_folder.path("made.tiff");
         newRow("TIFF, floats") << tiffOf<float>(file, {});
+        newRow("TIFF, halves") << tiffOf<Half>(file, {.bits = 16});
         newRow("TIFF, big-endian") << tiffOf<float>(file, {.mode = "wb"});
         newRow("TIFF, BigTIFF") << tiffOf<float>(file, {.mode = "w8"});
         newRow("TIFF, doubles, from the bottom")
