@@ -1,5 +1,6 @@
 #include "core/mesh/import/gltf_extensions.h"
 
+#include "core/base/text_scanner.h"
 #include "core/base/translation.h"
 #include "core/mesh/import/gltf_draco.h"
 #include "core/mesh/import/meshopt_view.h"
@@ -18,16 +19,62 @@ namespace {
 constexpr std::string_view kRead[] = {"EXT_mesh_gpu_instancing", "KHR_mesh_quantization", "KHR_node_visibility",
                                       "KHR_texture_transform", "KHR_materials_pbrSpecularGlossiness"};
 
-/// Words in the names of extensions that move no vertex: of materials, images, lights, data, motion
-/// and sound.
-constexpr std::string_view kWordsBesideShape[] = {
-    "material", "technique", "texture", "image",   "light", "animation",     "audio", "physics",
-    "metadata", "features",  "xmp",     "outline", "ngon",  "articulations", "lod",   "VRM"};
+/// Extensions that move no vertex and whose names have none of kHarmlessParts, or one of kWordsOfShape. A "*" at the
+/// end matches any ending, but no kWordsOfShape.
+constexpr std::string_view kHarmless[] = {
+    // other ways to draw the same vertices; the vertices of a splatting are points
+    "KHR_blend", "EXT_blend", "KHR_gaussian_splatting", "KHR_environment_map", "KHR_displayencoding*",
+    "KHR_displaymapping_*", "KHR_framebuffer_value_mapping", "EXT_pbr_attributes", "EXT_mesh_opacity_micromap",
+    "EXT_mesh_primitive_edge_visibility", "ADOBE_render_order", "ASOBO_normal_map_convention",
+    "CESIUM_primitive_outline", "CESIUM_tile_edges", "EPIC_hdri_backdrops", "GOOGLE_backgrounds", "GOOGLE_tilt_brush_*",
+    "MSFT_packing_*",
+    // data
+    "KHR_data_sizes", "KHR_mesh_annotation", "EXT_geopose", "EXT_manifold", "EXT_mesh_features", "EXT_mesh_manifold",
+    "AGI_*", "ASOBO_tags", "ASOBO_unique_id", "CESIUM_geopose", "FB_geometry_metadata", "FB_ngon_encoding",
+    "GODOT_single_root", "GRIFFEL_bim_data", "NEEDLE_components", "NEEDLE_gameobject_data", "NEEDLE_persistent_assets",
+    // variants: the default of the file is shown
+    "MAXAR_mesh_variants",
+    // motion, behaviour and physics: nodes stay where the file has them
+    "KHR_avatar*", "KHR_behavior", "KHR_character*", "KHR_collision_shapes", "KHR_interactivity",
+    "KHR_node_hoverability", "KHR_node_selectability", "KHR_rigid_bodies", "DRACO_animation_compression",
+    "HUBS_components", "MAXAR_collision_geometry", "MOZ_hubs_components", "MPEG_anchor", "MPEG_haptic*", "MPEG_media",
+    "OMI_*", "VRMC_*"};
 
+/// The same as a part of any name, also in the plural: of materials, images, lights, data, motion and sound.
+constexpr std::string_view kHarmlessParts[] = {"material", "technique", "texture", "textureinfo", "image", "light",
+                                               "lightmap", "camera",    "variant", "animation",   "audio", "physics",
+                                               "feature",  "metadata",  "xmp",     "lod",         "vrm"};
+
+/// Such an extension may move vertices.
+constexpr std::string_view kWordsOfShape[] = {"mesh",         "geometry", "compression",
+                                              "displacement", "accessor", "primitive"};
+
+bool isHarmlessPart(std::string_view part)
+{
+    return std::ranges::any_of(kHarmlessParts, [part](std::string_view known) {
+        return part.starts_with(known) && (part.size() == known.size() || part.substr(known.size()) == "s");
+    });
+}
+
+/// Whether the shape is whole without the extension.
 bool leavesShape(std::string_view name)
 {
-    return std::ranges::any_of(kWordsBesideShape,
-                               [name](std::string_view word) { return name.find(word) != name.npos; });
+    if (std::ranges::find(kHarmless, name) != std::end(kHarmless))
+        return true;
+    std::string lower = base::lowerCase(name);
+    if (std::ranges::any_of(kWordsOfShape, [&](std::string_view word) { return lower.find(word) != lower.npos; }))
+        return false;
+    if (std::ranges::any_of(kHarmless, [name](std::string_view pattern) {
+            return pattern.ends_with('*') && name.starts_with(pattern.substr(0, pattern.size() - 1));
+        }))
+        return true;
+    std::ranges::replace(lower, '_', ' ');
+    base::TextScanner parts(lower);
+    for (std::string_view part = parts.nextWord(); !part.empty(); part = parts.nextWord()) {
+        if (isHarmlessPart(part))
+            return true;
+    }
+    return false;
 }
 
 std::set<std::string> namesIn(const GltfFile &file, const char *key)

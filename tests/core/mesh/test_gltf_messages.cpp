@@ -51,7 +51,10 @@ private slots:
                         "EXT_lights_image_based EXT_lights_ies KHR_lights_punctual KHR_animation_pointer VRM VRMC_vrm "
                         "EXT_mesh_features EXT_structural_metadata EXT_instance_features MSFT_lod MSFT_texture_dds "
                         "KHR_xmp_json_ld KHR_materials_variants KHR_materials_not_made_yet AGI_articulations "
-                        "CESIUM_primitive_outline FB_ngon_encoding")
+                        "CESIUM_primitive_outline FB_ngon_encoding KHR_interactivity KHR_gaussian_splatting "
+                        "MSFT_packing_occlusionRoughnessMetallic EXT_mesh_manifold NEEDLE_components OMI_seat "
+                        "KHR_environment_map EXT_blend KHR_XMP EXT_textureInfo_extend MAXAR_collision_geometry "
+                        "DRACO_animation_compression")
                  .split(' '))
             newRow(extension.constData()) << quad({}, ",\"extensionsRequired\":[\"" + extension + "\"]") << 2
                                           << "the glTF extension \"" + extension
@@ -141,8 +144,11 @@ private slots:
         addColumn<QString>("name");
         addColumn<QString>("detail");
         const QString gltf = QStringLiteral("model.gltf"), glbName = QStringLiteral("model.glb");
-        for (const char *extension : {"KHR_meshopt_compression", "KHR_mesh_primitive_restart",
-                                      "KHR_gaussian_splatting_compression_spz_2", "CESIUM_RTC", "ACME_shape"})
+        for (const char *extension :
+             {"KHR_meshopt_compression", "KHR_mesh_primitive_restart", "KHR_gaussian_splatting_compression_spz_2",
+              "CESIUM_RTC", "ACME_shape", "ACME_lightweight_mesh", "EXT_geometry_image", "EXT_mesh_explode",
+              "KHR_texture_displacement", "FB_ngon_mesh", "ACME_mesh_compression_metadata", "ACME_explode",
+              "ACME_lighter", "OMI_mesh", "KHR_materials_Displacement"})
             newRow(extension) << quad({}, ",\"extensionsRequired\":[\"" + QByteArray(extension) + "\"]") << gltf
                               << extension + QStringLiteral(", which is not supported");
         for (const auto &[extension, library, isThere] :
