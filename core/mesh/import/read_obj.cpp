@@ -234,6 +234,7 @@ enum ObjLoss : std::size_t {
     LostLines,
     LostPoints,
     LostWords,     ///< vertices with more words than coordinates and colours
+    LostWeights,   ///< vertices with a fourth number, not 1
     UnknownLines,  ///< that begin with an unknown word
     LostTexcoords, ///< faces without texture coordinates, though they name some
     LostNormals,   ///< faces without normals, though they name some
@@ -378,7 +379,8 @@ private:
         // The format defines w as a weight in rational curves and surfaces. It has no meaning for
         // polygons.
         const bool hasWeight = (count == 4 || count == 8) && values[3] != 1.0;
-        losses[LostWords] += !isKnown || hasWeight ? 1U : 0U;
+        losses[LostWords] += isKnown ? 0U : 1U;
+        losses[LostWeights] += isKnown && hasWeight ? 1U : 0U;
         const glm::dvec3 position(values[0], values[1], values[2]);
         if (!isFinite(position)) {
             fail(cursor, {});
@@ -794,6 +796,9 @@ private:
         std::vector<Note> &notes = m_model.notes;
         noteLines(notes, losses[LostLines] + (m_hasFaces ? losses[LostPoints] : 0));
         noteVerticesWithMore(notes, losses[LostWords]);
+        addNote(notes, losses[LostWeights],
+                marked("%1 vertex has a fourth number, the weight of rational curves: it is not used"),
+                marked("%1 vertices have a fourth number, the weight of rational curves: it is not used"));
         addNote(
             notes, losses[UnknownLines],
             marked("not used: %1 line that begins with a word unknown to the format, \"%2\" in line %3"),
