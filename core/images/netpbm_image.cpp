@@ -116,7 +116,7 @@ void checkGreatest(const NumberImage &image, const ImageRequest &request)
 /// Reads numbers whose byte order the file does not tell.
 /// @param usual  the format's byte order
 template <class Number>
-void readInOrder(ImageBytes &bytes, NumberImage &image, std::endian usual, const ImageRequest &request)
+void readInByteOrder(ImageBytes &bytes, NumberImage &image, std::endian usual, const ImageRequest &request)
 {
     readNumbers<Number>(bytes, image, request.byteOrder.value_or(usual), request);
     if (!request.byteOrder && isSmootherSwapped<Number>(image))
@@ -158,7 +158,7 @@ NumberImage readNetpbm(ImageBytes &bytes, const ImageRequest &request)
                                      base::shortestText(std::abs(last))));
         readNumbers<float>(bytes, image, last < 0.0 ? std::endian::little : std::endian::big, request);
     } else if (image.greatest > 255.0) {
-        readInOrder<std::uint16_t>(bytes, image, std::endian::big, request);
+        readInByteOrder<std::uint16_t>(bytes, image, std::endian::big, request);
         checkGreatest<std::uint16_t>(image, request);
     } else {
         readNumbers<std::uint8_t>(bytes, image, std::endian::native, request);
@@ -172,7 +172,7 @@ NumberImage readRaw(ImageBytes &bytes, const PixelSize &size, const ImageRequest
     checkSize(size, request);
     NumberImage image;
     image.size = size;
-    readInOrder<float>(bytes, image, std::endian::little, request);
+    readInByteOrder<float>(bytes, image, std::endian::little, request);
     return image;
 }
 

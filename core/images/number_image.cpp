@@ -62,7 +62,7 @@ NumberImage readTiff(ImageBytes &, const ImageRequest &)
     throwNoLibrary("TIFF", "libtiff", ".npy, PFM");
 }
 #endif
-#ifndef UNPROJECTOR_OpenEXR
+#ifndef UNPROJECTOR_OPENEXR
 NumberImage readExr(ImageBytes &, const ImageRequest &)
 {
     throwNoLibrary("OpenEXR", "OpenEXR", ".npy, PFM");

@@ -183,6 +183,20 @@ private slots:
         }
     }
 
+    void floatsAreNoShares()
+    {
+#ifdef UNPROJECTOR_TIFF
+        const QStringList options{"--depth-is", "buffer"};
+        const Run npy = cloud(npyOf<Half>("<f2"), options),
+                  tiff = cloud(tiffOf<Half>(m_folder.path("made.tiff"), {.bits = 16}), options);
+        QCOMPARE(tiff.exitCode, npy.exitCode);
+        QCOMPARE(tiff.errors, npy.errors);
+        QCOMPARE(tiff.output, npy.output);
+#else
+        QSKIP("built without TIFF");
+#endif
+    }
+
     void depthsAreFoundAmongChannels_data()
     {
         addColumn<QStringList>("channels"); // the first has the numbers
