@@ -122,8 +122,11 @@ private:
 /// Groups of things that are joined in pairs.
 class JoinedGroups {
 public:
-    explicit JoinedGroups(std::size_t count) : m_parents(count)
+    explicit JoinedGroups(std::size_t count = 0) { reset(count); }
+    /// Makes each member a group of its own.
+    void reset(std::size_t count)
     {
+        m_parents.resize(count);
         std::iota(m_parents.begin(), m_parents.end(), std::uint32_t{0});
     }
     /// The member that represents the group of another.

@@ -229,7 +229,7 @@ GltfShown GltfNodes::shown() const
             waiting.push_back({*node, depth, isBelowHidden, parent});
     };
     GltfShown shown;
-    std::vector<bool> areHere(m_file.array("meshes").size());
+    std::vector<bool> isUsed(m_file.array("meshes").size());
     add(m_roots, 1, false, PreciseMatrix(glm::dmat4(1.0)));
     while (!waiting.empty()) {
         const Waiting next = waiting.back();
@@ -241,8 +241,8 @@ GltfShown GltfNodes::shown() const
         const bool isNowHidden = next.isBelowHidden || isHidden(node);
         if (GltfFile::find(node, "mesh")) {
             const std::uint64_t mesh = GltfFile::number(node, "mesh", 0);
-            if (mesh < areHere.size())
-                areHere[static_cast<std::size_t>(mesh)] = true;
+            if (mesh < isUsed.size())
+                isUsed[static_cast<std::size_t>(mesh)] = true;
             if (isNowHidden)
                 ++shown.hidden;
             else
@@ -250,7 +250,7 @@ GltfShown GltfNodes::shown() const
         }
         add(nodeList(node, "children"), next.depth + 1, isNowHidden, worldFromNode);
     }
-    shown.meshesElsewhere = static_cast<std::size_t>(std::ranges::count(areHere, false));
+    shown.meshesElsewhere = static_cast<std::size_t>(std::ranges::count(isUsed, false));
     return shown;
 }
 

@@ -20,7 +20,7 @@ struct GltfShown {
         geometry::PreciseMatrix worldFromNode;
     };
     std::vector<Node> nodes;
-    std::size_t hidden = 0;          ///< nodes that the file hides (KHR_node_visibility), with their descendants
+    std::size_t hidden = 0;          ///< nodes with meshes that are hidden, or below a hidden one (KHR_node_visibility)
     std::size_t meshesElsewhere = 0; ///< meshes that no node of the scene uses, shown or hidden
 };
 

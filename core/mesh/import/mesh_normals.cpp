@@ -124,7 +124,7 @@ public:
     /// Sets `groups` to the group of each corner, numbered from 0. Returns the number of groups.
     std::uint32_t group(std::span<const std::uint32_t> corners, std::vector<std::uint32_t> &groups)
     {
-        JoinedGroups joined(corners.size());
+        m_joined.reset(corners.size());
         m_edges.clear();
         for (std::uint32_t i = 0; i < corners.size(); ++i) {
             const std::uint32_t first = corners[i] - corners[i] % 3;
@@ -138,12 +138,12 @@ public:
             const FaceNormal &a = m_faces[corners[one] / 3], &b = m_faces[corners[other] / 3];
             const bool isFlat = a.weight == 0.0f || b.weight == 0.0f;
             if (from == to && (isFlat || glm::dot(a.direction, b.direction) >= kCosineOfCrease))
-                joined.join(one, other);
+                m_joined.join(one, other);
         }
         groups.assign(corners.size(), kEmpty);
         std::uint32_t groupCount = 0;
         for (std::uint32_t i = 0; i < corners.size(); ++i) {
-            std::uint32_t &group = groups[joined.of(i)];
+            std::uint32_t &group = groups[m_joined.of(i)];
             if (group == kEmpty)
                 group = groupCount++;
             groups[i] = group;
@@ -155,6 +155,7 @@ private:
     const std::vector<FaceNormal> &m_faces;
     const std::vector<std::uint32_t> &m_positionOfCorner;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> m_edges;
+    JoinedGroups m_joined;
 };
 
 std::uint32_t appendCopy(Mesh &mesh, std::uint32_t vertex)

@@ -639,9 +639,7 @@ void readRecords(const VertexLayout &layout, PlyBody &body, Mesh &mesh)
 void readVertices(const PlyElement &element, PlyBody &body, Mesh &mesh)
 {
     const VertexLayout layout(element);
-    mesh.normals.resize(layout.hasNormals ? element.count : 0);
-    mesh.texcoords.resize(layout.hasTexcoords ? element.count : 0);
-    mesh.colors.resize(layout.color.isComplete() ? element.count : 0);
+    layout.resize(mesh);
     if (body.header().isText || element.hasLists())
         readOneByOne(layout, body, mesh);
     else
@@ -699,7 +697,7 @@ struct Faces {
 /// Reads faces in groups: of a long text on all cores, only triangulation is sequential.
 class FaceReader {
 public:
-    FaceReader(const PlyElement &element, PlyBody &body, PolygonMesh &polygons)
+    FaceReader(const PlyElement &element, PolygonMesh &polygons)
         : m_element(element), m_polygons(polygons), m_isStrips(element.name == "tristrips"),
           m_vertices(element.find({"vertex_indices", "vertex_index"}, true)),
           m_texcoords(element.find({"texcoord"}, true)), m_colors(element),
@@ -707,12 +705,13 @@ public:
     {
         if (m_vertices < 0)
             failMalformed(tr("the element \"%1\" has no list \"vertex_indices\"", element.name));
-        if (readTriangleRecords(element, body, polygons))
-            return;
-        polygons.mesh.indices.reserve(3 * element.count);
+    }
+
+    void readAll(PlyBody &body)
+    {
         std::vector<Faces> groups;
         std::mutex mutex;
-        const bool isRead = body.readLines(element, [&](PlyBody &lines, std::size_t first, std::size_t count) {
+        const bool isRead = body.readLines(m_element, [&](PlyBody &lines, std::size_t first, std::size_t count) {
             Faces faces = read(lines, first, count);
             const std::lock_guard lock(mutex);
             groups.push_back(std::move(faces));
@@ -724,8 +723,8 @@ public:
             return;
         }
         groups = {};
-        for (std::size_t first = 0; first < element.count; first += kElementsBetweenReports)
-            add(read(body, first, std::min(kElementsBetweenReports, element.count - first)));
+        for (std::size_t first = 0; first < m_element.count; first += kElementsBetweenReports)
+            add(read(body, first, std::min(kElementsBetweenReports, m_element.count - first)));
     }
 
 private:
@@ -797,6 +796,15 @@ private:
     bool m_usesColors;
 };
 
+void readFaces(const PlyElement &element, PlyBody &body, PolygonMesh &polygons)
+{
+    FaceReader reader(element, polygons);
+    if (readTriangleRecords(element, body, polygons))
+        return;
+    polygons.mesh.indices.reserve(3 * element.count);
+    reader.readAll(body);
+}
+
 } // namespace
 
 Model readPly(const Source &source)
@@ -820,7 +828,7 @@ Model readPly(const Source &source)
         if (&element == vertices && !isAhead) {
             readVertices(element, body, polygons.mesh);
         } else if (element.name == "face" || element.name == "tristrips") {
-            FaceReader(element, body, polygons);
+            readFaces(element, body, polygons);
         } else {
             body.skipAll(element);
             if (element.name == "edge")
