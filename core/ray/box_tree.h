@@ -20,16 +20,18 @@ using base::Progress;
 /// Passes on progress that comes from several threads at once, in steps.
 class SharedProgress {
 public:
-    explicit SharedProgress(const Progress &progress) : m_progress(progress) {}
+    /// @param step  the least increase of the share that is passed on; the end always is
+    explicit SharedProgress(const Progress &progress, double step = 0.0) : m_progress(progress), m_step(step) {}
 
     /// @return whether the work goes on
     bool report(double share)
     {
-        constexpr double kStep = 0.01;
-        const std::lock_guard lock(m_telling);
-        if (m_progress && !m_isStopped && share >= m_told + kStep) {
-            m_told = std::min(share, 1.0);
-            m_isStopped = !m_progress(m_told);
+        const std::lock_guard lock(m_mutex);
+        share = std::min(share, 1.0);
+        const bool isEnd = share == 1.0 && m_reported < 1.0;
+        if (m_progress && !m_isStopped && (isEnd || share >= m_reported + m_step)) {
+            m_reported = share;
+            m_isStopped = !m_progress(m_reported);
         }
         return !m_isStopped;
     }
@@ -37,8 +39,9 @@ public:
 
 private:
     const Progress &m_progress;
-    std::mutex m_telling;
-    double m_told = -1.0;
+    const double m_step;
+    std::mutex m_mutex;
+    double m_reported = -1.0;
     bool m_isStopped = false;
 };
 

@@ -82,7 +82,8 @@ public:
     {
         if (m_device == nullptr)
             return false;
-        SharedProgress shared(progress);
+        constexpr double kStep = 0.01;
+        SharedProgress shared(progress, kStep);
         const auto report = [](void *to, double share) { return static_cast<SharedProgress *>(to)->report(share); };
         rtcSetSceneProgressMonitorFunction(m_scene, report, &shared);
         rtcCommitScene(m_scene);

@@ -2,6 +2,7 @@
 
 #include "tests/support/test.h"
 
+#include "core/ray/box_tree.h"
 #include "tests/core/ray/ray_meshes.h"
 
 #include "tests/support/cube_sphere.h"
@@ -471,6 +472,35 @@ private slots:
         QVERIFY(RayCaster::build(
                     model, [](double) { return false; }, tree)
                 == nullptr);
+    }
+
+    void aTreeOfBoxesReportsEachPercentAndItsEnd()
+    {
+        constexpr std::size_t kBoxes = 1000;
+        std::vector<BoxTree::Box> boxes;
+        for (std::size_t i = 0; i < kBoxes; ++i)
+            boxes.push_back({glm::vec3(float(i), 0.0f, 0.0f), glm::vec3(float(i) + 0.5f, 1.0f, 1.0f)});
+        std::vector<double> shares;
+        BoxTree::build(boxes, 1, [&shares](double share) {
+            shares.push_back(share);
+            return true;
+        });
+        QCOMPARE(shares.size(), 100u);
+        QVERIFY(std::is_sorted(shares.begin(), shares.end()));
+        QCOMPARE(shares.back(), 1.0);
+    }
+
+    void theEndIsReportedWithinAStep()
+    {
+        std::vector<double> shares;
+        const Progress progress = [&shares](double share) {
+            shares.push_back(share);
+            return true;
+        };
+        SharedProgress shared(progress, 0.01);
+        for (const double share : {0.0, 0.005, 0.5, 0.995, 1.0, 1.0, 1.02})
+            shared.report(share);
+        QCOMPARE(shares, (std::vector{0.0, 0.5, 0.995, 1.0}));
     }
 
     void raysThatAreNoneHitNothing_data() { eachTree(); }
