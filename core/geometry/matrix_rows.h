@@ -41,12 +41,12 @@ MatrixRows<Number> product(const MatrixRows<Number> &a, const MatrixRows<Number>
 }
 
 /// Gauss and Jordan's inverse with scaled pivots; not finite for a singular matrix.
-/// @param size  size(number) is its absolute value as a double
+/// @param size  size(number) is its absolute value, in a type whose range has that of all numbers here
 template <class Number, class Size>
 MatrixRows<Number> inverse(MatrixRows<Number> m, const Size &size)
 {
     MatrixRows<Number> result{};
-    std::array<double, 4> scale{};
+    std::array<decltype(size(m[0][0])), 4> scale{};
     for (std::size_t row = 0; row < 4; ++row) {
         result[row][row] = 1.0;
         for (const Number &number : m[row])
@@ -68,7 +68,7 @@ MatrixRows<Number> inverse(MatrixRows<Number> m, const Size &size)
         }
         for (std::size_t row = 0; row < 4; ++row) {
             const Number factor = m[row][k];
-            if (row == k || size(factor) == 0.0)
+            if (row == k || size(factor) == 0)
                 continue;
             for (std::size_t column = 0; column < 4; ++column) {
                 m[row][column] = m[row][column] - factor * m[k][column];
@@ -102,7 +102,7 @@ typename Digits::Edges edgesOf(const Projection &projection)
 }
 
 /// The projection matrix.
-/// @tparam Digits  as above, with cotangent(Angle)
+/// @tparam Digits  has what edgesOf requires, and cotangent(Angle)
 template <class Digits>
 MatrixRows<typename Digits::Number> clipRows(const Projection &projection)
 {

@@ -65,7 +65,7 @@ Matrix eyeFromWorld(const LookAt &camera)
     return m;
 }
 
-/// See geometry/matrix_rows.
+/// The numbers with which geometry::clipRows computes a projection matrix of 50 digits.
 struct FiftyDigits {
     using Number = Extended;
     struct Edges {
@@ -109,7 +109,7 @@ Matrix windowFromWorld(const Setup &g)
 std::optional<ExactUnprojection> ExactUnprojection::inverted(const Setup &setup, const Matrix &windowFromSpace)
 {
     const Matrix spaceFromWindow =
-        inverse(windowFromSpace, [](const Extended &number) { return std::abs(static_cast<double>(number)); });
+        inverse(windowFromSpace, [](const Extended &number) -> Extended { return abs(number); });
     for (const MatrixRow<Extended> &row : spaceFromWindow) {
         if (!std::ranges::all_of(row, [](const Extended &number) { return isfinite(number); }))
             return std::nullopt;

@@ -6,6 +6,7 @@
 #include "core/geometry/transform.h"
 #include "core/unproject/batch/click_batch.h"
 #include "core/unproject/closed_form.h"
+#include "core/unproject/exact_unprojection.h"
 #include "core/unproject/matrix_inverse.h"
 #include "tests/support/core_scene.h"
 #include "tests/support/unprojecting.h"
@@ -576,6 +577,38 @@ private slots:
         for (std::size_t k = 0; k < names.size(); ++k)
             qInfo("%s: worst of %d points: %.9f ulp", names[k], kScenesPerKind * kClicksPerScene, worst[k]);
         QVERIFY(*std::max_element(worst.begin(), worst.end()) <= kHalf);
+    }
+
+    /// The matrices' entries are beyond the range of doubles; 50 digits have a range of their own.
+    void theExactPointNeedsNoRangeOfDoubles_data()
+    {
+        addColumn<double>("edge");
+        addColumn<double>("nearDistance");
+        addColumn<double>("upY");
+        newRow("great entries") << 1e-300 << 1e10 << 0.0;
+        newRow("small entries") << 1e300 << 1e-30 << 1.0;
+    }
+
+    void theExactPointNeedsNoRangeOfDoubles()
+    {
+        QFETCH(double, edge);
+        QFETCH(double, nearDistance);
+        QFETCH(double, upY);
+        const Frustum frustum{-edge, edge, -edge, edge, nearDistance, 2.0 * nearDistance};
+        const Setup setup{{800, 600, 1.0},
+                          {0.0, 0.0, 800.0, 600.0},
+                          {0.0, 1.0},
+                          Projection(frustum),
+                          LookAt{WorldPoint(0.0, 0.0, 5.0), WorldPoint(0.0, 0.0, 0.0), WorldVector(1.0, upY, 0.0)}};
+        const auto exact = ExactUnprojection::of(setup);
+        QVERIFY(exact.has_value());
+        const auto point = exact->at(WindowPoint(800.0, 300.0, 0.0));
+        QVERIFY(point.has_value());
+        // The middle of the right edge, on the near plane.
+        const double share = edge / std::hypot(1.0, upY);
+        QVERIFY(abs((*point)[0] - upY * share) <= 1e-14 * edge);
+        QVERIFY(abs((*point)[1] + share) <= 1e-14 * edge);
+        QVERIFY(abs((*point)[2] - (5.0 - Extended(nearDistance))) <= 1e-14 * nearDistance);
     }
 };
 
