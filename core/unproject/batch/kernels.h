@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+
 /// The arithmetic of core/unproject/batch, compiled once for each instruction set from
 /// batch/kernels.inl. It uses only additions, subtractions, products and quotients, each rounded
 /// once and none fused, so every instruction set gives the same digits. The loops of

@@ -158,6 +158,7 @@ std::size_t inLines(const Scalar *const (&from)[3], Scalar *const (&to)[3], std:
     return i;
 }
 
+/// @pre no result overlaps another or an input: the first points are computed twice
 template <class Method, class Scalar>
 void unproject(const typename Method::Constants &constants, const Scalar *px, const Scalar *py, const Scalar *depth,
                Scalar *x, Scalar *y, Scalar *z, std::size_t count)
@@ -175,8 +176,9 @@ void unproject(const typename Method::Constants &constants, const Scalar *px, co
     if (const std::size_t offset = offsetInLine(x); 3 * count * sizeof(Scalar) >= kStreamedBytes
                                                     && offset % sizeof(Scalar) == 0 && offsetInLine(y) == offset
                                                     && offsetInLine(z) == offset) {
-        // A line's length of points is written twice where the results begin within a line. One call of inPacks
-        // less lets the compiler inline it and keep the constants in registers.
+        // A line's length of points covers the part before the first whole line. inLines writes the rest of them
+        // again, all of them at offset 0. One call of inPacks less lets the compiler inline it and keep the constants
+        // in registers.
         constexpr std::size_t kPoints = kCacheLine / sizeof(Scalar);
         for (std::size_t i = 0; i < kPoints; i += Pack::kLanes)
             step(from, to, i);
@@ -187,9 +189,9 @@ void unproject(const typename Method::Constants &constants, const Scalar *px, co
 
 #include "core/unproject/batch/precise.inl"
 
-/// A value outside every range of depths. A constant, because a call could compile the library's
-/// function for this instruction set.
-constexpr float kNoDepth = std::numeric_limits<float>::quiet_NaN();
+/// What stands for no number: a depth outside every range, and each coordinate where there is no
+/// point. A constant, because a call could compile the library's function for this instruction set.
+constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
 
 constexpr unsigned kAllLanes = (1u << Pack::kLanes) - 1;
 
@@ -241,7 +243,7 @@ Scalar *alongRow(const Number *values, std::size_t count, double firstX, Scalar 
         return points;
     Number rest[Pack::kLanes];
     for (std::size_t lane = 0; lane < Pack::kLanes; ++lane)
-        rest[lane] = i + lane < count ? values[i + lane] : static_cast<Number>(kNoDepth);
+        rest[lane] = i + lane < count ? values[i + lane] : static_cast<Number>(kNoNumber);
     Scalar last[3 * Pack::kLanes];
     const Scalar *const end = step(rest, px, last), *const full = last + 3 * (count - i);
     for (const Scalar *from = last; from != end && from != full; ++from)
@@ -284,7 +286,7 @@ void storeValid(const Pack (&p)[3], unsigned lanes, Scalar *to)
     Pack::storeInterleaved(p, to);
     for (std::size_t lane = 0; lanes != kAllLanes && lane < Pack::kLanes; ++lane) {
         for (int k = 0; (lanes >> lane & 1) == 0 && k < 3; ++k)
-            to[3 * lane + static_cast<std::size_t>(k)] = static_cast<Scalar>(kNoDepth);
+            to[3 * lane + static_cast<std::size_t>(k)] = static_cast<Scalar>(kNoNumber);
     }
 }
 
