@@ -173,17 +173,18 @@ StripPath alongWave(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &
     std::optional<Straight> best;
     try {
         best = straightWithin(middle, mesh, from, to, within);
-    } catch (const NotConnected &) {
-        // The wave passed a corner at which sheets touch without a common edge.
-        return straightened(*stripBetween(mesh, from, to, within, nullptr), mesh, from, to, within);
+    } catch (const NotConnected &) { // the wave passed a corner at which sheets touch without a common edge
+        best.reset();
     }
+    if (!best)
+        return straightened(*stripBetween(mesh, from, to, within, nullptr), mesh, from, to, within);
     for (bool isFirst = true;; isFirst = false) {
         left /= 2.0;
         constexpr double kShorter = 1e-9;
         Straight next = straightWithin(corridorAbout(mesh, std::move(middle)), mesh, from, to, within);
         const bool isShorter = next.path.length < (1.0 - kShorter) * best->path.length;
         if (!isShorter && !isFirst)
-            return std::move(best)->path;
+            return std::move(best->path);
         if (isShorter)
             best = std::move(next);
         middle = best->triangles;

@@ -6,6 +6,7 @@
 #include "core/mesh/import/mesh_import.h"
 #include "core/ray/tie_landmark.h"
 
+#include <cassert>
 #include <memory>
 
 namespace unprojector::curves {
@@ -41,9 +42,11 @@ ScanSurface surfaceOf(const std::filesystem::path &file, const base::Progress &p
 /// closest to it.
 /// @return or the reason why there is none, a clause: a landmark is farther from the surface than
 ///         ray::kFarFromMesh, or there is no path
+/// @pre there are at least two landmarks
 Result<Measure, std::string> lengthAlong(const ScanSurface &surface, std::span<const Landmark *const> points,
                                          const base::Progress &progress)
 {
+    assert(points.size() >= landmarks::sizeOf(landmarks::MeasureKind::Surface).fewest);
     std::vector<Landmark> tied;
     tied.reserve(points.size());
     std::vector<const Landmark *> places;

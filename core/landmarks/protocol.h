@@ -24,6 +24,7 @@ struct MeasureSize {
 MeasureSize sizeOf(MeasureKind kind);
 
 /// The length along the surface through these landmarks, or the reason why there is none: a clause.
+/// It gets as many landmarks as sizeOf says, all of them placed.
 using SurfaceLength = std::function<geometry::Result<Measure, std::string>(std::span<const Landmark *const>)>;
 
 /// The value of a kept measure for one specimen.
