@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <variant>
 
 namespace unprojector::geometry {
 namespace {
@@ -167,6 +169,7 @@ glm::dvec2 shearOf(const Projection &projection)
     const auto *oblique = std::get_if<Oblique>(&projection);
     return oblique ? glm::dvec2(cotangent(oblique->theta), cotangent(oblique->phi)) : glm::dvec2(0.0);
 }
+
 Result<glm::dmat4> clipFromEye(const Projection &projection)
 {
     if (const Check valid = check(projection); !valid)
@@ -230,6 +233,7 @@ ProjectionKind kindOf(const Projection &projection)
 {
     using enum ProjectionKind;
     constexpr ProjectionKind kKinds[] = {Frustum, Ortho, Perspective, Oblique, Frustum}; // in the order of Projection
+    static_assert(std::size(kKinds) == std::variant_size_v<Projection>);
     return kKinds[projection.index()];
 }
 

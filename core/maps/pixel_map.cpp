@@ -171,6 +171,7 @@ bool setRows(PixelMap &map, const Rows &rows, const Question &question, const Pr
 std::string_view keyOf(Quantity quantity)
 {
     constexpr const char *kKeys[] = {"formula-matrix", "formula-ray", "matrix-ray", "uncertainty", "displacement"};
+    static_assert(std::size(kKeys) == static_cast<std::size_t>(Quantity::Displacement) + 1);
     return kKeys[static_cast<std::size_t>(quantity)];
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace unprojector::unproject {
 using namespace geometry;
@@ -10,6 +11,8 @@ std::string_view keyOf(OtherProgram program)
 {
     constexpr std::string_view kKeys[] = {"paper",        "screen2world", "meshlab", "polyscope",
                                           "cloudcompare", "open3d",       "vtk"};
+    static_assert(std::size(kKeys) == kOtherPrograms.size());
+    static_assert(kOtherPrograms.size() == static_cast<std::size_t>(OtherProgram::Vtk) + 1);
     return kKeys[static_cast<std::size_t>(program)];
 }
 
