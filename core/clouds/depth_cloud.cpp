@@ -54,6 +54,7 @@ bool canOverflow(const PixelLines &lines, const Setup &setup, const ClipDistance
         return line.start + distance * line.ahead;
     });
 }
+
 template bool canOverflow<float>(const BatchUnprojection &, const Setup &);
 template bool canOverflow<double>(const BatchUnprojection &, const Setup &);
 template bool canOverflow<float>(const PixelLines &, const Setup &, const ClipDistances &);

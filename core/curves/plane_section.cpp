@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t kAsking = 1 << 12; ///< steps between reports
+    static constexpr std::uint32_t kStepsBetweenReports = 1 << 12;
 
     double above(std::uint32_t corner) const { return glm::dot(m_normal, m_mesh[corner] - m_from.place()); }
     bool isCut(std::uint32_t a, std::uint32_t b) const { return (above(a) >= 0.0) != (above(b) >= 0.0); }
@@ -68,7 +68,7 @@ private:
                 path.places.push_back(WorldPoint(place));
         };
         for (std::uint32_t steps = 0; steps < m_mesh->triangleCount(); ++steps) {
-            if (steps % kAsking == 0)
+            if (steps % kStepsBetweenReports == 0)
                 reporter.report(0.0);
             const double aboveA = above(a), aboveB = above(b);
             const double share = aboveA / (aboveA - aboveB);

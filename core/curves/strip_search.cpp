@@ -36,7 +36,7 @@ public:
         for (const std::uint32_t triangle : m_from.triangles())
             enter(triangle, kNone, m_from.place(), 0.0);
         for (std::size_t steps = 0; !m_open.empty(); ++steps) {
-            if (steps % kAsking == 0)
+            if (steps % kStepsBetweenReports == 0)
                 m_report(m_share);
             if (m_edges.size() > mostEdges)
                 return std::nullopt;
@@ -58,8 +58,8 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t kPlaces = 3;     ///< per edge
-    static constexpr std::size_t kAsking = 1 << 10; ///< steps between reports
+    static constexpr std::uint32_t kPlaces = 3; ///< per edge
+    static constexpr std::size_t kStepsBetweenReports = 1 << 10;
 
     struct Node {
         double cost = std::numeric_limits<double>::infinity();

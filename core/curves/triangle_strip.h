@@ -22,6 +22,7 @@ struct TriangleStrip {
 
 /// Thrown where no path leads from one end to the other.
 struct NotConnected {};
+
 /// Receives the share done; throws base::Stopped.
 using Report = std::function<void(double)>;
 /// Triangles, sorted.

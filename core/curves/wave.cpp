@@ -102,8 +102,8 @@ public:
             m_corners[corner].isDone = true;
             left -= std::binary_search(goals.begin(), goals.end(), corner) ? 1u : 0u;
             nearest = std::min(nearest, glm::distance(m_mesh[corner], m_to.place()));
-            constexpr std::size_t kAsking = 1 << 12;
-            if (steps % kAsking == 0)
+            constexpr std::size_t kStepsBetweenReports = 1 << 12;
+            if (steps % kStepsBetweenReports == 0)
                 m_report(distance / (distance + nearest));
             spread(corner);
         }

@@ -10,6 +10,7 @@
 #include <limits>
 #include <utility>
 #include <vector>
+
 namespace unprojector::geometry {
 namespace {
 

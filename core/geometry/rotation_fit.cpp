@@ -10,33 +10,33 @@
 namespace unprojector::geometry {
 namespace {
 
-constexpr std::size_t N = 4;
+constexpr std::size_t kSize = 4;
 
 /// The eigenvectors of a symmetric matrix (columns) and their eigenvalues, by Jacobi rotations.
 struct Eigen {
-    std::array<std::array<double, N>, N> vectors{}; ///< vectors[i]: the i-th
-    std::array<double, N> values{};
+    std::array<std::array<double, kSize>, kSize> vectors{}; ///< vectors[i]: the i-th
+    std::array<double, kSize> values{};
 };
 
-Eigen eigenOf(std::array<std::array<double, N>, N> m)
+Eigen eigenOf(std::array<std::array<double, kSize>, kSize> m)
 {
     Eigen eigen;
-    for (std::size_t i = 0; i < N; ++i)
+    for (std::size_t i = 0; i < kSize; ++i)
         eigen.vectors[i][i] = 1.0;
     for (int sweep = 0; sweep < 50; ++sweep) {
-        for (std::size_t p = 0; p + 1 < N; ++p) {
-            for (std::size_t q = p + 1; q < N; ++q) {
+        for (std::size_t p = 0; p + 1 < kSize; ++p) {
+            for (std::size_t q = p + 1; q < kSize; ++q) {
                 if (std::abs(m[p][q]) <= 1e-20 * (std::abs(m[p][p]) + std::abs(m[q][q])))
                     continue;
                 const double theta = (m[q][q] - m[p][p]) / (2.0 * m[p][q]);
                 const double t = std::copysign(1.0, theta) / (std::abs(theta) + std::hypot(1.0, theta));
                 const double c = 1.0 / std::hypot(1.0, t), s = t * c;
-                for (std::size_t k = 0; k < N; ++k) {
+                for (std::size_t k = 0; k < kSize; ++k) {
                     const double kp = m[k][p], kq = m[k][q];
                     m[k][p] = c * kp - s * kq;
                     m[k][q] = s * kp + c * kq;
                 }
-                for (std::size_t k = 0; k < N; ++k) {
+                for (std::size_t k = 0; k < kSize; ++k) {
                     const double pk = m[p][k], qk = m[q][k];
                     m[p][k] = c * pk - s * qk;
                     m[q][k] = s * pk + c * qk;
@@ -48,7 +48,7 @@ Eigen eigenOf(std::array<std::array<double, N>, N> m)
             }
         }
     }
-    for (std::size_t i = 0; i < N; ++i)
+    for (std::size_t i = 0; i < kSize; ++i)
         eigen.values[i] = m[i][i];
     return eigen;
 }

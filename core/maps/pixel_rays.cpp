@@ -2,6 +2,7 @@
 
 #include "core/geometry/finite.h"
 #include "core/maps/map_points.h"
+
 #include <cmath>
 #include <limits>
 

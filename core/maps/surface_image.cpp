@@ -2,9 +2,10 @@
 
 #include "core/maps/rows_in_parallel.h"
 
-#include <algorithm>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+
+#include <algorithm>
 #include <limits>
 #include <numeric>
 #include <span>
@@ -109,4 +110,5 @@ SurfaceImage surfacesAt(const Setup &setup, double depth, const Rows &rows)
     }
     return image;
 }
+
 } // namespace unprojector::maps

@@ -53,4 +53,5 @@ std::optional<SurfaceImage> surfacesMet(const ray::SceneRays &rays, const PixelR
 /// A surface of the same depth everywhere in the viewport.
 /// @pre the depth lies in the depth range. Throws std::bad_alloc.
 SurfaceImage surfacesAt(const geometry::Setup &setup, double depth, const Rows &rows);
+
 } // namespace unprojector::maps

@@ -74,14 +74,14 @@ std::optional<FirstTriangle> SceneRays::firstTriangle(const Ray<WorldSpace> &ray
 
 std::optional<SceneHit> SceneRays::nearest(const Ray<WorldSpace> &part) const
 {
-    const std::optional<FirstTriangle> met = first(part, true);
-    if (!met)
+    const std::optional<FirstTriangle> hit = first(part, true);
+    if (!hit)
         return std::nullopt;
-    const Target &own = target(met->object);
-    const ElementNumbers::Place place = own.caster->triangleNumbers().place(met->hit.triangle);
+    const Target &own = target(hit->object);
+    const ElementNumbers::Place place = own.caster->triangleNumbers().place(hit->hit.triangle);
     const glm::dvec3 barycentric =
         preciseBarycentric(own.caster->model().meshes[place.mesh], place.element, *own.placement.objectRay(part));
-    return hitOnTriangle(own, met->hit.triangle, barycentric, part, m_rays.eye());
+    return hitOnTriangle(own, hit->hit.triangle, barycentric, part, m_rays.eye());
 }
 
 std::vector<std::uint32_t> SceneRays::trianglesAbout(const Target &target, const DevicePoint &position, double half,

@@ -46,9 +46,9 @@ public:
         std::set<std::pair<std::size_t, std::uint32_t>> known;
         for (const auto &[pixels, at] : positions) {
             const std::optional<Ray<WorldSpace>> ray = m_rays.shownAt(at);
-            const std::optional<SceneHit> met = ray ? m_rays.nearest(*ray) : std::nullopt;
-            if (met && known.insert({met->object, met->triangle->triangle}).second)
-                m_seen.push_back({*met, pixels});
+            const std::optional<SceneHit> hit = ray ? m_rays.nearest(*ray) : std::nullopt;
+            if (hit && known.insert({hit->object, hit->triangle->triangle}).second)
+                m_seen.push_back({*hit, pixels});
         }
     }
 
