@@ -15,8 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     const Format format = formatOfSuffix(UNPROJECTOR_FUZZ_SUFFIX).value();
     const auto read = parseLandmarks(fuzz::text(data, size), format, "file");
     if (!read) {
-        fuzz::require(read.error().message().size() > std::string_view("file: ").size(),
-                      "an error says what is wrong");
+        fuzz::require(read.error().message().size() > std::string_view("file: ").size(), "an error says what is wrong");
         return 0;
     }
     fuzz::require(!read->sets.empty(), "there is a specimen");
