@@ -41,9 +41,9 @@ constexpr std::string_view kHarmless[] = {
     "OMI_*", "VRMC_*"};
 
 /// The same as a part of any name, also in the plural: of materials, images, lights, data, motion and sound.
-constexpr std::string_view kHarmlessParts[] = {"material", "technique", "texture", "textureinfo", "image", "light",
-                                               "lightmap", "camera",    "variant", "animation",   "audio", "physics",
-                                               "feature",  "metadata",  "xmp",     "lod",         "vrm"};
+constexpr std::string_view kHarmlessParts[] = {"material", "technique", "texture",  "textureinfo", "image",     "light",
+                                               "lighting", "lightmap",  "camera",   "variant",     "animation", "audio",
+                                               "physics",  "feature",   "metadata", "xmp",         "lod",       "vrm"};
 
 /// Such an extension may move vertices.
 constexpr std::string_view kWordsOfShape[] = {"mesh",         "geometry", "compression",

@@ -229,7 +229,7 @@ private slots:
         }
     }
 
-    /// “%1” has a blank on both sides or on none.
+    /// “%1” between Chinese characters has a blank on both sides or on none.
     void noQuotesHaveABlankOnOneSide()
     {
         static const QRegularExpression oneSide(QStringLiteral("\\p{Han} “[^”]*”\\p{Han}|\\p{Han}“[^”]*” \\p{Han}"));

@@ -48,7 +48,8 @@ private slots:
         }
         for (const QByteArray &extension :
              QByteArray("KHR_texture_ktx KHR_texture_basisu KHR_techniques_webgl GOOGLE_texture_basis EXT_texture_avif "
-                        "EXT_lights_image_based EXT_lights_ies KHR_lights_punctual KHR_animation_pointer VRM VRMC_vrm "
+                        "EXT_lights_image_based EXT_lights_ies KHR_lights_punctual NEEDLE_lighting_settings "
+                        "KHR_animation_pointer VRM VRMC_vrm "
                         "EXT_mesh_features EXT_structural_metadata EXT_instance_features MSFT_lod MSFT_texture_dds "
                         "KHR_xmp_json_ld KHR_materials_variants KHR_materials_not_made_yet AGI_articulations "
                         "CESIUM_primitive_outline FB_ngon_encoding KHR_interactivity KHR_gaussian_splatting "
