@@ -112,12 +112,12 @@ ShapeVariation::ShapeVariation(std::span<const Offsets> specimens, const std::ve
     const std::vector<double> variances = variancesOf(specimens, landmarks);
     const double shown = 1.0 - shares.own - shares.smooth;
     const std::size_t step = (specimens.size() + kMostSpecimens - 1) / kMostSpecimens;
-    const double taken = static_cast<double>((specimens.size() + step - 1) / step);
+    const std::size_t taken = (specimens.size() + step - 1) / step;
     for (std::size_t k = 0; shown > 0.0 && k < specimens.size(); k += step) {
         std::vector<glm::dvec3> &row = m_rows.emplace_back(landmarks, glm::dvec3(0.0));
         for (std::size_t j = 0; j < landmarks; ++j) {
             if (specimens[k][j])
-                row[j] = std::sqrt(shown / taken) * *specimens[k][j];
+                row[j] = std::sqrt(shown / static_cast<double>(taken)) * *specimens[k][j];
         }
     }
     for (std::size_t i = 0; shares.smooth > 0.0 && i < smooth.size(); ++i) {

@@ -73,6 +73,7 @@ std::vector<CoveredPanel> coveredPanels(const Lesson &lesson, std::size_t index,
             covered[panel] = i;
     }
     std::vector<CoveredPanel> panels;
+    panels.reserve(covered.size());
     for (const auto &[panel, until] : covered)
         panels.push_back({panel, until});
     return panels;
