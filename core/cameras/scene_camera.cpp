@@ -5,7 +5,7 @@
 #include "core/cameras/reader_parts.h"
 #include "core/cameras/seen_objects.h"
 #include "core/geometry/finite.h"
-#include "core/matrices/printed_digits.h"
+#include "core/pipeline/printed_digits.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -70,7 +70,7 @@ glm::dmat4 affineInverse(const glm::dmat4 &m)
 /// The largest |entry| of R R^T - s^2, relative to s^2, with s the mean length of an axis.
 double skewnessOf(const glm::dmat3 &axes, double scale)
 {
-    return matrices::largestDifference(axes * glm::transpose(axes) / (scale * scale), glm::dmat3(1.0));
+    return pipeline::largestDifference(axes * glm::transpose(axes) / (scale * scale), glm::dmat3(1.0));
 }
 
 /// The pose with axes of length 1, perpendicular to each other.
@@ -103,7 +103,7 @@ glm::dmat4 rigidPose(const glm::dmat4 &pose, PoseDirection direction, std::vecto
             tr("The pose scales by %1; the camera has no scale, so it is removed.", significantText(scale, 6)));
     }
     if (skewness > kExact) {
-        rigid = matrices::orthonormal(rigid);
+        rigid = pipeline::orthonormal(rigid);
         if (skewness > 1e-5)
             assumed.push_back(tr("The pose's axes are perpendicular only up to %1, as few printed digits make them; "
                                  "the nearest rotation is used.",

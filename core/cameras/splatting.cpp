@@ -1,7 +1,7 @@
 #include "core/base/translation.h"
 #include "core/cameras/camera_json.h"
 #include "core/cameras/camera_reader.h"
-#include "core/matrices/decomposition.h"
+#include "core/pipeline/decomposition.h"
 
 #include <nlohmann/json.hpp>
 
@@ -94,7 +94,7 @@ void readMatrices(Reading &reading)
     } else if (view && angleX && angleY) {
         reading.setVerticalAngle(*angleY, std::tan(*angleX / 2.0) / std::tan(*angleY / 2.0));
     } else if (product) {
-        const auto apart = matrices::decomposed(flipped(true, false) * *product);
+        const auto apart = pipeline::decomposed(flipped(true, false) * *product);
         if (!apart)
             reading.failAt("fullprojtransform", tr("full_proj_transform is not a perspective times a view; give "
                                                    "world_view_transform too"));

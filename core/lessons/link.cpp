@@ -26,9 +26,9 @@ std::optional<Link> viewSizeOf(std::string_view text)
 
 std::optional<Link> matrixOf(std::string_view text)
 {
-    static_assert(static_cast<int>(matrices::PipelineStage::ViewportMatrix) == 3);
+    static_assert(static_cast<int>(pipeline::PipelineStage::ViewportMatrix) == 3);
     constexpr std::array kNames{"model", "view", "projection", "viewport"};
-    const auto stage = named<matrices::PipelineStage>(kNames, text);
+    const auto stage = named<pipeline::PipelineStage>(kNames, text);
     return stage ? std::optional<Link>(MatrixLink{*stage}) : std::nullopt;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/matrices/pipeline.h"
+#include "core/pipeline/pipeline.h"
 
 #include <glm/vec2.hpp>
 
@@ -89,7 +89,7 @@ struct FactorsLink {
 /// "matrix:projection": shows the matrix, in the pipeline's panel. Also "model", "view" and
 /// "viewport".
 struct MatrixLink {
-    matrices::PipelineStage stage; ///< one of these four
+    pipeline::PipelineStage stage; ///< one of these four
 };
 /// "action:perspective": triggers the action of that name in a menu or panel, and switches it on if
 /// it can be off; "action:perspective:off" switches it off.

@@ -4,9 +4,9 @@
 #include "core/base/json.h"
 #include "core/base/path_text.h"
 #include "core/geometry/error_text.h"
-#include "core/matrices/matrix_factors.h"
-#include "core/matrices/pipeline.h"
 #include "core/opening/models.h"
+#include "core/pipeline/matrix_factors.h"
+#include "core/pipeline/pipeline.h"
 #include "core/ray/mesh_point.h"
 #include "core/scene_file/scene_file.h"
 #include "core/unproject/unprojector.h"
@@ -27,8 +27,8 @@ using namespace scene;
 namespace {
 
 using Json = nlohmann::ordered_json;
-using matrices::Pipeline;
-using matrices::PipelinePoints;
+using pipeline::Pipeline;
+using pipeline::PipelinePoints;
 using unproject::Method;
 
 constexpr std::array kStageNames{"model", "view", "projection", "viewport", "modelview", "whole"};
@@ -50,10 +50,10 @@ Json rowsOf(const glm::dmat4 &matrix)
     return rows;
 }
 
-Json rowsOf(const std::vector<matrices::MatrixFactor> &factors)
+Json rowsOf(const std::vector<pipeline::MatrixFactor> &factors)
 {
     Json rows = Json::array();
-    for (const matrices::MatrixFactor &factor : factors)
+    for (const pipeline::MatrixFactor &factor : factors)
         rows.push_back(rowsOf(factor.matrix));
     return rows;
 }
@@ -106,7 +106,7 @@ Expected<Pipeline> pipelineOf(const Scene &scene, const Setup &setup, const std:
             return failed(where, "the scene has no object \"" + object + "\"");
         worldFromObject = geometry::worldFromObject(found->transform);
     }
-    const Result<Pipeline> made = matrices::pipeline(setup, worldFromObject);
+    const Result<Pipeline> made = pipeline::pipelineOf(setup, worldFromObject);
     if (!made)
         return failed(where, geometry::errorText(made.error()));
     return *made;
@@ -117,7 +117,7 @@ Expected<Json> treeOf(const Scene &scene, const Setup &setup, const GivenPoint &
     const Expected<Pipeline> pipeline = pipelineOf(scene, setup, point.object, where);
     if (!pipeline)
         return pipeline.error();
-    return treeOf(*pipeline, matrices::pointsFrom(*pipeline, point));
+    return treeOf(*pipeline, pipeline::pointsFrom(*pipeline, point));
 }
 
 /// The result of a click on a pixel.
@@ -142,10 +142,10 @@ Expected<Json> treeOf(const Scene &scene, const Setup &setup, const ClickedPixel
         const Result<WindowPoint> seen = windowFromWorld(setup, *surface);
         if (!seen)
             return failed(where, geometry::errorText(seen.error()));
-        return treeOf(*pipeline, matrices::pointsBackward(*pipeline, windowFromDevice(setup.surface, center, seen->z)));
+        return treeOf(*pipeline, pipeline::pointsBackward(*pipeline, windowFromDevice(setup.surface, center, seen->z)));
     }
     const WorldPoint &taken = clicked.snap == ray::Snap::Vertex ? (*hit)->vertex.world : (*hit)->world;
-    return treeOf(*pipeline, matrices::pointsForward(*pipeline, taken));
+    return treeOf(*pipeline, pipeline::pointsForward(*pipeline, taken));
 }
 
 /// All numbers under a node, in their order.
@@ -226,8 +226,8 @@ Expected<StepNumbers> StepNumbers::of(const Scene &scene, const Surface &surface
             all.erase(space);
     }
     if (setup->isByParameters()) {
-        const auto view = matrices::factors(setup->camera());
-        const auto projection = matrices::factors(setup->projection());
+        const auto view = pipeline::factors(setup->camera());
+        const auto projection = pipeline::factors(setup->projection());
         if (view && projection) {
             all["viewSteps"] = rowsOf(*view);
             all["projectionSteps"] = rowsOf(*projection);

@@ -29,7 +29,7 @@ geometry::Surface surfaceOf(const Step &step, const geometry::Surface &surface);
 ///   model view projection viewport modelview whole
 ///                               the matrices of PipelineStage, [row][column] from 0, for column
 ///                               vectors: projection[2][3]
-///   viewSteps projectionSteps   the factors of view and projection, see matrices::factors:
+///   viewSteps projectionSteps   the factors of view and projection, see pipeline::factors:
 ///                               [i][row][column], in the order in which they act on a point. None
 ///                               where the matrices were given as sixteen numbers
 ///   object world eye clip ndc window device widget

@@ -7,7 +7,7 @@
 #include "core/geometry/api_conventions.h"
 #include "core/geometry/condition_number.h"
 #include "core/library/internal.h"
-#include "core/matrices/matrix_findings.h"
+#include "core/pipeline/matrix_findings.h"
 #include "core/scene_file/scene_file.h"
 
 #include <algorithm>
@@ -97,12 +97,12 @@ Result<geometry::Api> apiOf(std::string_view key)
     return valueError(base::tr("there are no conventions \"%1\"; known: %2", std::string(key), known));
 }
 
-void addFindings(const char *name, const glm::dmat4 &matrix, matrices::MatrixRole role,
+void addFindings(const char *name, const glm::dmat4 &matrix, pipeline::MatrixRole role,
                  const std::optional<geometry::NdcDepth> &ndcDepth, const std::optional<glm::dmat4> &clipFromEye,
                  std::vector<std::string> &sentences)
 {
-    for (const matrices::MatrixFinding &finding : matrices::findings(matrix, role, ndcDepth, clipFromEye))
-        sentences.push_back(std::string(name) + ": " + matrices::findingText(finding, role));
+    for (const pipeline::MatrixFinding &finding : pipeline::findings(matrix, role, ndcDepth, clipFromEye))
+        sentences.push_back(std::string(name) + ": " + pipeline::findingText(finding, role));
 }
 
 struct Named {
@@ -271,9 +271,9 @@ Result<Setup> Setup::fromMatrices(const glm::dmat4 &clipFromEye, const glm::dmat
     setup.lens = lens;
     setup.pose = pose;
     std::vector<std::string> sentences = worldFindings(*api);
-    addFindings("projection", lens.clipFromEye, matrices::MatrixRole::Projection, lens.ndcDepth, std::nullopt,
+    addFindings("projection", lens.clipFromEye, pipeline::MatrixRole::Projection, lens.ndcDepth, std::nullopt,
                 sentences);
-    addFindings("view", pose, matrices::MatrixRole::View, std::nullopt, lens.clipFromEye, sentences);
+    addFindings("view", pose, pipeline::MatrixRole::View, std::nullopt, lens.clipFromEye, sentences);
     return SetupAccess::make(setup, std::move(sentences));
 }
 

@@ -133,7 +133,7 @@ ClickFeature::ClickFeature(Window &window)
         if (std::exchange(m_isAtPick, isAtPick) != isAtPick)
             emit m_window.quantityPointed(isAtPick ? QStringLiteral("world") : QString());
     });
-    connect(m_strip, &PickStrip::stageRequested, &window, [this](matrices::PipelineStage stage) {
+    connect(m_strip, &PickStrip::stageRequested, &window, [this](pipeline::PipelineStage stage) {
         m_window.workspaces().enter(Workspace::Pipeline);
         m_window.follow(lessons::MatrixLink{stage});
         emit m_window.clickValuesWanted(); // the numbers that were clicked

@@ -14,7 +14,7 @@
 
 namespace unprojector::gui {
 using namespace geometry;
-using namespace matrices;
+using namespace pipeline;
 using namespace unproject;
 
 namespace {
@@ -113,7 +113,7 @@ void PickStrip::setPick(const KeptPick &kept, const std::optional<WorldPoint> &p
     m_texts[Pixel] = [pixel = pick.devicePixel](int) {
         return bracketed({QString::number(pixel.i), QString::number(pixel.j)});
     };
-    const Result<Pipeline> matrices = pipeline(pick.setup, kept.placement.rounded());
+    const Result<Pipeline> matrices = pipelineOf(pick.setup, kept.placement.rounded());
     if (!matrices) {
         showTexts();
         return;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/matrices/pipeline.h"
+#include "core/pipeline/pipeline.h"
 #include "gui/document/kept_pick.h"
 
 #include <QString>
@@ -35,7 +35,7 @@ public:
     QSize minimumSizeHint() const override { return {0, sizeHint().height()}; }
 
 signals:
-    void stageRequested(unprojector::matrices::PipelineStage stage);
+    void stageRequested(unprojector::pipeline::PipelineStage stage);
 
 protected:
     void resizeEvent(QResizeEvent *event) override;

@@ -1,13 +1,13 @@
 #include "gui/document/given_points.h"
 
-#include "core/matrices/pipeline.h"
+#include "core/pipeline/pipeline.h"
 #include "gui/document/document_change.h"
 
 #include <algorithm>
 
 namespace unprojector::gui {
 using namespace geometry;
-using namespace matrices;
+using namespace pipeline;
 using namespace scene;
 
 std::optional<std::size_t> indexOf(const GivenPoint &given, const std::vector<SceneObject> &objects)
@@ -24,8 +24,8 @@ std::optional<WorldPoint> givenWorld(const Scene &scene, const Setup &setup)
     if (!scene.givenPoint)
         return std::nullopt;
     const std::optional<std::size_t> object = indexOf(*scene.givenPoint, scene.objects);
-    const Result<matrices::Pipeline> pipeline =
-        matrices::pipeline(setup, object ? worldFromObject(scene.objects[*object].transform) : glm::dmat4(1.0));
+    const Result<pipeline::Pipeline> pipeline =
+        pipeline::pipelineOf(setup, object ? worldFromObject(scene.objects[*object].transform) : glm::dmat4(1.0));
     if (!pipeline)
         return std::nullopt;
     const Result<WorldPoint> world = pointsFrom(*pipeline, *scene.givenPoint).world;

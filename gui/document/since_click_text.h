@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/matrices/pipeline.h"
+#include "core/pipeline/pipeline.h"
 
 #include <QString>
 

@@ -10,7 +10,7 @@
 
 namespace unprojector::gui {
 using namespace geometry;
-using namespace matrices;
+using namespace pipeline;
 
 using Space = PointModel::Space;
 

@@ -11,7 +11,7 @@
 
 namespace unprojector::gui {
 using namespace geometry;
-using namespace matrices;
+using namespace pipeline;
 
 namespace {
 

@@ -12,7 +12,7 @@ namespace unprojector::gui {
 /// The computation of one coordinate of the pipeline from the space before it.
 struct EntryDerivation {
     QString text; ///< plain, lines with the numbers as the panel shows them
-    std::optional<matrices::PipelineStage> stage;
+    std::optional<pipeline::PipelineStage> stage;
     int matrixRow = 0;                       ///< of the stage's matrix for column vectors; with `stage`
     std::optional<PointModel::Space> source; ///< none for the first space of the direction
     std::vector<int> coordinates;            ///< of the source: 0 for x, 3 for w
@@ -20,13 +20,13 @@ struct EntryDerivation {
 
 /// The stage whose matrix yields a space's point. None for the first space of a direction, for the
 /// result of a division, and for the step between window and widget.
-std::optional<matrices::PipelineStage> stageOf(PointModel::Space space, matrices::PipelineDirection direction);
+std::optional<pipeline::PipelineStage> stageOf(PointModel::Space space, pipeline::PipelineDirection direction);
 
 /// The space of the point that a stage's matrix yields; none for a product.
-std::optional<PointModel::Space> spaceMadeBy(matrices::PipelineStage stage, matrices::PipelineDirection direction);
+std::optional<PointModel::Space> spaceMadeBy(pipeline::PipelineStage stage, pipeline::PipelineDirection direction);
 
 /// The first space of a direction: no step leads to it.
-PointModel::Space startOf(matrices::PipelineDirection direction);
+PointModel::Space startOf(pipeline::PipelineDirection direction);
 
 /// The numbers of one step:
 ///

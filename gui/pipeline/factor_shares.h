@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/matrices/matrix_factors.h"
+#include "core/pipeline/matrix_factors.h"
 #include "gui/pipeline/matrix_view.h"
 
 #include <QList>
@@ -34,7 +34,7 @@ public:
     /// four
     /// @param told        one for each
     /// @param clipFromEye the projection's matrix
-    void setFactors(const std::vector<matrices::MatrixFactor> &factors, const std::vector<Told> &told,
+    void setFactors(const std::vector<pipeline::MatrixFactor> &factors, const std::vector<Told> &told,
                     const geometry::Projection &projection, const glm::dmat4 &clipFromEye, const MatrixView &view);
 
     /// Sets the share of every factor, percent.
@@ -57,7 +57,7 @@ private:
     QLabel *m_said;
     QLabel *m_extent;
     FactorDrawing *m_drawing;
-    std::vector<matrices::MatrixFactor> m_factors;
+    std::vector<pipeline::MatrixFactor> m_factors;
     geometry::Projection m_projection;
     glm::dmat4 m_clipFromEye{1.0};
 };

@@ -13,7 +13,7 @@
 
 namespace unprojector::gui {
 using namespace geometry;
-using namespace matrices;
+using namespace pipeline;
 
 namespace {
 

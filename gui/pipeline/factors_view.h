@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/matrices/matrix_factors.h"
+#include "core/pipeline/matrix_factors.h"
 #include "gui/pipeline/matrix_view.h"
 
 #include <QWidget>
@@ -26,7 +26,7 @@ public:
     /// @param isGiven  whether it is the conversion of one that was given as sixteen numbers
     /// @param projection  of the factors: the sliders then apply parts of them. Null: the factors
     /// of a view.
-    void setFactors(const std::vector<matrices::MatrixFactor> &factors, const glm::dmat4 &matrix,
+    void setFactors(const std::vector<pipeline::MatrixFactor> &factors, const glm::dmat4 &matrix,
                     const MatrixView &view, bool isGiven, const geometry::Projection *projection);
     /// Shows that there is nothing to decompose, and why.
     void setNone(const QString &reason);

@@ -8,7 +8,8 @@
 #include <QVBoxLayout>
 
 namespace unprojector::gui {
-using namespace matrices;
+using namespace cameras;
+using namespace pipeline;
 
 MatrixFindingsView::MatrixFindingsView(QWidget *parent) : QWidget(parent)
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/matrices/matrix_findings.h"
-#include "core/matrices/pasted_matrix.h"
+#include "core/cameras/pasted_matrix.h"
+#include "core/pipeline/matrix_findings.h"
 
 #include <QWidget>
 
@@ -18,14 +18,14 @@ public:
     explicit MatrixFindingsView(QWidget *parent = nullptr);
 
     /// @param order  in which the matrix is read
-    void setFindings(const std::vector<matrices::MatrixFinding> &findings, matrices::MatrixRole role,
-                     matrices::NumberOrder order);
+    void setFindings(const std::vector<pipeline::MatrixFinding> &findings, pipeline::MatrixRole role,
+                     cameras::NumberOrder order);
 
 signals:
-    void repairWanted(const unprojector::matrices::MatrixFinding &finding);
+    void repairWanted(const unprojector::pipeline::MatrixFinding &finding);
 
 private:
-    std::vector<matrices::MatrixFinding> m_findings;
+    std::vector<pipeline::MatrixFinding> m_findings;
     QStringList m_texts; ///< as shown
     QVBoxLayout *m_rows;
 };

@@ -1,10 +1,10 @@
 #include "gui/pipeline/matrix_model.h"
 
-#include "core/matrices/matrix_entry_name.h"
+#include "core/pipeline/matrix_entry_name.h"
 
 namespace unprojector::gui {
 using namespace geometry;
-using namespace matrices;
+using namespace pipeline;
 namespace {
 
 constexpr int kMemoryRows = 8;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/matrices/pipeline.h"
+#include "core/pipeline/pipeline.h"
 #include "gui/pipeline/matrix_view.h"
 #include "gui/widgets/number_grid_model.h"
 
@@ -11,17 +11,17 @@ namespace unprojector::gui {
 class MatrixModel : public NumberGridModel {
     Q_OBJECT
 public:
-    explicit MatrixModel(matrices::PipelineStage stage, QObject *parent = nullptr);
+    explicit MatrixModel(pipeline::PipelineStage stage, QObject *parent = nullptr);
 
     /// @param isNamed  whether the formulas' symbols apply to its entries
     /// @param isSkewed  the projection is a frustum with a skew
-    void setMatrix(const glm::dmat4 &matrix, matrices::PipelineDirection direction, geometry::ProjectionKind kind,
+    void setMatrix(const glm::dmat4 &matrix, pipeline::PipelineDirection direction, geometry::ProjectionKind kind,
                    bool isNamed = true, bool isSkewed = false);
     void setView(const MatrixView &view);
     /// Overrides the stage's variable name.
     void setVariableName(const QString &name) { m_variableName = name; }
 
-    matrices::PipelineStage stage() const { return m_stage; }
+    pipeline::PipelineStage stage() const { return m_stage; }
     const MatrixView &view() const { return m_view; }
     /// The matrix for column vectors.
     const glm::dmat4 &matrix() const { return m_matrix; }
@@ -35,7 +35,7 @@ public:
     /// The variable name of the matrix in code: "eyeFromWorld".
     QString variableName() const;
     /// The matrix for the clipboard, in the layout and digits shown.
-    QString copyText(matrices::MatrixSyntax syntax) const;
+    QString copyText(pipeline::MatrixSyntax syntax) const;
 
 protected:
     QString label(int row, int column) const override;
@@ -46,8 +46,8 @@ private:
     /// The memory index of a cell: m[index].
     int memoryIndex(int row, int column) const;
 
-    matrices::PipelineStage m_stage;
-    matrices::PipelineDirection m_direction = matrices::PipelineDirection::Forward;
+    pipeline::PipelineStage m_stage;
+    pipeline::PipelineDirection m_direction = pipeline::PipelineDirection::Forward;
     geometry::ProjectionKind m_kind = geometry::ProjectionKind::Perspective;
     bool m_isNamed = true, m_isSkewed = false;
     glm::dmat4 m_matrix{1.0};

@@ -13,7 +13,7 @@
 #include <QVBoxLayout>
 
 namespace unprojector::gui {
-using namespace matrices;
+using namespace pipeline;
 
 MatrixSection::MatrixSection(MatrixModel *model, QWidget *parent) : QWidget(parent), m_model(model)
 {

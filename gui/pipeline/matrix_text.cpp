@@ -11,7 +11,8 @@
 
 namespace unprojector::gui {
 using namespace geometry;
-using namespace matrices;
+using namespace cameras;
+using namespace pipeline;
 namespace {
 
 struct MatrixText {

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/cameras/pasted_matrix.h"
 #include "core/geometry/setup.h"
-#include "core/matrices/matrix_findings.h"
-#include "core/matrices/pasted_matrix.h"
+#include "core/pipeline/matrix_findings.h"
 
 #include <QString>
 
@@ -11,16 +11,16 @@ namespace unprojector::gui {
 // Pasted matrices in words.
 
 /// "Projection", "View or modelview", "Product (MVP)".
-QString roleName(matrices::MatrixRole role);
+QString roleName(pipeline::MatrixRole role);
 /// The form in which a matrix was recognized: "four rows".
-QString formName(matrices::MatrixForm form);
+QString formName(cameras::MatrixForm form);
 /// A finding about a matrix, in a sentence.
-QString findingSentence(const matrices::MatrixFinding &finding, matrices::MatrixRole role);
+QString findingSentence(const pipeline::MatrixFinding &finding, pipeline::MatrixRole role);
 /// The text of its button; empty if there is nothing to fix.
 /// @param order  in which the matrix is read
-QString repairName(const matrices::MatrixFinding &finding, matrices::NumberOrder order);
+QString repairName(const pipeline::MatrixFinding &finding, cameras::NumberOrder order);
 /// Explains why a text is not such a matrix, with the position of the error.
-QString errorText(const matrices::PasteError &error, matrices::MatrixRole role);
+QString errorText(const cameras::PasteError &error, pipeline::MatrixRole role);
 /// The meaning of projection and view: the eye, its direction, field of view, near and far.
 /// @param setup  by parameters
 /// @param lens   the matrix of its projection, if it was given as one

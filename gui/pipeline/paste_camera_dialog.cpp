@@ -3,7 +3,7 @@
 #include "core/base/utf8.h"
 #include "core/cameras/seen_objects.h"
 #include "core/geometry/error_text.h"
-#include "core/matrices/matrix_format.h"
+#include "core/pipeline/matrix_format.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"
 #include "gui/pipeline/foreign_camera_box.h"
@@ -35,7 +35,7 @@
 namespace unprojector::gui {
 using namespace geometry;
 using namespace cameras;
-using namespace matrices;
+using namespace pipeline;
 
 namespace {
 

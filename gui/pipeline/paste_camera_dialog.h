@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/cameras/foreign_camera.h"
+#include "core/cameras/matrix_paste.h"
 #include "core/geometry/setup.h"
-#include "core/matrices/matrix_paste.h"
 
 #include <QDialog>
 
@@ -32,7 +32,7 @@ public:
     explicit PasteCameraDialog(SceneDocument &document, QWidget *parent = nullptr);
 
     /// Sets the text of a matrix, and shows its field.
-    void setText(matrices::MatrixRole role, const QString &text);
+    void setText(pipeline::MatrixRole role, const QString &text);
 
     /// Reads the camera in these files, with those read before if only both together are a camera.
     /// A single file that is no known program's is read as matrices.
@@ -40,7 +40,7 @@ public:
 
     /// Shows the dialog over a window; it deletes itself.
     static void open(SceneDocument &document, QWidget *parent,
-                     matrices::MatrixRole role = matrices::MatrixRole::Projection, const QString &text = {});
+                     pipeline::MatrixRole role = pipeline::MatrixRole::Projection, const QString &text = {});
 
     void accept() override;
 
@@ -50,10 +50,10 @@ protected:
     void dropEvent(QDropEvent *event) override;
 
 private:
-    PastedMatrixBox *box(matrices::MatrixRole role) const { return m_boxes[std::size_t(role)]; }
+    PastedMatrixBox *box(pipeline::MatrixRole role) const { return m_boxes[std::size_t(role)]; }
     bool isProduct() const;
     QHBoxLayout *createHead();
-    void connectBox(matrices::MatrixRole role);
+    void connectBox(pipeline::MatrixRole role);
     void askForFiles();
     /// These texts, and the earlier files if only both together are a camera (COLMAP).
     std::vector<cameras::NamedText> withEarlier(std::vector<cameras::NamedText> texts) const;
@@ -65,24 +65,24 @@ private:
     void readForeign();
     /// Returns whether the camera is that of a known program, not of matrices.
     bool isForeign() const;
-    void repair(matrices::MatrixRole role, const matrices::MatrixFinding &finding);
+    void repair(pipeline::MatrixRole role, const pipeline::MatrixFinding &finding);
     /// Moves a text to the field that its names indicate, see MatrixPaste::namedRole.
-    void moveText(matrices::MatrixRole role);
+    void moveText(pipeline::MatrixRole role);
     /// Updates all fields.
     void refresh();
     /// Grows to show all content, as far as the screen allows.
     void growToContent();
     /// The camera that OK would apply.
-    matrices::MatrixPaste::Camera camera() const;
+    cameras::MatrixPaste::Camera camera() const;
     /// Says that near and far hide all objects; empty if they don't.
     QString emptyText(const geometry::Setup &setup) const;
     /// Describes the camera, or why it cannot be used.
-    QString meaning(const matrices::MatrixPaste::Camera &camera, bool &isUsable) const;
+    QString meaning(const cameras::MatrixPaste::Camera &camera, bool &isUsable) const;
     /// The size that the view gets from the camera's image.
     std::optional<geometry::Surface> viewSize() const;
 
     SceneDocument &m_document;
-    matrices::MatrixPaste m_paste;
+    cameras::MatrixPaste m_paste;
     std::vector<cameras::NamedText> m_files; ///< instead of typed texts
     SegmentedSwitch *m_kind;
     QLabel *m_fileNames;

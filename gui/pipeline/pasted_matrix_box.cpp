@@ -21,7 +21,8 @@
 
 namespace unprojector::gui {
 using namespace geometry;
-using namespace matrices;
+using namespace cameras;
+using namespace pipeline;
 
 namespace {
 

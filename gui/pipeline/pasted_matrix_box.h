@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/matrices/matrix_paste.h"
+#include "core/cameras/matrix_paste.h"
 
 #include <QWidget>
 
@@ -22,7 +22,7 @@ class SegmentedSwitch;
 class PastedMatrixBox : public QWidget {
     Q_OBJECT
 public:
-    explicit PastedMatrixBox(matrices::MatrixRole role, QWidget *parent = nullptr);
+    explicit PastedMatrixBox(pipeline::MatrixRole role, QWidget *parent = nullptr);
 
     QString text() const;
     /// Replaces the text unless it is too long.
@@ -33,15 +33,15 @@ public:
     /// @param isHalf  the other half of the camera is in another box
     void showTextOnly(bool isHalf);
     /// Shows the result of parsing the texts.
-    void showPaste(const matrices::MatrixPaste &paste);
+    void showPaste(const cameras::MatrixPaste &paste);
 
 signals:
     void textChanged(const QString &text);
     /// Emitted instead of taking a text of so many characters.
     void textRefused(qsizetype characters);
-    void orderChosen(unprojector::matrices::NumberOrder order);
+    void orderChosen(unprojector::cameras::NumberOrder order);
     void ndcDepthChosen(const std::optional<unprojector::geometry::NdcDepth> &depth);
-    void repairWanted(const unprojector::matrices::MatrixFinding &finding);
+    void repairWanted(const unprojector::pipeline::MatrixFinding &finding);
     /// Emitted when the text must move to the field that its names indicate.
     void moveWanted();
     /// Emitted when the user discards all repairs.
@@ -50,9 +50,9 @@ signals:
 private:
     void setTextLines(int lines);
     /// The descriptions of how the text was interpreted.
-    QStringList saidOf(const matrices::MatrixPaste &paste) const;
+    QStringList saidOf(const cameras::MatrixPaste &paste) const;
 
-    matrices::MatrixRole m_role;
+    pipeline::MatrixRole m_role;
     QLabel *m_title;
     QWidget *m_read; ///< all that the text was read as
     PlainTextBox *m_text;

@@ -14,7 +14,7 @@
 #include <algorithm>
 
 namespace unprojector::gui {
-using namespace matrices;
+using namespace pipeline;
 
 using Space = PointModel::Space;
 

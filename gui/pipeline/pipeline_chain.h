@@ -18,7 +18,7 @@ class NumberGrid;
 
 /// The part that can be opened below the chain: the step that leads to a space, or a product of
 /// several matrices.
-using ChainPart = std::variant<PointModel::Space, matrices::PipelineStage>;
+using ChainPart = std::variant<PointModel::Space, pipeline::PipelineStage>;
 
 /// The point in every space, a line each, in the order of the direction. The name of a space opens
 /// the step that leads there; buttons below open the products of matrices, or all matrices at once.

@@ -20,7 +20,7 @@
 #include <utility>
 
 namespace unprojector::gui {
-using namespace matrices;
+using namespace pipeline;
 using namespace unproject;
 
 class PipelineFeature : public Feature {

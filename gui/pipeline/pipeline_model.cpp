@@ -19,7 +19,8 @@
 
 namespace unprojector::gui {
 using namespace geometry;
-using namespace matrices;
+using namespace cameras;
+using namespace pipeline;
 using namespace scene;
 using namespace unproject;
 
@@ -236,7 +237,7 @@ void PipelineModel::update()
 {
     m_showsClick = showsClick(); // where the view is as it was again, the next change is seen
     const std::optional<Pick> &pick = m_document.picks().pick();
-    const Result<Pipeline> pipeline = matrices::pipeline(setup(), placement());
+    const Result<Pipeline> pipeline = pipeline::pipelineOf(setup(), placement());
     if (!pipeline) {
         // The matrices keep their last valid values.
         clearPoints();
@@ -284,10 +285,10 @@ std::optional<std::vector<MatrixFactor>> PipelineModel::factors(PipelineStage st
     if (m_direction == PipelineDirection::Backward)
         return std::nullopt;
     if (stage == PipelineStage::ViewMatrix) {
-        if (const auto parts = matrices::factors(setup().camera()))
+        if (const auto parts = pipeline::factors(setup().camera()))
             return inConventions(*parts, m_spaces.world, m_spaces.eye);
     } else if (stage == PipelineStage::ProjectionMatrix) {
-        if (const auto parts = matrices::factors(setup().projection()))
+        if (const auto parts = pipeline::factors(setup().projection()))
             return inConventions(*parts, m_spaces.eye, m_spaces.clip);
     }
     return std::nullopt;

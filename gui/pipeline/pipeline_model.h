@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/matrices/matrix_factors.h"
-#include "core/matrices/matrix_findings.h"
-#include "core/matrices/pipeline.h"
+#include "core/pipeline/matrix_factors.h"
+#include "core/pipeline/matrix_findings.h"
+#include "core/pipeline/pipeline.h"
 #include "gui/document/followed_object.h"
 #include "gui/pipeline/matrix_model.h"
 #include "gui/pipeline/point_model.h"
@@ -34,15 +34,15 @@ public:
     /// Reads the current document.
     void update();
 
-    matrices::PipelineDirection direction() const { return m_direction; }
-    void setDirection(matrices::PipelineDirection direction);
+    pipeline::PipelineDirection direction() const { return m_direction; }
+    void setDirection(pipeline::PipelineDirection direction);
     /// The chosen object stays chosen while the list changes, until it is removed.
     int object() const;
     void setObject(int object);
     const MatrixView &view() const { return m_view; }
     void setView(const MatrixView &view);
 
-    MatrixModel *matrix(matrices::PipelineStage stage) const { return m_matrices[static_cast<std::size_t>(stage)]; }
+    MatrixModel *matrix(pipeline::PipelineStage stage) const { return m_matrices[static_cast<std::size_t>(stage)]; }
     /// The projection's matrix as in the file.
     MatrixModel *given() const { return m_given; }
     /// Describes how it was interpreted and converted; empty if the projection is not given as a
@@ -51,12 +51,12 @@ public:
     /// The view's matrix as given.
     MatrixModel *givenView() const { return m_givenView; }
     /// The findings about the given matrices.
-    const std::vector<matrices::MatrixFinding> &givenFindings(matrices::MatrixRole role) const;
+    const std::vector<pipeline::MatrixFinding> &givenFindings(pipeline::MatrixRole role) const;
     /// Applies a finding's fix to the scene.
-    void repair(matrices::MatrixRole role, const matrices::MatrixFinding &finding);
+    void repair(pipeline::MatrixRole role, const pipeline::MatrixFinding &finding);
     /// The factors of the view's or the projection's matrix in forward direction.
     /// @return nothing for another stage, and backward
-    std::optional<std::vector<matrices::MatrixFactor>> factors(matrices::PipelineStage stage) const;
+    std::optional<std::vector<pipeline::MatrixFactor>> factors(pipeline::PipelineStage stage) const;
     PointModel *point(PointModel::Space space) const { return m_points[static_cast<std::size_t>(space)]; }
 
     /// Returns whether the user's point is shown instead of the pick: from its entry until the next
@@ -110,29 +110,29 @@ private:
     /// Parses the text for one coordinate of a space, or for all of them, and makes it the user's
     /// point.
     void take(PointModel::Space space, int coordinate, const QString &typed);
-    void showGivenPoint(const matrices::Pipeline &pipeline);
-    void showAll(const matrices::PipelinePoints &points);
+    void showGivenPoint(const pipeline::Pipeline &pipeline);
+    void showAll(const pipeline::PipelinePoints &points);
     /// The conversion of a space's coordinates from this program's.
     geometry::AxisChange changeOf(PointModel::Space space) const;
     void showApi();
-    void showPoints(const matrices::Pipeline &pipeline);
+    void showPoints(const pipeline::Pipeline &pipeline);
     void clearPoints();
 
     SceneDocument &m_document;
     bool m_followsGiven = false;
     bool m_showsClick = false;
-    matrices::PipelineDirection m_direction = matrices::PipelineDirection::Forward;
+    pipeline::PipelineDirection m_direction = pipeline::PipelineDirection::Forward;
     FollowedObject *m_chosen;
     bool m_isIdentity = false;
     MatrixView m_view;
     geometry::Api m_api = geometry::Api::OpenGl;
     geometry::ApiSpaces m_spaces;
     QString m_apiNote;
-    std::array<MatrixModel *, matrices::kPipelineStages.size()> m_matrices;
+    std::array<MatrixModel *, pipeline::kPipelineStages.size()> m_matrices;
     std::array<PointModel *, PointModel::kSpaces> m_points;
     MatrixModel *m_given;
     MatrixModel *m_givenView;
-    std::vector<matrices::MatrixFinding> m_projectionFindings, m_viewFindings;
+    std::vector<pipeline::MatrixFinding> m_projectionFindings, m_viewFindings;
     QString m_givenNote;
     QString m_status;
 };

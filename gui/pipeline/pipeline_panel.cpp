@@ -29,7 +29,8 @@
 
 namespace unprojector::gui {
 using namespace geometry;
-using namespace matrices;
+using namespace cameras;
+using namespace pipeline;
 
 using Space = PointModel::Space;
 

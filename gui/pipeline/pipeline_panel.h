@@ -32,8 +32,8 @@ public:
     const PipelineModel &model() const { return *m_model; }
 
     // The display options, to be saved.
-    matrices::PipelineDirection direction() const { return m_model->direction(); }
-    void setDirection(matrices::PipelineDirection direction);
+    pipeline::PipelineDirection direction() const { return m_model->direction(); }
+    void setDirection(pipeline::PipelineDirection direction);
     const MatrixView &matrixView() const { return m_model->view(); }
     void setMatrixView(const MatrixView &view);
 
@@ -66,9 +66,9 @@ public:
     void startOver();
     /// Switches to the forward direction and opens the decomposition of the view's or the
     /// projection's matrix.
-    void takeApart(matrices::PipelineStage stage);
+    void takeApart(pipeline::PipelineStage stage);
     /// Opens a matrix and scrolls to it.
-    void openMatrix(matrices::PipelineStage stage);
+    void openMatrix(pipeline::PipelineStage stage);
 
     /// Commits pending input.
     void applyTyped();
@@ -91,7 +91,7 @@ private:
     /// projection's factors.
     void createActions();
     /// Opens the step of a matrix.
-    void openStep(matrices::PipelineStage stage);
+    void openStep(pipeline::PipelineStage stage);
     /// @param tried  a widget below the row that must be visible too, or null
     void scrollTo(const QWidget &row, const QWidget *tried);
     void createStages();
@@ -106,7 +106,7 @@ private:
     void showOpened();
     /// The row below the chain that leads to a space; null for the start.
     QWidget *stepTo(PointModel::Space space) const;
-    bool isOpen(matrices::PipelineStage stage) const;
+    bool isOpen(pipeline::PipelineStage stage) const;
     bool isOpen(PointModel::Space space) const;
     void showTitles();
     void refresh();
@@ -125,7 +125,7 @@ private:
     QScrollArea *m_scrollArea;
     QVBoxLayout *m_rows;
     QLabel *m_apiNote;
-    std::array<MatrixSection *, matrices::kPipelineStages.size()> m_sections{};
+    std::array<MatrixSection *, pipeline::kPipelineStages.size()> m_sections{};
     FactorsView *m_viewFactors = nullptr;
     FactorsView *m_projectionFactors = nullptr;
     MatrixSection *m_given = nullptr;     ///< before the projection, while it is given as a matrix

@@ -23,7 +23,7 @@
 
 namespace unprojector::gui {
 using namespace geometry;
-using namespace matrices;
+using namespace pipeline;
 using namespace scene;
 
 namespace {

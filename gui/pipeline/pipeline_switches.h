@@ -26,7 +26,7 @@ class PipelineSwitches : public QWidget {
 public:
     PipelineSwitches(SceneDocument &document, PipelineModel &model, QWidget *parent = nullptr);
 
-    void setDirection(matrices::PipelineDirection direction);
+    void setDirection(pipeline::PipelineDirection direction);
     void setMatrixView(const MatrixView &view);
     /// Shows the document's objects, and the names of its conventions.
     void refresh();

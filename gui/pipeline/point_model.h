@@ -3,7 +3,7 @@
 #include "core/geometry/api_conventions.h"
 #include "core/geometry/result.h"
 #include "core/geometry/spaces.h"
-#include "core/matrices/pipeline.h"
+#include "core/pipeline/pipeline.h"
 #include "gui/pipeline/matrix_view.h"
 #include "gui/widgets/number_grid_model.h"
 
@@ -43,7 +43,7 @@ public:
     /// Clears the point: a dash for each coordinate.
     void clearPoint();
     void setView(const MatrixView &view);
-    void setDirection(matrices::PipelineDirection direction);
+    void setDirection(pipeline::PipelineDirection direction);
     /// Sets the API of the coordinates, for their tooltips.
     void setApi(geometry::Api api) { m_api = api; }
 
@@ -90,7 +90,7 @@ private:
     Coordinates m_coordinates;
     MatrixView m_view;
     geometry::Api m_api = geometry::Api::OpenGl;
-    matrices::PipelineDirection m_direction = matrices::PipelineDirection::Forward;
+    pipeline::PipelineDirection m_direction = pipeline::PipelineDirection::Forward;
 };
 
 } // namespace unprojector::gui

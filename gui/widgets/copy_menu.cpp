@@ -1,6 +1,6 @@
 #include "gui/widgets/copy_menu.h"
 
-#include "core/matrices/matrix_format.h"
+#include "core/pipeline/matrix_format.h"
 #include "gui/text/number_text.h"
 
 #include <QClipboard>
@@ -12,7 +12,7 @@
 #include <algorithm>
 
 namespace unprojector::gui {
-using namespace matrices;
+using namespace pipeline;
 
 namespace {
 
@@ -46,7 +46,7 @@ void copyToClipboard(const QString &text)
 
 void addCopyActions(QMenu &menu, const Copyable &number, const Copyable &whole)
 {
-    using matrices::MatrixSyntax;
+    using pipeline::MatrixSyntax;
     if (!number.numbers.empty()) {
         const QString text = shortestText(number.numbers.front());
         menu.addAction(CopyMenu::tr("&Copy %1").arg(text), &menu, [text] { copyToClipboard(text); });
@@ -57,7 +57,7 @@ void addCopyActions(QMenu &menu, const Copyable &number, const Copyable &whole)
         menu.addSeparator();
     const auto add = [&](const QString &format, MatrixSyntax syntax) {
         const QString text =
-            QString::fromStdString(matrices::formatted(whole.numbers, syntax, whole.name.toStdString()));
+            QString::fromStdString(pipeline::formatted(whole.numbers, syntax, whole.name.toStdString()));
         QAction *action = menu.addAction(format.arg(whole.name), &menu, [text] { copyToClipboard(text); });
         action->setToolTip(text.trimmed());
     };

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 namespace unprojector::gui {
-using namespace matrices;
+using namespace pipeline;
 
 namespace {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/matrices/matrix_format.h"
+#include "core/pipeline/matrix_format.h"
 #include "gui/widgets/copy_menu.h"
 
 #include <QAbstractTableModel>
@@ -53,7 +53,7 @@ protected:
     /// Sets the numbers, row by row. The views keep their shape unless the numbers of rows and
     /// columns or `isWhole` change.
     /// @param isWhole  all digits, not only as many as fit
-    void setNumbers(int rows, int columns, Numbers numbers, matrices::Digits digits, bool isWhole);
+    void setNumbers(int rows, int columns, Numbers numbers, pipeline::Digits digits, bool isWhole);
 
     virtual QString label(int row, int column) const;
     virtual QString toolTip(int row, int column) const = 0;
@@ -69,7 +69,7 @@ private:
     int m_rows = 0;
     int m_columns = 0;
     Numbers m_numbers;
-    matrices::Digits m_digits = matrices::Digits::Double;
+    pipeline::Digits m_digits = pipeline::Digits::Double;
     bool m_isWhole = false;
     QModelIndexList m_marked;
     int m_capacity = 12;

@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     // Two words are the numbers themselves, never the name of a file.
     options.fromMatrices = {std::string(fuzz::text(data, size)), ""};
     if (size % 3 > 0)
-        options.order = size % 3 == 1 ? matrices::NumberOrder::ByRows : matrices::NumberOrder::ByColumns;
+        options.order = size % 3 == 1 ? cameras::NumberOrder::ByRows : cameras::NumberOrder::ByColumns;
     options.isReversed = size % 5 == 1;
     if (size % 7 < 2)
         options.isYDown = size % 7 == 1;

@@ -4,7 +4,7 @@
 #include "core/cli/rows/scene_input.h"
 #include "core/cli/terminal/refusal.h"
 #include "core/geometry/api_conventions.h"
-#include "core/matrices/matrix_format.h"
+#include "core/pipeline/matrix_format.h"
 
 #include <cmath>
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace unprojector::cli {
 using namespace geometry;
-using namespace matrices;
+using namespace pipeline;
 using namespace scene_file;
 using namespace base;
 namespace {

@@ -3,15 +3,15 @@
 #include "core/base/path_text.h"
 #include "core/base/translation.h"
 #include "core/cameras/lens.h"
+#include "core/cameras/pasted_calls.h"
+#include "core/cameras/told_order.h"
 #include "core/cli/commands/command.h"
 #include "core/cli/commands/inputs.h"
 #include "core/cli/terminal/refusal.h"
 #include "core/geometry/condition_number.h"
-#include "core/matrices/decomposition.h"
-#include "core/matrices/matrix_findings.h"
-#include "core/matrices/matrix_format.h"
-#include "core/matrices/pasted_calls.h"
-#include "core/matrices/told_order.h"
+#include "core/pipeline/decomposition.h"
+#include "core/pipeline/matrix_findings.h"
+#include "core/pipeline/matrix_format.h"
 #include "core/scene_file/scene_file.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@
 namespace unprojector::cli {
 using namespace cameras;
 using namespace geometry;
-using namespace matrices;
+using namespace pipeline;
 using namespace scene_file;
 using base::tr;
 namespace {

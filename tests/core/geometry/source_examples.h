@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/setup.h"
-#include "core/matrices/pipeline.h"
+#include "core/pipeline/pipeline.h"
 #include "core/ray/scene_rays.h"
 #include "tests/support/example_scene.h"
 #include "tests/support/mesh_model.h"
@@ -30,18 +30,18 @@ constexpr double kRightAngle = std::numbers::pi / 2.0;
 
 /// The pipeline of an example's first object, in a window as large as the original's: the Pipeline
 /// panel shows it.
-inline unprojector::matrices::Pipeline pipelineOf(const char *id)
+inline unprojector::pipeline::Pipeline pipelineOf(const char *id)
 {
     const Scene &scene = sceneOfExample(id);
-    return unprojector::matrices::pipeline(setupOf(scene, {800, 600, 1.0}, {}).value(),
-                                           worldFromObject(scene.objects.at(0).transform))
+    return unprojector::pipeline::pipelineOf(setupOf(scene, {800, 600, 1.0}, {}).value(),
+                                             worldFromObject(scene.objects.at(0).transform))
         .value();
 }
 
 /// Returns the matrix by value: most pipelines passed here end with the expression.
-inline glm::dmat4 forward(const unprojector::matrices::Pipeline &pipeline, unprojector::matrices::PipelineStage stage)
+inline glm::dmat4 forward(const unprojector::pipeline::Pipeline &pipeline, unprojector::pipeline::PipelineStage stage)
 {
-    return pipeline.matrix(stage, unprojector::matrices::PipelineDirection::Forward);
+    return pipeline.matrix(stage, unprojector::pipeline::PipelineDirection::Forward);
 }
 
 /// A picture that fills a window of 800 x 600 pixels.

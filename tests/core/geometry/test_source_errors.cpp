@@ -19,7 +19,7 @@
 
 using namespace source_examples;
 using namespace unprojector::geometry;
-using namespace unprojector::matrices;
+using namespace unprojector::pipeline;
 using namespace unprojector::unproject;
 
 namespace {

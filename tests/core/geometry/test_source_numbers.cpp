@@ -4,7 +4,7 @@
 #include "tests/support/test.h"
 
 #include "core/geometry/view_volume.h"
-#include "core/matrices/matrix_factors.h"
+#include "core/pipeline/matrix_factors.h"
 #include "tests/core/geometry/source_examples.h"
 
 #include <glm/geometric.hpp>
@@ -20,7 +20,7 @@
 
 using namespace source_examples;
 using namespace unprojector::geometry;
-using namespace unprojector::matrices;
+using namespace unprojector::pipeline;
 using namespace unprojector::unproject;
 
 namespace {
@@ -200,7 +200,7 @@ void projectionDerivation()
     // viewport of that aspect.
     const Setup wide{
         {640, 480, 1.0}, {0, 0, 640, 480}, {}, Perspective{kRightAngle, 640.0 / 480.0, 5, 80000}, kFromOrigin};
-    const Pipeline unturned = pipeline(wide, glm::dmat4(1.0)).value();
+    const Pipeline unturned = pipelineOf(wide, glm::dmat4(1.0)).value();
     const PipelinePoints low = pointsFrom(unturned, {EyePoint(-1, -1, -10)}),
                          high = pointsFrom(unturned, {EyePoint(1, 1, -10)});
     const auto aspectOf = [](const auto &from, const auto &to) { return (to.y - from.y) / (to.x - from.x); };
@@ -240,7 +240,7 @@ void parallelProjection()
         given[0][1] = 1.0; // of y: so that it has an inverse
         for (int column = 0; column < 4; ++column)
             given[column][0] = numbers[column];
-        const Pipeline byMatrix = pipeline(box, given).value();
+        const Pipeline byMatrix = pipelineOf(box, given).value();
         const auto x = [&byMatrix](double ox, double oy, double oz) {
             return pointsForward(byMatrix, ObjectPoint(ox, oy, oz)).world.value().x;
         };

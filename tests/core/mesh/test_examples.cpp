@@ -3,7 +3,7 @@
 
 #include "tests/support/test.h"
 
-#include "core/matrices/pipeline.h"
+#include "core/pipeline/pipeline.h"
 #include "core/scene_file/scene_file.h"
 #include "core/unproject/unprojector.h"
 #include "tests/support/example_scene.h"
@@ -16,7 +16,7 @@
 
 using namespace unprojector;
 using namespace unprojector::geometry;
-using namespace unprojector::matrices;
+using namespace unprojector::pipeline;
 using namespace unprojector::scene;
 using namespace unprojector::unproject;
 using namespace unprojector::mesh;
@@ -38,7 +38,7 @@ Pipeline pipelineOf(const char *id, const Surface &surface = {800, 600, 1.0})
     const Result<Setup> setup = setupOf(scene, surface, {});
     if (!setup)
         qFatal("The example %s has no picture.", id);
-    const Result<Pipeline> made = pipeline(*setup, worldFromObject(scene.objects.at(0).transform));
+    const Result<Pipeline> made = pipeline::pipelineOf(*setup, worldFromObject(scene.objects.at(0).transform));
     if (!made)
         qFatal("The example %s has no pipeline.", id);
     return *made;
@@ -194,7 +194,7 @@ private slots:
         const double distances[] = {5, 11, 19};
         for (std::size_t i = 0; i < 3; ++i) {
             const SceneObject &cube = scene.objects.at(i);
-            const Result<Pipeline> made = pipeline(*setup, worldFromObject(cube.transform));
+            const Result<Pipeline> made = pipeline::pipelineOf(*setup, worldFromObject(cube.transform));
             const PipelinePoints low = pointsForward(*made, ObjectPoint(0, -0.7, 0)),
                                  high = pointsForward(*made, ObjectPoint(0, 0.7, 0));
             // 1.4 units of an extent of 2 tan(22.5 degrees) z, in a viewport 600 pixels high.
@@ -263,7 +263,8 @@ private slots:
                   std::pair("derivation-frustum", 16.0 / 9.0)}) {
                 const Scene &scene = sceneOfExample(id);
                 const Result<Setup> setup = setupOf(scene, surface, {});
-                const Result<Pipeline> made = pipeline(*setup, worldFromObject(scene.objects.at(1).transform));
+                const Result<Pipeline> made =
+                    pipeline::pipelineOf(*setup, worldFromObject(scene.objects.at(1).transform));
                 const PipelinePoints middle = pointsForward(*made, ObjectPoint(0, 0, 0)),
                                      right = pointsForward(*made, ObjectPoint(5, 0, 0)),
                                      top = pointsForward(*made, ObjectPoint(0, 5, 0));

@@ -3,13 +3,13 @@
 #include "tests/support/test.h"
 
 #include "core/geometry/view_volume.h"
-#include "core/matrices/matrix_factors.h"
+#include "core/pipeline/matrix_factors.h"
 
 #include <cmath>
 #include <random>
 
 using namespace unprojector;
-using namespace unprojector::matrices;
+using namespace unprojector::pipeline;
 using namespace unprojector::geometry;
 
 namespace {

@@ -2,12 +2,12 @@
 
 #include "tests/support/test.h"
 
-#include "core/matrices/matrix_format.h"
+#include "core/pipeline/matrix_format.h"
 
 #include <limits>
 
 using namespace unprojector;
-using namespace unprojector::matrices;
+using namespace unprojector::pipeline;
 
 Q_DECLARE_METATYPE(MatrixFormat)
 

@@ -4,9 +4,9 @@
 #include "tests/support/test.h"
 
 #include "core/examples/examples.h"
-#include "core/matrices/matrix_entry_name.h"
-#include "core/matrices/matrix_format.h"
-#include "core/matrices/pipeline.h"
+#include "core/pipeline/matrix_entry_name.h"
+#include "core/pipeline/matrix_format.h"
+#include "core/pipeline/pipeline.h"
 #include "tests/support/is_near.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -16,7 +16,7 @@
 
 using namespace unprojector;
 using namespace unprojector::geometry;
-using namespace unprojector::matrices;
+using namespace unprojector::pipeline;
 using namespace unprojector::scene;
 
 namespace {
@@ -62,9 +62,9 @@ private slots:
     void theFiguresPointGoesThroughEveryStage()
     {
         // The object of fig. 2.7 seen with the box of 2.10 in the 50 x 50 window: all by hand.
-        const Pipeline p =
-            pipeline(geometryOf(Ortho{-10, 10, -10, 10, -10, 10}, fromFive(), 50, 50), matrixOf(Translate{{0, 0, -3}}))
-                .value();
+        const Pipeline p = pipelineOf(geometryOf(Ortho{-10, 10, -10, 10, -10, 10}, fromFive(), 50, 50),
+                                      matrixOf(Translate{{0, 0, -3}}))
+                               .value();
         const PipelinePoints points = pointsForward(p, ObjectPoint(2, -4, 1));
         QVERIFY(isNear(points.world->coordinates(), {2, -4, -2}, 0.0));
         QVERIFY(isNear(points.eye->coordinates(), {2, -4, -7}, 0.0));
@@ -81,7 +81,7 @@ private slots:
     {
         // glOrtho(-10, 10, …) puts z_eye = -5 at NDC 0.5.
         const Pipeline p =
-            pipeline(geometryOf(Ortho{-10, 10, -10, 10, -10, 10}, fromFive(), 50, 50), glm::dmat4(1.0)).value();
+            pipelineOf(geometryOf(Ortho{-10, 10, -10, 10, -10, 10}, fromFive(), 50, 50), glm::dmat4(1.0)).value();
         const PipelinePoints points = pointsForward(p, ObjectPoint(0, 0, 0));
         QVERIFY(isNear(points.ndc->coordinates(), {0, 0, 0.5}, 0.0));
         QVERIFY(isNear(points.window->coordinates(), {25, 25, 0.75}, 0.0));
@@ -102,7 +102,7 @@ private slots:
         QFETCH(double, device);
         const Setup setup = geometryOf(Perspective{std::numbers::pi / 2.0, 1, 1, 100},
                                        {WorldPoint(3, 4, 12), WorldPoint(0, 0, 0), {0, 1, 0}}, 300, 300, ratio);
-        const PipelinePoints points = pointsForward(pipeline(setup, glm::dmat4(1.0)).value(), WorldPoint(0, 0, 0));
+        const PipelinePoints points = pointsForward(pipelineOf(setup, glm::dmat4(1.0)).value(), WorldPoint(0, 0, 0));
         QVERIFY(isNear({points.device->x, points.device->y, 0}, {device, device, 0}, 1e-10));
         // A surface of 375 or 600 pixels has its middle at the same logical pixel.
         QVERIFY(isNear({points.widget->x, points.widget->y, 0}, {150, 150, 0}, 1e-10));
@@ -128,7 +128,7 @@ private slots:
         setup.viewport = {13, 7, 400, 300};
         setup.depthRange = {0.9, 0.1};
         const Pipeline p =
-            pipeline(setup, worldFromObject({Translate{{1, 2, 3}}, Rotate{30, {1, 2, 3}}, Scale{{1, -2, 0.5}}}))
+            pipelineOf(setup, worldFromObject({Translate{{1, 2, 3}}, Rotate{30, {1, 2, 3}}, Scale{{1, -2, 0.5}}}))
                 .value();
         const PipelinePoints forward = pointsForward(p, point);
         const PipelinePoints back = pointsBackward(p, *forward.window);
@@ -148,7 +148,8 @@ private slots:
 
     void theProductsAreThoseOfTheStages()
     {
-        const Pipeline p = pipeline(geometryOf(kOffCentre, aside(), 640, 480), matrixOf(Rotate{30, {1, 2, 3}})).value();
+        const Pipeline p =
+            pipelineOf(geometryOf(kOffCentre, aside(), 640, 480), matrixOf(Rotate{30, {1, 2, 3}})).value();
         const PipelinePoints points = pointsForward(p, ObjectPoint(0.5, -0.25, 1));
         const glm::dvec4 whole =
             p.matrix(PipelineStage::WholeMatrix, PipelineDirection::Forward) * glm::dvec4(0.5, -0.25, 1, 1);
@@ -178,7 +179,7 @@ private slots:
 
     void aPointInThePlaneOfTheEyeStopsAtTheDivision()
     {
-        const Pipeline p = pipeline(geometryOf(kPerspective, fromFive(), 50, 50), glm::dmat4(1.0)).value();
+        const Pipeline p = pipelineOf(geometryOf(kPerspective, fromFive(), 50, 50), glm::dmat4(1.0)).value();
         const PipelinePoints points = pointsForward(p, WorldPoint(1, 2, 5));
         QVERIFY(points.eye && points.clip);
         QCOMPARE(points.clip->w, 0.0);
@@ -189,7 +190,7 @@ private slots:
         // Beyond the far plane the inverse meets infinity: z_ndc = (f+n)/(f-n), where w' = 0. n = 1, f
         // = 3 make it exactly 2.
         const Pipeline q =
-            pipeline(geometryOf(Perspective{std::numbers::pi / 2.0, 1, 1, 3}, fromFive(), 50, 50), glm::dmat4(1.0))
+            pipelineOf(geometryOf(Perspective{std::numbers::pi / 2.0, 1, 1, 3}, fromFive(), 50, 50), glm::dmat4(1.0))
                 .value();
         const PipelinePoints back = pointsBackward(q, WindowPoint(25, 25, 1.5));
         QVERIFY(back.ndc);
@@ -234,17 +235,17 @@ private slots:
     void badValuesAreNamed()
     {
         Setup setup = geometryOf(kPerspective, fromFive(), 50, 50);
-        QCOMPARE(pipeline(setup, glm::dmat4(0.0)).error().code, ErrorCode::SingularMatrix);
+        QCOMPARE(pipelineOf(setup, glm::dmat4(0.0)).error().code, ErrorCode::SingularMatrix);
         glm::dmat4 broken(1.0);
         broken[3][1] = kNaN;
-        QCOMPARE(pipeline(setup, broken).error().code, ErrorCode::NotFinite);
+        QCOMPARE(pipelineOf(setup, broken).error().code, ErrorCode::NotFinite);
         // Invertible in principle, but 1e-200 cubed is below the smallest double.
-        QCOMPARE(pipeline(setup, matrixOf(Scale{glm::dvec3(1e-200)})).error().code, ErrorCode::SingularMatrix);
-        const Pipeline p = pipeline(setup, glm::dmat4(1.0)).value();
+        QCOMPARE(pipelineOf(setup, matrixOf(Scale{glm::dvec3(1e-200)})).error().code, ErrorCode::SingularMatrix);
+        const Pipeline p = pipelineOf(setup, glm::dmat4(1.0)).value();
         QCOMPARE(pointsForward(p, WorldPoint(0, kNaN, 0)).widget.error().code, ErrorCode::NotFinite);
         QCOMPARE(pointsBackward(p, WindowPoint(0, kNaN, 0)).object.error().code, ErrorCode::NotFinite);
         setup.camera().eye = setup.camera().center;
-        QCOMPARE(pipeline(setup, glm::dmat4(1.0)).error().code, ErrorCode::EyeEqualsCenter);
+        QCOMPARE(pipelineOf(setup, glm::dmat4(1.0)).error().code, ErrorCode::EyeEqualsCenter);
     }
 
     void entryNamesMeanTheirNumbers_data()
@@ -327,7 +328,7 @@ private slots:
         Setup setup = geometryOf(projection, fromFive(), 640, 480);
         setup.viewport = {13, 7, 400, 300};
         setup.depthRange = {0.25, 0.75};
-        const Pipeline p = pipeline(setup, worldFromObject({Translate{{1, 2, 3}}, Rotate{90, {1, 0, 0}}})).value();
+        const Pipeline p = pipelineOf(setup, worldFromObject({Translate{{1, 2, 3}}, Rotate{90, {1, 0, 0}}})).value();
         const std::string_view symbol = matrixEntryName(stage, direction, kindOf(projection), row, column);
         QCOMPARE(QString::fromUtf8(symbol.data(), static_cast<qsizetype>(symbol.size())), name);
         const double found = entry(p, stage, direction, row, column);
@@ -340,7 +341,8 @@ private slots:
         for (const Projection &projection : {kOffCentre, kPerspective, kOrtho, kOblique}) {
             Setup setup = geometryOf(projection, aside(), 640, 480);
             setup.viewport = {13, 7, 400, 300};
-            const Pipeline p = pipeline(setup, worldFromObject({Translate{{1, 2, 3}}, Rotate{40, {1, 2, 0}}})).value();
+            const Pipeline p =
+                pipelineOf(setup, worldFromObject({Translate{{1, 2, 3}}, Rotate{40, {1, 2, 0}}})).value();
             for (const PipelineStage stage : kPipelineStages) {
                 for (const auto direction : {PipelineDirection::Forward, PipelineDirection::Backward}) {
                     for (int index = 0; index < 16; ++index) {
@@ -376,7 +378,7 @@ private slots:
         Setup setup = geometryOf(projection, aside(), 640, 480, 2.0);
         setup.viewport = {13, 7, 400, 300};
         setup.depthRange = {0.25, 0.75};
-        const Pipeline p = pipeline(setup, worldFromObject({Translate{{1, 2, 3}}, Rotate{40, {1, 2, 0}}})).value();
+        const Pipeline p = pipelineOf(setup, worldFromObject({Translate{{1, 2, 3}}, Rotate{40, {1, 2, 0}}})).value();
         const PipelinePoints truth = pointsFrom(p, {EyePoint(0.7, -0.4, zEye)});
         const std::vector<GivenPoint> ways{{*truth.object}, {*truth.world}, {*truth.eye},
                                            {*truth.clip},   {*truth.ndc},   {*truth.window}};
@@ -405,7 +407,7 @@ private slots:
 
     void multiplesOfAClipPointAreOnePoint()
     {
-        const Pipeline p = pipeline(geometryOf(kPerspective, aside(), 640, 480), glm::dmat4(1.0)).value();
+        const Pipeline p = pipelineOf(geometryOf(kPerspective, aside(), 640, 480), glm::dmat4(1.0)).value();
         const PipelinePoints one = pointsFrom(p, {ClipPoint(1, 2, 3, 4)}),
                              half = pointsFrom(p, {ClipPoint(0.5, 1, 1.5, 2)});
         QVERIFY(isNear(one.world->coordinates(), half.world->coordinates(), 1e-12));
@@ -416,7 +418,7 @@ private slots:
 
     void aGivenPointMayHaveNoWay()
     {
-        const Pipeline p = pipeline(geometryOf(kPerspective, aside(), 640, 480), glm::dmat4(1.0)).value();
+        const Pipeline p = pipelineOf(geometryOf(kPerspective, aside(), 640, 480), glm::dmat4(1.0)).value();
         // The point lies in the plane of the eye: it has no NDC, but everything before it.
         const PipelinePoints level = pointsFrom(p, {EyePoint(1, 1, 0)});
         QCOMPARE(level.ndc.error().code, ErrorCode::PointAtInfinity);

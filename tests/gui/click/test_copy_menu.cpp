@@ -23,7 +23,7 @@
 using namespace comparing;
 using namespace unprojector::gui;
 using namespace unprojector::geometry;
-using namespace unprojector::matrices;
+using namespace unprojector::pipeline;
 using namespace unprojector::unproject;
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include "tests/gui/window_user.h"
 
-#include "core/matrices/pipeline.h"
+#include "core/pipeline/pipeline.h"
 #include "gui/click/answer_view.h"
 #include "gui/click/comparison_model.h"
 #include "gui/click/comparison_panel.h"
@@ -236,7 +236,7 @@ private slots:
         QSignalSpy asked(&part<PickStrip>(*window), &PickStrip::stageRequested);
         spaces[4]->click();
         QVERIFY(window->workspaces().current() == Workspace::Pipeline);
-        QCOMPARE(asked[0][0].value<matrices::PipelineStage>(), matrices::PipelineStage::ProjectionMatrix);
+        QCOMPARE(asked[0][0].value<pipeline::PipelineStage>(), pipeline::PipelineStage::ProjectionMatrix);
         QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "pipeline"), kPatienceMilliseconds);
     }
 

@@ -29,7 +29,7 @@
 using namespace guitest;
 using namespace unprojector::geometry;
 using namespace unprojector::gui;
-using namespace unprojector::matrices;
+using namespace unprojector::pipeline;
 using namespace unprojector::scene;
 using namespace unprojector::unproject;
 

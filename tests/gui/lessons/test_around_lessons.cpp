@@ -29,7 +29,7 @@ using namespace unprojector;
 using namespace unprojector::gui;
 using namespace guitest;
 using namespace unprojector::geometry;
-using namespace unprojector::matrices;
+using namespace unprojector::pipeline;
 
 namespace {
 

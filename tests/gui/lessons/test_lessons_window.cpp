@@ -20,7 +20,7 @@ using namespace unprojector;
 using namespace unprojector::gui;
 using namespace guitest;
 using namespace unprojector::geometry;
-using namespace unprojector::matrices;
+using namespace unprojector::pipeline;
 using namespace unprojector::mesh;
 using namespace unprojector::scene;
 

@@ -13,7 +13,7 @@
 /// The pipeline of the originals' figures, and how its numbers are read.
 namespace pipelinetest {
 using Space = unprojector::gui::PointModel::Space;
-using Stage = unprojector::matrices::PipelineStage;
+using Stage = unprojector::pipeline::PipelineStage;
 
 /// Coordinates of order 10 through the whole pipeline in double.
 inline constexpr double kRounding = 1e-11;

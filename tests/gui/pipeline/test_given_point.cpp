@@ -25,7 +25,7 @@ using namespace unprojector;
 using namespace unprojector::gui;
 using namespace pipelinetest;
 using namespace unprojector::geometry;
-using namespace unprojector::matrices;
+using namespace unprojector::pipeline;
 
 namespace {
 

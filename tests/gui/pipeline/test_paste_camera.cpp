@@ -40,7 +40,8 @@
 using namespace guitest;
 using namespace unprojector::geometry;
 using namespace unprojector::gui;
-using namespace unprojector::matrices;
+using namespace unprojector::cameras;
+using namespace unprojector::pipeline;
 
 namespace {
 

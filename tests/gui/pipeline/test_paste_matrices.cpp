@@ -38,7 +38,8 @@ using namespace guitest;
 using namespace unprojector::scene_file;
 using namespace unprojector::geometry;
 using namespace unprojector::gui;
-using namespace unprojector::matrices;
+using namespace unprojector::cameras;
+using namespace unprojector::pipeline;
 
 namespace {
 

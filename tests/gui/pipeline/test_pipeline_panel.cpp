@@ -21,7 +21,7 @@ using namespace unprojector;
 using namespace unprojector::gui;
 using namespace pipelinetest;
 using namespace unprojector::geometry;
-using namespace unprojector::matrices;
+using namespace unprojector::pipeline;
 using namespace unprojector::scene_file;
 
 class TestPipelinePanel : public QObject {

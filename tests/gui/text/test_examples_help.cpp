@@ -27,7 +27,7 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace unprojector::geometry;
-using namespace unprojector::matrices;
+using namespace unprojector::pipeline;
 
 namespace {
 

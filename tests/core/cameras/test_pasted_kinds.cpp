@@ -1,0 +1,181 @@
+// The matrices of one camera as many programs print them, among sizes, labels and other numbers.
+
+#include "tests/support/test.h"
+
+#include "core/cameras/matrix_paste.h"
+#include "core/cameras/paste_marks.h"
+#include "core/cameras/pasted_numbers.h"
+#include "tests/support/data_files.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/vec4.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::cameras;
+using namespace unprojector::pipeline;
+
+namespace {
+
+/// NDC x and y of a world point.
+glm::dvec2 ndc(const glm::dmat4 &clipFromWorld, const glm::dvec3 &point)
+{
+    const glm::dvec4 clip = clipFromWorld * glm::dvec4(point, 1.0);
+    return {clip.x / clip.w, clip.y / clip.w};
+}
+
+/// The largest difference from the camera in NDC, at points in front of it.
+double offFromCamera(const glm::dmat4 &clipFromWorld)
+{
+    const glm::dmat4 right = glm::perspective(glm::radians(50.0), 4.0 / 3.0, 0.1, 100.0)
+                             * glm::lookAt(glm::dvec3(3, 2, 5), glm::dvec3(0.2, 0.1, 0), glm::dvec3(0, 1, 0));
+    double off = 0.0;
+    for (const glm::dvec3 point :
+         {glm::dvec3(0.2, 0.1, 0), glm::dvec3(1, 0.5, -1), glm::dvec3(-1, 0.3, 0.7), glm::dvec3(0.5, -0.8, 1)}) {
+        const glm::dvec2 difference = ndc(clipFromWorld, point) - ndc(right, point);
+        off = std::max({off, std::abs(difference.x), std::abs(difference.y)});
+    }
+    return off;
+}
+
+QString asideOf(const char *text)
+{
+    QStringList names;
+    const auto scene = pastedParts(text);
+    if (scene) {
+        for (const std::string &name : scene->aside)
+            names << QString::fromStdString(name);
+    }
+    return names.join(QLatin1Char(' '));
+}
+
+} // namespace
+
+class TestPastedKinds : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// Each file of tests/data/printed is one camera as a program or a debugger prints it: view,
+    /// projection (or their product) and a viewport of 800 x 600 pixels.
+    void theCameraIsRead_data()
+    {
+        addColumn<QByteArray>("printed");
+        for (const std::filesystem::path &file : data_files::in("printed"))
+            newRow(file.stem().string().c_str()) << QByteArray::fromStdString(data_files::read(file));
+    }
+
+    void theCameraIsRead()
+    {
+        QFETCH(QByteArray, printed);
+        const std::string text = printed.toStdString();
+        constexpr double kPrinted = 2e-3; // four printed digits
+        MatrixPaste paste;
+        const bool isProductAlone = text.starts_with("perspective_matrix");
+        paste.setText(isProductAlone ? MatrixRole::Product : MatrixRole::View, text);
+        const auto projection = paste.matrix(MatrixRole::Projection), view = paste.matrix(MatrixRole::View),
+                   product = paste.matrix(MatrixRole::Product);
+        if (isProductAlone) {
+            QVERIFY(product);
+            QVERIFY(offFromCamera(*product) < kPrinted);
+        } else {
+            QVERIFY(view && projection);
+            QVERIFY2(offFromCamera(*projection * *view) < kPrinted,
+                     qPrintable(QString::number(offFromCamera(*projection * *view))));
+        }
+        const auto scene = pastedScene(text);
+        QVERIFY(scene && scene->viewport);
+        QVERIFY(*scene->viewport == (Viewport{0, 0, 800, 600}));
+    }
+
+    /// Texts in which every number counts.
+    void numbersOfMatricesStay_data()
+    {
+        addColumn<QByteArray>("text");
+        for (const char *text : {"1, 2, 3, 4", "1,2,3,4\n5,6,7,8", "(16) 5 6", "m[0] = 1", "m[1][2] = 3",
+                                 "0 1 2 3\n0 1 2 3 4", "1.5, 2.5, 3,5", "x = 1, y = 2, z = 3", "Vector(16) 3", "[3, 4]",
+                                 "12-05-2024", "1e5 2E-3", "800x600", "0x10", "0:1 1:2"})
+            newRow(text) << QByteArray(text);
+    }
+
+    void numbersOfMatricesStay()
+    {
+        QFETCH(QByteArray, text);
+        QCOMPARE(QByteArray::fromStdString(withoutPrintersMarks(text.toStdString())), text);
+    }
+
+    void numbersAsideAreNamed()
+    {
+        QCOMPARE(asideOf("near = 0.1\nfar = 100\nview 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"), QStringLiteral("near far"));
+        QCOMPARE(asideOf("view 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\nMouse: 312, 204"), QStringLiteral("Mouse"));
+        QCOMPARE(asideOf("view 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\nviewport 0 0 8 6\nwidth 8"), QStringLiteral("width"));
+        QCOMPARE(asideOf("view 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\nwidth 8 height 6"), QString());
+        MatrixPaste paste;
+        paste.setText(MatrixRole::View, "near = 0.1\n1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1");
+        QCOMPARE(paste.aside(MatrixRole::View), std::vector<std::string>{"near"});
+        QVERIFY(paste.matrix(MatrixRole::View) && paste.aside(MatrixRole::Projection).empty());
+        // The numbers of the next line are a matrix's again.
+        const auto scene = pastedParts("depth 0.98\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1");
+        QVERIFY(scene && scene->modelView);
+    }
+
+    void repeatedSizesAreOneSize_data()
+    {
+        addColumn<QString>("sizes");
+        addColumn<QString>("aside");
+        newRow("the same") << "width = 800\nheight = 600\nsize = 800x600"
+                           << "";
+        newRow("the same in two numbers") << "size = 800 600\nresolution 800 600"
+                                          << "";
+        newRow("each twice") << "width = 800\nwidth = 800\nheight = 600\nheight = 600"
+                             << "";
+        newRow("a width before both") << "width = 800\nsize = 800x600"
+                                      << "";
+        newRow("both before a height") << "size = 800x600\nheight = 600"
+                                       << "";
+        newRow("another size") << "width = 800\nheight = 600\nsize = 400x300"
+                               << "size";
+        newRow("another width") << "width = 800\nwidth = 640\nheight = 600"
+                                << "width";
+        newRow("a matrix's size first") << "size = 4x4\nwindow size = 800x600"
+                                        << "";
+    }
+
+    void repeatedSizesAreOneSize()
+    {
+        QFETCH(QString, sizes);
+        QFETCH(QString, aside);
+        const std::string matrices =
+            "view 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\nprojection 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n";
+        for (const std::string &text : {matrices + sizes.toStdString(), sizes.toStdString() + '\n' + matrices}) {
+            const auto scene = pastedScene(text);
+            QVERIFY2(scene, scene ? "" : scene.error().text.c_str());
+            QVERIFY(scene->viewport && *scene->viewport == (Viewport{0, 0, 800, 600}));
+            QCOMPARE(asideOf(text.c_str()), aside);
+        }
+    }
+
+    void rowsAreCompleted()
+    {
+        const auto bottomOf = [](const char *text) {
+            const auto matrix = pastedMatrix(text);
+            return matrix ? matrixOf(matrix->numbers, orderOf(matrix->form)) : glm::dmat4(0.0);
+        };
+        glm::dmat4 right(1.0);
+        right[3] = {4, 8, 12, 1};
+        right[0][1] = 5;
+        for (const char *text :
+             {"[[1, 0, 0, 4], [5, 1, 0, 8], [0, 0, 1, 12]]", "1 0 0 4\n5 1 0 8\n0 0 1 12",
+              "[1, 0, 0, 4; 5, 1, 0, 8; 0, 0, 1, 12]", "[X: (1, 5, 0), Y: (0, 1, 0), Z: (0, 0, 1), O: (4, 8, 12)]"})
+            QVERIFY2(bottomOf(text) == right, text);
+        // Twelve numbers in one row may be anything.
+        QVERIFY(!pastedMatrix("1 0 0 4 5 1 0 8 0 0 1 12"));
+        QVERIFY(!pastedMatrix("1 0 0\n5 1 0\n0 0 1\n4 8 12"));
+    }
+};
+
+UNPROJECTOR_TEST(TestPastedKinds)
+#include "test_pasted_kinds.moc"
