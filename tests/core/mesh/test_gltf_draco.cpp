@@ -207,17 +207,6 @@ private:
 
 } // namespace
 
-#else
-
-class TestGltfDraco : public QObject {
-    Q_OBJECT
-
-private slots:
-    void initTestCase() { QSKIP("built without Draco"); }
-};
-
-#endif
-
 class TestGltfDraco : public QObject {
     Q_OBJECT
 
@@ -394,6 +383,17 @@ private slots:
 private:
     ImportFolder m_folder;
 };
+
+#else
+
+class TestGltfDraco : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QSKIP("built without Draco"); }
+};
+
+#endif
 
 UNPROJECTOR_TEST(TestGltfDraco, threads)
 #include "test_gltf_draco.moc"

@@ -142,17 +142,6 @@ QByteArray sheet(const Packed &positions, const Packed &indices)
 
 } // namespace
 
-#else
-
-class TestGltfMeshopt : public QObject {
-    Q_OBJECT
-
-private slots:
-    void initTestCase() { QSKIP("built without meshoptimizer"); }
-};
-
-#endif
-
 class TestGltfMeshopt : public QObject {
     Q_OBJECT
 
@@ -364,6 +353,17 @@ private slots:
 private:
     ImportFolder m_folder;
 };
+
+#else
+
+class TestGltfMeshopt : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QSKIP("built without meshoptimizer"); }
+};
+
+#endif
 
 UNPROJECTOR_TEST(TestGltfMeshopt, threads)
 #include "test_gltf_meshopt.moc"
