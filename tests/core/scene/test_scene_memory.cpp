@@ -5,44 +5,13 @@
 #include "core/scene_file/clicks.h"
 
 #include "tests/core/parsed_scenes.h"
+#include "tests/core/scene/limited_memory.h"
 #include "tests/core/scene_texts.h"
 
-#include <cstdlib>
 #include <limits>
-#include <new>
 
 using namespace unprojector::scene_file;
 using namespace scene_texts;
-
-namespace {
-
-/// Larger allocations fail while this test runs, so that a failure is a row and not a machine without
-/// memory: the limit is more than one piece of a scene or of its text ever takes.
-std::size_t mostBytesAtOnce = std::numeric_limits<std::size_t>::max();
-
-} // namespace
-
-#ifndef UNPROJECTOR_IS_SANITIZED // it has its own, which the other tests of this program need
-
-void *operator new(std::size_t bytes)
-{
-    void *memory = bytes <= mostBytesAtOnce ? std::malloc(bytes > 0 ? bytes : 1) : nullptr;
-    if (memory == nullptr)
-        throw std::bad_alloc();
-    return memory;
-}
-
-void operator delete(void *memory) noexcept
-{
-    std::free(memory);
-}
-
-void operator delete(void *memory, std::size_t) noexcept
-{
-    std::free(memory);
-}
-
-#endif
 
 class TestSceneMemory : public QObject {
     Q_OBJECT
