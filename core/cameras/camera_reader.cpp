@@ -4,6 +4,7 @@
 #include "core/base/translation.h"
 #include "core/geometry/finite.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -53,8 +54,10 @@ std::pair<const CameraReader *, CameraRead> firstRead(std::span<const NamedText>
                 continue;
             }
             for (Reading &reading : readings) {
-                if (reader.read(reading))
+                if (reader.read(reading)) {
+                    reading.camera.files = {reading.text.name};
                     return {&reader, std::move(reading.camera)};
+                }
             }
         } catch (base::Error &error) {
             return {&reader, std::move(error)};
@@ -126,6 +129,12 @@ std::optional<base::Expected<ForeignCamera, base::Error>> readCamera(std::span<c
     if (!*read)
         return std::move(read);
     ForeignCamera camera = **read;
+    for (const NamedText &text : texts) {
+        if (std::find(camera.files.begin(), camera.files.end(), text.name) == camera.files.end())
+            return base::Error{.text = tr("nothing in it is read; leave it out, or give its numbers the names of a "
+                                          "camera's parts"),
+                               .file = text.name};
+    }
     if (auto reason = reasonAgainst(camera, choices))
         return base::Error{.text = std::move(*reason), .file = texts.size() == 1 ? texts.front().name : std::string()};
     for (std::optional<double> *distance : {&camera.nearDistance, &camera.farDistance}) {

@@ -237,6 +237,14 @@ std::optional<ForeignCamera> readColmap(std::span<const NamedText> texts, const 
     if (lens == found.cameras.end())
         reading.fail(tr("there is no camera %1 in cameras.txt", image.words[8]), image.number);
     setLens(camera, lens->second);
+    for (const NamedText &text : texts) {
+        const auto isIt = [&text](const Found &one) { return one.file == &text; };
+        const bool isPoints = text.text.starts_with("# 3D point list"); // points3D.txt, which has no camera
+        if (isPoints || std::any_of(found.images.begin(), found.images.end(), isIt)
+            || std::any_of(found.cameras.begin(), found.cameras.end(),
+                           [&](const auto &one) { return isIt(one.second); }))
+            camera.files.push_back(text.name);
+    }
     return std::move(camera);
 }
 

@@ -68,6 +68,7 @@ struct ForeignCamera {
     std::string program;             ///< whose form it is: "OpenCV", "COLMAP"
     std::vector<std::string> images; ///< all images or frames of the texts, in their order; empty: only this one
     std::size_t image = 0;           ///< the index of the one read, among `images`
+    std::vector<std::string> files;  ///< the names of the texts that have a part of it
     std::optional<Intrinsics> intrinsics;
     std::optional<geometry::MatrixProjection> projection; ///< instead of intrinsics; OpenGL's clip space
     std::optional<ImageSize> size;
@@ -75,6 +76,10 @@ struct ForeignCamera {
     std::optional<glm::dmat4> pose; ///< column vectors; the camera's axes are `axes`
     PoseDirection direction = PoseDirection::WorldToCamera;
     bool isDirectionCertain = false; ///< the names or the program tell it; else sceneCamera() decides
+    bool isDirectionOpen = false;    ///< neither is usual: sceneCamera() refuses what the objects do not decide
+    std::string poseName;            ///< its name in the text, where that tells or suggests the direction
+    /// The camera's position in the world. `pose` is its rotation alone then.
+    std::optional<glm::dvec3> center;
     EyeAxes axes = EyeAxes::RightUpBack;
     bool areAxesCertain = false; ///< as isDirectionCertain
     /// The transform from the program's world to a right-handed one; the identity for right-handed

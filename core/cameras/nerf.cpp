@@ -200,6 +200,7 @@ std::optional<ForeignCamera> readNerf(std::span<const NamedText> texts, const Ca
         return std::nullopt;
     Reading reading(whole, choices);
     Reader(reading, file).read();
+    reading.camera.files = {whole.name};
     return std::move(reading.camera);
 }
 

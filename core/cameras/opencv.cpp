@@ -7,7 +7,9 @@
 #include "core/cameras/camera_reader.h"
 #include "core/cameras/lens.h"
 #include "core/cameras/opencv_values.h"
+#include "core/pipeline/printed_digits.h"
 
+#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
@@ -23,7 +25,7 @@ using base::tr;
 using geometry::Result;
 namespace {
 
-[[noreturn]] void fail(const OpenCvValue &value, std::string reason)
+[[noreturn]] void fail(const CameraValue &value, std::string reason)
 {
     throw base::Error{std::move(reason), value.name, value.file, static_cast<int>(value.line)};
 }
@@ -35,7 +37,7 @@ bool isNear(double value, double wanted, double scale)
 
 /// K by its nine numbers, or fx, fy, cx, cy.
 /// @param isTransposed  set if the numbers are by columns
-Intrinsics intrinsicsOf(const OpenCvValue &value, std::vector<std::string> &assumed, bool &isTransposed)
+Intrinsics intrinsicsOf(const CameraValue &value, std::vector<std::string> &assumed, bool &isTransposed)
 {
     std::vector<double> k = value.numbers;
     if (k.size() == 4) {
@@ -83,23 +85,23 @@ bool isTurned(const std::optional<CameraParts> &asWritten, const CameraParts &tu
 class Reader {
 public:
     Reader(std::span<const NamedText> texts, const CameraChoices &choices)
-        : m_values(texts), m_reading(texts.front(), choices)
+        : m_texts(texts), m_values(texts), m_reading(texts.front(), choices)
     {
     }
 
     bool isRecognised() const
     {
-        const auto has = [this](OpenCvPart part) { return !m_values.all(part).empty(); };
+        const auto has = [this](Part part) { return !m_values.all(part).empty(); };
         const bool hasFocal = m_values.number({"fx"}) && m_values.number({"fy"});
         // In other texts, a letter K may stand before a number.
         const auto isNamed = [](const auto &value, const char *name) {
             return value && value->numbers.size() >= 3 && plain(value->name) == name;
         };
-        const bool hasVectors = !m_values.all(OpenCvPart::Rotation).empty()
-                                && plain(m_values.all(OpenCvPart::Rotation).front().name).starts_with("rvec");
-        return has(OpenCvPart::Intrinsics) || has(OpenCvPart::CameraMatrix) || hasFocal || hasVectors
-               || isNamed(m_values.unfit(OpenCvPart::Intrinsics), "k")
-               || isNamed(m_values.unfit(OpenCvPart::Intrinsics), "cameramatrix");
+        const bool hasVectors = !m_values.all(Part::Rotation).empty()
+                                && plain(m_values.all(Part::Rotation).front().name).starts_with("rvec");
+        return has(Part::Intrinsics) || has(Part::CameraMatrix) || hasFocal || hasVectors
+               || isNamed(m_values.unfit(Part::Intrinsics), "k")
+               || isNamed(m_values.unfit(Part::Intrinsics), "cameramatrix");
     }
 
     ForeignCamera read()
@@ -107,31 +109,70 @@ public:
         m_reading.begin(m_values.isCameraInfo() ? "ROS camera_info" : "OpenCV", PoseDirection::WorldToCamera,
                         EyeAxes::RightDownAhead);
         countImages();
-        readSize();
         readIntrinsics();
+        readSize();
         readPose();
         readDistortion();
         readClipDistances();
+        sayUnused();
+        for (const NamedText &text : m_texts) {
+            if (m_values.hasAny(text.name))
+                m_camera.files.push_back(text.name);
+        }
         return std::move(m_camera);
     }
 
 private:
-    /// The value of the chosen image, or the one that all images share; null if there is none.
-    const OpenCvValue *valueOf(OpenCvPart part) const
+    /// The value of the chosen image, or the one that all images share; null if there is none. Its
+    /// part counts as used.
+    const CameraValue *valueOf(Part part)
     {
-        const std::vector<OpenCvValue> &values = m_values.all(part);
+        const std::vector<CameraValue> &values = m_values.all(part);
+        setUsed({part});
         if (values.empty())
             return nullptr;
-        const OpenCvValue &value = values[std::min(m_camera.image, values.size() - 1)];
+        const CameraValue &value = values[std::min(m_camera.image, values.size() - 1)];
         refuseComputed(part, value);
         return &value;
     }
 
+    void setUsed(std::initializer_list<Part> parts)
+    {
+        for (const Part part : parts)
+            m_isUsed[std::size_t(part)] = true;
+    }
+
+    /// Names what looks like a part of a camera and was not used.
+    void sayUnused()
+    {
+        std::vector<const CameraValue *> unused;
+        for (std::size_t i = 0; i < kParts; ++i) {
+            if (m_isUsed[i])
+                continue;
+            for (const CameraValue &value : m_values.all(Part(i)))
+                unused.push_back(&value);
+            if (const auto &unfit = m_values.unfit(Part(i)))
+                unused.push_back(&*unfit);
+        }
+        for (const CameraValue &value : m_values.others()) {
+            if (&value != m_other)
+                unused.push_back(&value);
+        }
+        std::string list;
+        for (const CameraValue *value : unused) {
+            const std::string one = tr("%1 (%2 numbers)", value->name, value->numbers.size());
+            if (value->numbers.size() > 1 && list.find(one) == list.npos)
+                list += (list.empty() ? "" : ", ") + one;
+        }
+        if (!list.empty())
+            m_camera.assumed.push_back(tr("Not used: %1.", list));
+    }
+
     /// Fails if a value's numbers are not those that it stands for: the text computes with them, or
     /// one is not finite.
-    static void refuseComputed(OpenCvPart part, const OpenCvValue &value)
+    static void refuseComputed(Part part, const CameraValue &value)
     {
-        const bool isVector = part == OpenCvPart::Distortion || part == OpenCvPart::Size || value.numbers.size() == 3;
+        const bool isVector = part == Part::Distortion || part == Part::Size || value.numbers.size() == 3;
         if (!value.arithmetic.empty() && !(isVector && value.arithmetic == ".T"))
             fail(value,
                  tr("the text computes with it (%1), and only numbers are read; write the result", value.arithmetic));
@@ -141,7 +182,7 @@ private:
     }
 
     /// Fails if the only values of a part have another count of numbers.
-    void refuseUnfit(OpenCvPart part, const std::string &wanted) const
+    void refuseUnfit(Part part, const std::string &wanted) const
     {
         const auto &unfit = m_values.unfit(part);
         if (!unfit || !m_values.all(part).empty())
@@ -153,17 +194,24 @@ private:
     void countImages()
     {
         std::size_t count = 1;
-        for (const OpenCvPart part : {OpenCvPart::Rotation, OpenCvPart::Quaternion, OpenCvPart::Translation,
-                                      OpenCvPart::Pose, OpenCvPart::CameraMatrix})
-            count = std::max(count, m_values.all(part).size());
-        if (hasSeveralLenses()) {
-            refuseMixed();
-            count = std::max(count, m_values.all(OpenCvPart::Intrinsics).size());
+        Part most = Part::Pose;
+        const auto look = [&](Part part) {
+            if (m_values.all(part).size() > count) {
+                count = m_values.all(part).size();
+                most = part;
+            }
+        };
+        for (const Part part : {Part::Rotation, Part::Quaternion, Part::Translation, Part::Pose, Part::CameraMatrix})
+            look(part);
+        if (hasSeveralLenses())
+            look(Part::Intrinsics);
+        if (m_values.isCameraInfo()) {
+            most = Part::Intrinsics;
+            count = m_values.all(most).size();
         }
-        if (m_values.isCameraInfo())
-            count = m_values.all(OpenCvPart::Intrinsics).size();
-        for (std::size_t i = 0; count > 1 && i < count; ++i)
-            m_camera.images.push_back(std::to_string(i));
+        m_camera.images = count > 1 ? namesOf(most) : std::vector<std::string>();
+        if (hasSeveralLenses())
+            refuseMixed();
         if (count == 1 && (m_reading.choices.image.empty() || m_reading.choices.image == "0"))
             return;
         if (count == 1)
@@ -171,22 +219,39 @@ private:
         m_reading.chooseImage();
     }
 
+    /// The names of the values of a part; their indexes if two have the same name.
+    std::vector<std::string> namesOf(Part part) const
+    {
+        std::vector<std::string> names;
+        for (const CameraValue &value : m_values.all(part))
+            names.push_back(value.name);
+        std::vector<std::string> sorted = names;
+        std::sort(sorted.begin(), sorted.end());
+        if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
+            for (std::size_t i = 0; i < names.size(); ++i)
+                names[i] = std::to_string(i);
+        }
+        return names;
+    }
+
     /// Returns whether the text has several K that differ.
     bool hasSeveralLenses() const
     {
-        const std::vector<OpenCvValue> &all = m_values.all(OpenCvPart::Intrinsics);
+        const std::vector<CameraValue> &all = m_values.all(Part::Intrinsics);
         return std::any_of(all.begin(), all.end(),
-                           [&all](const OpenCvValue &k) { return k.numbers != all.front().numbers; });
+                           [&all](const CameraValue &k) { return k.numbers != all.front().numbers; });
     }
 
     /// Fails if several K stand beside fewer or more parts of another kind: nothing tells which
-    /// belong together.
+    /// belong together, unless the user chooses a K by its name.
     void refuseMixed() const
     {
-        const std::size_t count = m_values.all(OpenCvPart::Intrinsics).size();
-        for (const OpenCvPart part : {OpenCvPart::Rotation, OpenCvPart::Quaternion, OpenCvPart::Translation,
-                                      OpenCvPart::Pose, OpenCvPart::Distortion}) {
-            const std::vector<OpenCvValue> &values = m_values.all(part);
+        const std::size_t count = m_values.all(Part::Intrinsics).size();
+        const std::vector<std::string> names = namesOf(Part::Intrinsics);
+        if (std::find(names.begin(), names.end(), m_reading.choices.image) != names.end() && names[0] != "0")
+            return;
+        for (const Part part : {Part::Rotation, Part::Quaternion, Part::Translation, Part::Pose, Part::Distortion}) {
+            const std::vector<CameraValue> &values = m_values.all(part);
             if (!values.empty() && values.size() != count)
                 fail(values.front(), tr("the text has %1 camera matrices, but %2 of this. Give the text of one camera",
                                         count, values.size()));
@@ -195,17 +260,36 @@ private:
 
     void readSize()
     {
-        if (const OpenCvValue *size = valueOf(OpenCvPart::Size))
-            m_camera.size = sizeOf(size->numbers[0], size->numbers[1]);
-        else
+        const CameraValue *given = valueOf(Part::Size);
+        if (!given) {
             m_camera.size = sizeOf(m_values.number({"imagewidth", "imgwidth", "width", "w"}),
                                    m_values.number({"imageheight", "imgheight", "height", "h"}));
+            return;
+        }
+        const double first = given->numbers[0], second = given->numbers[1];
+        bool areRowsFirst = given->role.areRowsFirst;
+        if (m_camera.intrinsics && !m_camera.intrinsics->isCentreComputed) {
+            // Twice the principal point tells the order where it is clear.
+            const auto miss = [&](double width, double height) {
+                return std::abs(2.0 * m_camera.intrinsics->cx / width - 1.0)
+                       + std::abs(2.0 * m_camera.intrinsics->cy / height - 1.0);
+            };
+            constexpr double kClear = 3.0;
+            if (kClear * miss(first, second) < miss(second, first))
+                areRowsFirst = false;
+            else if (kClear * miss(second, first) < miss(first, second))
+                areRowsFirst = true;
+        }
+        m_camera.size = areRowsFirst ? sizeOf(second, first) : sizeOf(first, second);
+        if (areRowsFirst && m_camera.size && first != second)
+            m_camera.assumed.push_back(
+                tr("%1 is read as height, width: the image is %2.", given->name, sizeText(*m_camera.size)));
     }
 
     void readIntrinsics()
     {
-        refuseUnfit(OpenCvPart::Intrinsics, tr("a camera matrix has nine, by rows"));
-        if (const OpenCvValue *k = valueOf(OpenCvPart::Intrinsics)) {
+        refuseUnfit(Part::Intrinsics, tr("a camera matrix has nine, by rows"));
+        if (const CameraValue *k = valueOf(Part::Intrinsics)) {
             m_camera.intrinsics = intrinsicsOf(*k, m_camera.assumed, m_isTransposed);
         } else if (const auto fx = m_values.number({"fx"}), fy = m_values.number({"fy"}); fx && fy) {
             for (const char *name : {"fx", "fy", "cx", "cy", "ppx", "ppy"}) {
@@ -225,26 +309,63 @@ private:
                 m_reading.fail(tr("fx and fy are given without cx and cy; give all four"));
             m_camera.intrinsics =
                 Intrinsics{*fx, *fy, *cx, *cy, m_values.number({"skew"}).value_or(0.0), PixelCentres::AtIntegers};
-        } else if (m_values.all(OpenCvPart::CameraMatrix).empty()) {
+        } else if (m_values.all(Part::CameraMatrix).empty()) {
             m_reading.fail(tr("there is a pose, but no camera matrix; give K, nine numbers by rows"));
         }
     }
 
     void readPose()
     {
-        const OpenCvValue *matrix = valueOf(OpenCvPart::CameraMatrix);
+        const CameraValue *matrix = valueOf(Part::CameraMatrix);
         if (m_values.isCameraInfo())
             readRectification(*matrix);
         else if (matrix)
             readCameraMatrix(*matrix);
-        else if (const OpenCvValue *pose = valueOf(OpenCvPart::Pose))
-            readPoseMatrix(*pose);
+        else
+            readPoseOrParts();
+        if (!m_camera.pose)
+            readOther();
+    }
+
+    /// Takes the only rigid transform whose name says nothing as the pose: sceneCamera() asks for its
+    /// direction.
+    void readOther()
+    {
+        const CameraValue *found = nullptr;
+        for (const CameraValue &value : m_values.others()) {
+            const auto pose = value.numbers.size() == 9 ? std::nullopt : matrixByRows(value.numbers);
+            const bool isRigid =
+                pose && (*pose)[0][3] == 0.0 && (*pose)[1][3] == 0.0 && (*pose)[2][3] == 0.0
+                && pipeline::largestDifference(glm::dmat3(*pose) * glm::transpose(glm::dmat3(*pose)), glm::dmat3(1.0))
+                       < 0.02;
+            if (!isRigid || hasPartWord(value.name))
+                continue;
+            if (found)
+                fail(value,
+                     tr("it may be the pose, and so may %1; name the pose \"pose\" or \"extrinsic\"", found->name));
+            found = &value;
+        }
+        if (!found)
+            return;
+        readPoseMatrix(*found);
+        m_camera.isDirectionOpen = true;
+        m_other = found;
+    }
+
+    void readPoseOrParts()
+    {
+        const std::vector<CameraValue> &poses = m_values.all(Part::Pose);
+        const bool hasParts = !m_values.all(Part::Rotation).empty() && !m_values.all(Part::Translation).empty();
+        // Beside R and t, a view is OpenGL's matrix of the same pose.
+        const bool isView = !poses.empty() && poses.front().role.axes && !poses.front().role.areAxesStated;
+        if (!poses.empty() && !(isView && hasParts))
+            readPoseMatrix(*valueOf(Part::Pose));
         else
             readParts();
     }
 
-    /// P = K [R t].
-    void readCameraMatrix(const OpenCvValue &value)
+    /// P = K [R t]. Where R is 1, P is of a rectified image, and another pose stands beside it.
+    void readCameraMatrix(const CameraValue &value)
     {
         std::optional<CameraParts> parts = partsOf(value.numbers);
         if (const auto turned = partsOf(transposedP(value.numbers)); turned && isTurned(parts, *turned)) {
@@ -254,11 +375,15 @@ private:
         }
         if (!parts)
             fail(value, tr("its first three columns have no inverse; a camera's P has one"));
-        const bool hasOthers = m_camera.intrinsics || !m_values.all(OpenCvPart::Rotation).empty()
-                               || !m_values.all(OpenCvPart::Pose).empty();
-        if (hasOthers)
+        const bool hasPose = !m_values.all(Part::Pose).empty() || !m_values.all(Part::Rotation).empty()
+                             || !m_values.all(Part::Quaternion).empty();
+        const bool isRectified =
+            hasPose && pipeline::largestDifference(glm::dmat3(parts->cameraFromWorld), glm::dmat3(1.0)) < 1e-9;
+        if ((m_camera.intrinsics || hasPose) && !isRectified) {
             m_camera.assumed.push_back(
                 tr("%1 is K [R t]: it counts, and K, R and t beside it are ignored.", value.name));
+            setUsed({Part::Rotation, Part::Translation, Part::Pose});
+        }
         m_camera.intrinsics = parts->intrinsics;
         m_camera.pose = parts->cameraFromWorld;
         // Rounding leaves a skew that no camera has.
@@ -270,35 +395,58 @@ private:
                        significantText(skew, 2)));
             skew = 0.0;
         }
+        if (isRectified)
+            readPoseBeside(value, glm::dvec3(parts->cameraFromWorld[3]));
     }
 
-    void readPoseMatrix(const OpenCvValue &value)
+    /// Takes K from a P = K [1 t], and the pose from the values beside it.
+    void readPoseBeside(const CameraValue &value, const glm::dvec3 &shift)
+    {
+        m_camera.pose.reset();
+        readPoseOrParts();
+        m_camera.assumed.push_back(tr("%1 has no rotation: it gives K, and the pose beside it counts.", value.name));
+        if (glm::length(shift) > 1e-9)
+            m_camera.assumed.push_back(tr("The shift of %1 by (%2, %3, %4) is not applied.", value.name,
+                                          significantText(shift.x, 6), significantText(shift.y, 6),
+                                          significantText(shift.z, 6)));
+    }
+
+    void readPoseMatrix(const CameraValue &value)
     {
         m_camera.pose = *matrixByRows(value.numbers);
-        const std::string name = plain(value.name);
-        const auto ends = [&name](std::initializer_list<const char *> with) {
-            return std::any_of(with.begin(), with.end(), [&](const char *end) { return name.ends_with(end); });
-        };
-        const bool isToWorld = ends({"c2w", "cam2world", "cam2worldgl", "camtoworld", "cameratoworld", "twc"}),
-                   isToCamera = ends({"w2c", "world2cam", "worldtocam", "worldtocamera", "tcw"});
-        if (isToWorld || ends({"pose"}))
-            m_camera.direction = PoseDirection::CameraToWorld;
-        m_camera.isDirectionCertain = isToWorld || isToCamera;
-        m_camera.areAxesCertain = ends({"gl", "cv", "rt"});
-        if (ends({"gl"}))
-            m_camera.axes = EyeAxes::RightUpBack;
-        if (!m_values.all(OpenCvPart::Rotation).empty())
+        setDirection(value, value.role);
+        m_camera.isDirectionOpen = !value.role.direction;
+        m_camera.areAxesCertain = value.role.areAxesStated;
+        if (value.role.axes)
+            m_camera.axes = *value.role.axes;
+        if (!m_values.all(Part::Rotation).empty()) {
             m_camera.assumed.push_back(tr("%1 counts; R and t beside it are ignored.", value.name));
+            setUsed({Part::Rotation, Part::Translation});
+        }
+    }
+
+    /// Sets the pose's direction as a name tells or suggests it.
+    void setDirection(const CameraValue &value, const Role &role)
+    {
+        m_camera.direction = role.direction.value_or(m_camera.direction);
+        m_camera.isDirectionCertain = role.isDirectionStated;
+        if (role.direction)
+            m_camera.poseName = value.name;
+        else
+            m_camera.poseName.clear();
+        if (!role.world.empty())
+            m_camera.assumed.push_back(tr("The scene's world is the frame \"%1\" of %2.", role.world, value.name));
     }
 
     void readParts()
     {
-        refuseUnfit(OpenCvPart::Rotation, tr("a rotation has nine, by rows, or three of a rotation vector"));
-        refuseUnfit(OpenCvPart::Translation, tr("a translation has three"));
-        refuseUnfit(OpenCvPart::Pose, tr("a pose has twelve or sixteen, by rows"));
-        const OpenCvValue *rotation = valueOf(OpenCvPart::Rotation), *translation = valueOf(OpenCvPart::Translation),
-                          *quaternion = rotation ? nullptr : valueOf(OpenCvPart::Quaternion);
-        if (const auto &list = m_values.unfit(OpenCvPart::Quaternion); list && !rotation && !quaternion)
+        refuseUnfit(Part::Rotation, tr("a rotation has nine, by rows, or three of a rotation vector"));
+        refuseUnfit(Part::Translation, tr("a translation has three"));
+        refuseUnfit(Part::Pose, tr("a pose has twelve or sixteen, by rows"));
+        const CameraValue *rotation = valueOf(Part::Rotation), *translation = valueOf(Part::Translation),
+                          *quaternion = rotation ? nullptr : valueOf(Part::Quaternion),
+                          *center = translation || !(rotation || quaternion) ? nullptr : valueOf(Part::Center);
+        if (const auto &list = m_values.unfit(Part::Quaternion); list && !rotation && !quaternion)
             fail(*list, tr("the order of a quaternion's four numbers is not known; name them, {x: 0, y: 0, z: 0, w: "
                            "1}, or give R"));
         if (!rotation && !quaternion && !translation)
@@ -315,6 +463,7 @@ private:
             m_camera.direction = PoseDirection::CameraToWorld;
             m_camera.isDirectionCertain = false;
             rotation = quaternion;
+            translation = translation ? translation : center;
         } else if (!rotation) {
             m_camera.assumed.push_back(tr("There is no rotation beside %1: none is assumed.", translation->name));
         } else if (rotation->numbers.size() == 3) {
@@ -331,16 +480,35 @@ private:
             // solvePnP's vectors go from the world to the camera; R and t may be either.
             m_camera.isDirectionCertain = false;
         }
+        setDirectionOfParts(rotation, translation ? translation : center);
         glm::dvec3 shift(0.0);
-        if (translation)
-            shift = {translation->numbers[0], translation->numbers[1], translation->numbers[2]};
+        if (const CameraValue *given = translation ? translation : center)
+            shift = {given->numbers[0], given->numbers[1], given->numbers[2]};
         else
             m_camera.assumed.push_back(tr("There is no translation beside %1: it is taken as 0.", rotation->name));
-        m_camera.pose = rigid(turn, shift);
+        m_camera.pose = rigid(turn, translation ? shift : glm::dvec3(0.0));
+        if (center && !translation) {
+            m_camera.center = shift;
+            m_camera.assumed.push_back(tr("%1 is the camera's position in the world.", center->name));
+        }
+    }
+
+    /// Sets the direction that the names of R and of t or C state. Fails where they state two.
+    void setDirectionOfParts(const CameraValue *rotation, const CameraValue *shift)
+    {
+        const auto stated = [](const CameraValue *value) { return value && value->role.isDirectionStated; };
+        if (stated(rotation) && stated(shift) && rotation->role.direction != shift->role.direction)
+            fail(*shift, tr("its direction is not that of %1 beside it; give both in one direction", rotation->name));
+        if (stated(rotation) || stated(shift))
+            setDirection(stated(rotation) ? *rotation : *shift, stated(rotation) ? rotation->role : shift->role);
+        else if (rotation && rotation->role.direction)
+            setDirection(*rotation, rotation->role);
+        else if (shift && shift->role.part == Part::Center)
+            m_camera.direction = shift->role.direction.value_or(m_camera.direction);
     }
 
     /// ROS: the raw image is K's, with D; the rectified one is P's, turned by R.
-    void readRectification(const OpenCvValue &p)
+    void readRectification(const CameraValue &p)
     {
         const std::optional<CameraParts> parts = partsOf(p.numbers);
         const std::optional<double> binning = m_values.number({"binningx"}), left = m_values.number({"xoffset"}),
@@ -349,7 +517,8 @@ private:
             m_camera.assumed.push_back(
                 tr("Binning and region of interest are not applied: pixels are those of the full "
                    "image."));
-        if (const OpenCvValue *pose = valueOf(OpenCvPart::Pose))
+        setUsed({Part::Rotation, Part::CameraMatrix});
+        if (const CameraValue *pose = valueOf(Part::Pose))
             readPoseMatrix(*pose);
         if (!m_reading.choices.isUndistorted) {
             m_camera.assumed.push_back(tr("Pixels are those of the raw image, so K counts; --undistorted takes P, for "
@@ -363,14 +532,14 @@ private:
         m_camera.assumed.push_back(tr("Pixels are those of the rectified image, so P and R count; K is ignored."));
         m_camera.intrinsics = parts->intrinsics;
         m_camera.intrinsics->skew = 0.0;
-        const OpenCvValue *rectification = valueOf(OpenCvPart::Rotation);
+        const CameraValue *rectification = valueOf(Part::Rotation);
         const bool hasTurn = rectification && rectification->numbers.size() == 9;
         m_camera.pose = parts->cameraFromWorld * (hasTurn ? *matrixByRows(rectification->numbers) : glm::dmat4(1.0));
     }
 
     void readDistortion()
     {
-        const std::optional<OpenCvValue> list = coefficients();
+        const std::optional<CameraValue> list = coefficients();
         if (const auto model = unknownModel(list)) {
             if (!m_reading.choices.isUndistorted)
                 fail(*model, tr("the distortion is %1; only k1, k2, p1, p2 and k3 of Brown and Conrady are known. "
@@ -393,11 +562,11 @@ private:
     }
 
     /// The coefficients in OpenCV's order: a list, or numbers with their names.
-    std::optional<OpenCvValue> coefficients() const
+    std::optional<CameraValue> coefficients()
     {
-        if (const OpenCvValue *list = valueOf(OpenCvPart::Distortion))
+        if (const CameraValue *list = valueOf(Part::Distortion))
             return *list;
-        OpenCvValue named{{}, {}, {}, 0, m_reading.text.name};
+        CameraValue named{{}, {}, {}, 0, m_reading.text.name};
         for (const char *name : {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"}) {
             const NamedValue *value = m_values.find(name);
             named.numbers.push_back(value ? value->numbers[0] : 0.0);
@@ -410,22 +579,22 @@ private:
     }
 
     /// The first model whose coefficients are not read; nothing if there is none.
-    std::optional<OpenCvValue> unknownModel(const std::optional<OpenCvValue> &list) const
+    std::optional<CameraValue> unknownModel(const std::optional<CameraValue> &list) const
     {
-        for (const OpenCvValue &model : m_values.all(OpenCvPart::Model)) {
+        for (const CameraValue &model : m_values.all(Part::Model)) {
             if (!isKnown(model, list))
                 return model;
         }
         for (const char *name : {"fisheyemodel", "isfisheye"}) { // OpenCV's calibration sample, NeRF
             const NamedValue *flag = m_values.find(name);
             if (flag && flag->numbers[0] != 0.0)
-                return OpenCvValue{name, "fisheye", {}, flag->line, m_reading.text.name};
+                return CameraValue{name, "fisheye", {}, flag->line, m_reading.text.name};
         }
         return std::nullopt;
     }
 
     /// Returns whether the coefficients of a model are Brown and Conrady's, as OpenCV has them.
-    static bool isKnown(const OpenCvValue &model, const std::optional<OpenCvValue> &coefficients)
+    static bool isKnown(const CameraValue &model, const std::optional<CameraValue> &coefficients)
     {
         const std::string name = plain(std::string_view(model.word).substr(model.word.rfind('.') + 1));
         if (std::find(kKnown.begin(), kKnown.end(), name) != kKnown.end())
@@ -448,10 +617,13 @@ private:
         "pinhole",  "perspective", "pinholeradtan",    "simplepinhole", "opencv", "fullopencv",        "none",
         "plumbbob", "radtan",      "radialtangential", "brownconrady",  "brown",  "rationalpolynomial"};
 
-    OpenCvValues m_values;
+    std::span<const NamedText> m_texts;
+    CameraValues m_values;
     Reading m_reading;
     ForeignCamera &m_camera = m_reading.camera;
     bool m_isTransposed = false; ///< K is MATLAB's, so R is
+    std::array<bool, kParts> m_isUsed{};
+    const CameraValue *m_other = nullptr; ///< of the values without a part, the one taken as the pose
 };
 
 /// Fails for a text with the two camera matrices of a stereo pair and no other.
@@ -459,11 +631,16 @@ void refuseStereo(std::span<const NamedText> texts, const CameraChoices &choices
 {
     for (const NamedText &text : texts) {
         Reading reading(text, choices);
-        for (const char *name : {"k1", "k2", "cameramatrix1", "cameramatrix2", "mtx1", "mtx2", "m1", "m2"}) {
+        const auto isMatrix = [&](const char *name) {
             const NamedValue *value = reading.values().find({name});
-            if (value && value->numbers.size() == 9)
-                reading.fail(tr("%1 is of a stereo pair; give one camera, its matrix under the name K", name),
-                             value->line);
+            return value && value->numbers.size() == 9;
+        };
+        for (const auto &[first, second] : {std::pair("k1", "k2"), std::pair("cameramatrix1", "cameramatrix2"),
+                                            std::pair("mtx1", "mtx2"), std::pair("m1", "m2")}) {
+            if (isMatrix(first) && isMatrix(second) && choices.image.empty())
+                reading.fail(
+                    tr("%1 and %2 are of a stereo pair; give one camera, or choose one with --image %1", first, second),
+                    reading.values().find({first})->line);
         }
     }
 }
@@ -473,10 +650,10 @@ void refuseStereo(std::span<const NamedText> texts, const CameraChoices &choices
 std::optional<ForeignCamera> readOpenCv(std::span<const NamedText> texts, const CameraChoices &choices)
 {
     Reader reader(texts, choices);
-    if (reader.isRecognised())
-        return reader.read();
+    if (!reader.isRecognised())
+        return std::nullopt;
     refuseStereo(texts, choices);
-    return std::nullopt;
+    return reader.read();
 }
 
 } // namespace unprojector::cameras

@@ -1,64 +1,33 @@
 #include "core/cameras/opencv_values.h"
 
-#include "core/base/text_scanner.h"
 #include "core/cameras/printed_text.h"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 #include <utility>
 
 namespace unprojector::cameras {
 namespace {
 
-struct PartNames {
-    OpenCvPart part;
-    std::string_view names; ///< letters and digits in lower case, as in NamedValues
-};
-
-constexpr std::array kNames{
-    PartNames{OpenCvPart::Intrinsics, "k cameramatrix cammatrix cameramtx mtx intrinsic intrinsics intrinsicmatrix "
-                                      "intrinsicsmatrix cameraintrinsics camintr"},
-    PartNames{OpenCvPart::Rotation, "r rvec rvecs rot rmat rotation rotationmatrix rotationvector"},
-    PartNames{OpenCvPart::Quaternion, "q quat qvec quaternion orientation"},
-    PartNames{OpenCvPart::Translation, "t tvec tvecs trans translation translationvector"},
-    PartNames{OpenCvPart::Pose, "rt extrinsic extrinsics extrinsicmatrix extrinsicsmatrix extrinsicparameters "
-                                "extrinsiccv w2c world2cam worldtocam worldtocamera tcw c2w cam2world cam2worldgl "
-                                "camtoworld cameratoworld twc pose camerapose campose"},
-    PartNames{OpenCvPart::CameraMatrix, "p projectionmatrix projmatrix"},
-    PartNames{OpenCvPart::Distortion, "d dist distcoeffs distcoeff distcoefs coeffs distortion distortioncoeffs "
-                                      "distortioncoefficients"},
-    PartNames{OpenCvPart::Size, "size imagesize imgsize resolution"},
-    PartNames{OpenCvPart::Model, "distortionmodel cameramodel model"},
-};
-
 /// Members of a matrix in cv::FileStorage and in ROS's files.
 constexpr std::array<std::string_view, 6> kMembers{"typeid", "rows", "cols", "dt", "data", "dims"};
 
-std::optional<OpenCvPart> partOf(const NamedValue &value)
-{
-    for (const auto &[part, names] : kNames) {
-        base::TextScanner scanner(names);
-        for (std::string_view name = scanner.nextWord(); !name.empty(); name = scanner.nextWord()) {
-            if (value.isNamed(name))
-                return part;
-        }
-    }
-    return std::nullopt;
-}
+/// Numbers that are read one by one.
+constexpr std::array<std::string_view, 16> kScalars{"fx", "fy", "cx", "cy", "ppx", "ppy", "width", "height",
+                                                    "w",  "h",  "k1", "k2", "p1",  "p2",  "znear", "zfar"};
 
-bool fits(OpenCvPart part, std::size_t count)
+bool fits(Part part, std::size_t count)
 {
     switch (part) {
-    case OpenCvPart::Intrinsics: return count == 9 || count == 4;
-    case OpenCvPart::Rotation: return count == 9 || count == 3;
-    case OpenCvPart::Quaternion: return false; // of a list, either end may be w
-    case OpenCvPart::Translation: return count == 3;
-    case OpenCvPart::Pose: return count == 12 || count == 16;
-    case OpenCvPart::CameraMatrix: return count == 12;
-    case OpenCvPart::Distortion: return count >= 1;
-    case OpenCvPart::Size: return count == 2;
-    case OpenCvPart::Model: return true;
+    case Part::Intrinsics: return count == 9 || count == 4;
+    case Part::Rotation: return count == 9 || count == 3;
+    case Part::Quaternion: return false; // of a list, either end may be w
+    case Part::Translation:
+    case Part::Center: return count == 3;
+    case Part::Pose: return count == 12 || count == 16;
+    case Part::CameraMatrix: return count == 12;
+    case Part::Distortion: return count >= 1;
+    case Part::Size: return count == 2;
+    case Part::Model: return true;
     }
     return false;
 }
@@ -69,15 +38,44 @@ std::string nameOf(const NamedValue &value)
     return value.written.substr(value.written.find_last_of(".>") + 1);
 }
 
+/// The role of a value by its name, else by the last word of its name: in "estimated t", only that
+/// says a part.
+std::optional<Role> roleOf(const CameraValue &value)
+{
+    const std::string_view name = value.name;
+    const std::size_t count = value.numbers.size(), blank = name.find_last_of(" \t");
+    const auto role = cameras::roleOf(name, count);
+    return role || blank == name.npos ? role : cameras::roleOf(name.substr(blank + 1), count);
+}
+
+/// The name of a file without its folder and suffix.
+std::string stemOf(const std::string &path)
+{
+    const std::string name = path.substr(path.find_last_of("/\\") + 1);
+    return name.substr(0, name.rfind('.'));
+}
+
+/// The nine numbers of K in a matrix of 3 x 4 or 4 x 4; other numbers unchanged.
+std::vector<double> withoutBorder(const std::vector<double> &k)
+{
+    const auto isLikeOne = [&](std::size_t i) { return k[i] == (i % 5 == 0 ? 1.0 : 0.0); };
+    if ((k.size() != 12 && k.size() != 16) || !isLikeOne(3) || !isLikeOne(7) || !isLikeOne(11))
+        return k;
+    for (std::size_t i = 12; i < k.size(); ++i) {
+        if (!isLikeOne(i))
+            return k;
+    }
+    return {k[0], k[1], k[2], k[4], k[5], k[6], k[8], k[9], k[10]};
+}
+
 } // namespace
 
-OpenCvValues::OpenCvValues(std::span<const NamedText> texts)
+CameraValues::CameraValues(std::span<const NamedText> texts)
 {
     for (const NamedText &text : texts) {
         struct Owned {
-            OpenCvValue value;
-            std::optional<OpenCvPart> part;
-            std::size_t columns = 0;
+            CameraValue value;
+            bool isTable = false; ///< of six columns
         };
         std::vector<Owned> values;
         const NamedValues named(withNames(text.text));
@@ -88,81 +86,108 @@ OpenCvValues::OpenCvValues(std::span<const NamedText> texts)
                 if (*member == "data")
                     values.back().value.numbers = value.numbers;
                 else if (*member == "cols" && value.numbers.size() == 1)
-                    values.back().columns = value.numbers[0] == 6.0 ? 6 : 0;
+                    values.back().isTable = value.numbers[0] == 6.0;
                 continue;
             }
             if (value.numbers.size() == 1)
-                m_numbers.push_back(value);
-            values.push_back({{nameOf(value), value.word, value.numbers, value.line, text.name, value.arithmetic},
-                              partOf(value),
-                              0});
+                m_numbers.push_back({value, text.name});
+            values.push_back({{nameOf(value), value.word, value.numbers, value.line, text.name, value.arithmetic}});
         }
         addComponents(named, text.name);
         for (Owned &owned : values) {
-            OpenCvValue &value = owned.value;
-            if (owned.part == OpenCvPart::Pose && owned.columns == 6 && value.numbers.size() % 6 == 0) {
-                addPoses(std::move(value));
-                continue;
-            }
-            if (owned.part)
-                add(*owned.part, value);
+            const bool isPoses = owned.isTable && owned.value.numbers.size() % 6 == 0;
+            if (const auto role = roleOf(owned.value); role && role->part == Part::Pose && isPoses)
+                addPoses(std::move(owned.value));
+            else if (owned.value.name.empty())
+                addUnnamed(std::move(owned.value));
+            else
+                add(std::move(owned.value));
         }
     }
     // Both ROS's messages and its calibration files have a model, K and P; R is then the
     // rectification.
-    m_isCameraInfo = !all(OpenCvPart::Model).empty() && !all(OpenCvPart::CameraMatrix).empty()
-                     && !all(OpenCvPart::Intrinsics).empty();
+    m_isCameraInfo = !all(Part::Model).empty() && !all(Part::CameraMatrix).empty() && !all(Part::Intrinsics).empty();
 }
 
-void OpenCvValues::add(OpenCvPart part, OpenCvValue value)
+void CameraValues::add(CameraValue value)
 {
-    const bool isWord = part == OpenCvPart::Model;
+    const std::optional<Role> role = roleOf(value);
+    const std::size_t count = value.numbers.size();
+    if (!role) {
+        if (count == 9 || count == 12 || count == 16 || (count > 1 && hasPartWord(value.name)))
+            m_others.push_back(std::move(value));
+        return;
+    }
+    value.role = *role;
+    const Part part = role->part;
+    const bool isWord = part == Part::Model;
     if (isWord ? value.word.empty() : value.numbers.empty())
         return;
-    if (part == OpenCvPart::Rotation && value.numbers.size() == 4)
-        part = OpenCvPart::Quaternion;
-    if (part == OpenCvPart::Quaternion && value.numbers.size() != 4)
+    if (part == Part::Quaternion && count != 4) {
+        m_others.push_back(std::move(value));
         return;
-    std::vector<OpenCvValue> &values = m_parts[std::size_t(part)];
+    }
+    if (part == Part::Intrinsics)
+        value.numbers = withoutBorder(value.numbers);
     // The vectors of several images: rvecs, tvecs.
-    const std::size_t count = value.numbers.size();
-    const bool isVectors = (part == OpenCvPart::Rotation || part == OpenCvPart::Translation) && count > 3
-                           && count % 3 == 0 && (count != 9 || value.name.ends_with("vecs"));
+    const bool isVectors = (part == Part::Rotation || part == Part::Translation) && count > 3 && count % 3 == 0
+                           && (count != 9 || value.name.ends_with("vecs"));
     if (isVectors) {
         const std::vector<double> numbers = std::move(value.numbers);
         for (std::size_t i = 0; i + 3 <= count; i += 3) {
             value.numbers = {numbers[i], numbers[i + 1], numbers[i + 2]};
-            values.push_back(value);
+            of(part).push_back(value);
         }
-    } else if (part == OpenCvPart::Translation && fits(OpenCvPart::Pose, count)) {
-        m_parts[std::size_t(OpenCvPart::Pose)].push_back(std::move(value)); // T = [R t; 0 0 0 1]
-    } else if (fits(part, count)) {
-        values.push_back(std::move(value));
+    } else if (fits(part, value.numbers.size())) {
+        of(part).push_back(std::move(value));
     } else if (!m_unfit[std::size_t(part)]) {
         m_unfit[std::size_t(part)] = std::move(value);
+    } else {
+        m_others.push_back(std::move(value));
+    }
+}
+
+/// Adds the numbers of a text without names: the file's name stands for theirs. Several matrices are
+/// the poses of several images.
+void CameraValues::addUnnamed(CameraValue value)
+{
+    const std::size_t count = value.numbers.size(), entries = count % 16 == 0 ? 16 : 12;
+    if (count < 9 || (count != 9 && count % entries != 0))
+        return;
+    value.name = stemOf(value.file);
+    const std::optional<Role> role = cameras::roleOf(value.name, std::min(count, entries));
+    if (role && role->part == Part::Intrinsics)
+        return add(std::move(value));
+    if (count == 9)
+        return;
+    value.role = role && role->part == Part::Pose ? *role : Role{};
+    const std::vector<double> numbers = std::move(value.numbers);
+    for (std::size_t i = 0; i < count; i += entries) {
+        value.numbers.assign(numbers.begin() + std::ptrdiff_t(i), numbers.begin() + std::ptrdiff_t(i + entries));
+        of(Part::Pose).push_back(value);
     }
 }
 
 /// Adds the poses of a table with a rotation vector and t in each row.
-void OpenCvValues::addPoses(OpenCvValue value)
+void CameraValues::addPoses(CameraValue value)
 {
     const std::vector<double> numbers = std::move(value.numbers);
     for (std::size_t i = 0; i + 6 <= numbers.size(); i += 6) {
         value.numbers = {numbers[i], numbers[i + 1], numbers[i + 2]};
         value.name = "rvec";
-        m_parts[std::size_t(OpenCvPart::Rotation)].push_back(value);
+        of(Part::Rotation).push_back(value);
         value.numbers = {numbers[i + 3], numbers[i + 4], numbers[i + 5]};
         value.name = "tvec";
-        m_parts[std::size_t(OpenCvPart::Translation)].push_back(value);
+        of(Part::Translation).push_back(value);
     }
 }
 
 /// Adds ROS's transforms and poses: "translation: {x: 1, y: 2, z: 3}",
 /// "orientation: {x: 0, y: 0, z: 0, w: 1}".
-void OpenCvValues::addComponents(const NamedValues &named, const std::string &file)
+void CameraValues::addComponents(const NamedValues &named, const std::string &file)
 {
     const std::vector<NamedValue> &values = named.all();
-    const auto addOf = [&](OpenCvPart part, std::span<const std::string_view> names,
+    const auto addOf = [&](Part part, std::span<const std::string_view> names,
                            std::span<const std::string_view> components) {
         for (std::size_t i = 0; i + components.size() <= values.size(); ++i) {
             const std::string &parent = values[i].parent;
@@ -177,21 +202,21 @@ void OpenCvValues::addComponents(const NamedValues &named, const std::string &fi
             }
             if (numbers.size() != components.size())
                 continue;
-            m_parts[std::size_t(part)].push_back({parent, {}, std::move(numbers), values[i].line, file});
+            of(part).push_back({parent, {}, std::move(numbers), values[i].line, file});
             i += components.size() - 1;
         }
     };
     static constexpr std::array<std::string_view, 3> kTurns{"rotation", "orientation", "quaternion"};
     static constexpr std::array<std::string_view, 3> kShifts{"translation", "t", "position"};
     static constexpr std::array<std::string_view, 4> kXyzw{"x", "y", "z", "w"};
-    const std::size_t before = all(OpenCvPart::Quaternion).size();
-    addOf(OpenCvPart::Quaternion, kTurns, kXyzw);
+    const std::size_t before = all(Part::Quaternion).size();
+    addOf(Part::Quaternion, kTurns, kXyzw);
     // A position alone may be another thing's.
-    const bool isPose = all(OpenCvPart::Quaternion).size() > before;
-    addOf(OpenCvPart::Translation, std::span(kShifts).first(isPose ? 3 : 2), std::span(kXyzw).first(3));
+    const bool isPose = all(Part::Quaternion).size() > before;
+    addOf(Part::Translation, std::span(kShifts).first(isPose ? 3 : 2), std::span(kXyzw).first(3));
 }
 
-std::optional<double> OpenCvValues::number(std::initializer_list<std::string_view> names) const
+std::optional<double> CameraValues::number(std::initializer_list<std::string_view> names) const
 {
     for (const std::string_view name : names) {
         if (const NamedValue *value = find(name))
@@ -200,18 +225,31 @@ std::optional<double> OpenCvValues::number(std::initializer_list<std::string_vie
     return std::nullopt;
 }
 
-const NamedValue *OpenCvValues::find(std::string_view name) const
+const NamedValue *CameraValues::find(std::string_view name) const
 {
     const auto found = std::find_if(m_numbers.begin(), m_numbers.end(),
-                                    [name](const NamedValue &value) { return value.isNamed(name); });
-    return found == m_numbers.end() ? nullptr : &*found;
+                                    [name](const auto &number) { return number.first.isNamed(name); });
+    return found == m_numbers.end() ? nullptr : &found->first;
 }
 
-bool OpenCvValues::differ(std::string_view name) const
+bool CameraValues::differ(std::string_view name) const
 {
     const NamedValue *first = find(name);
-    return std::any_of(m_numbers.begin(), m_numbers.end(),
-                       [&](const NamedValue &value) { return value.isNamed(name) && value.numbers != first->numbers; });
+    return std::any_of(m_numbers.begin(), m_numbers.end(), [&](const auto &number) {
+        return number.first.isNamed(name) && number.first.numbers != first->numbers;
+    });
+}
+
+bool CameraValues::hasAny(const std::string &file) const
+{
+    const auto isOfFile = [&file](const CameraValue &value) { return value.file == file; };
+    return std::any_of(m_parts.begin(), m_parts.end(),
+                       [&](const auto &values) { return std::any_of(values.begin(), values.end(), isOfFile); })
+           || std::any_of(m_numbers.begin(), m_numbers.end(), [&](const auto &number) {
+                  return number.second == file
+                         && std::any_of(kScalars.begin(), kScalars.end(),
+                                        [&](std::string_view name) { return number.first.isNamed(name); });
+              });
 }
 
 } // namespace unprojector::cameras

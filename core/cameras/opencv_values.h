@@ -1,52 +1,40 @@
 #pragma once
 
-#include "core/cameras/camera_reader.h"
 #include "core/cameras/named_values.h"
+#include "core/cameras/roles.h"
 
 #include <array>
-#include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace unprojector::cameras {
 
-/// The parts of a camera in OpenCV's terms.
-enum class OpenCvPart {
-    Intrinsics,   ///< K, nine numbers by rows, or fx, fy, cx, cy
-    Rotation,     ///< R, nine numbers by rows, or a rotation vector
-    Quaternion,   ///< x, y, z, w, each with its name
-    Translation,  ///< t
-    Pose,         ///< [R t], twelve or sixteen numbers by rows
-    CameraMatrix, ///< P, twelve numbers by rows
-    Distortion,   ///< a list of coefficients
-    Size,         ///< width, height
-    Model         ///< the name of a distortion model
-};
-inline constexpr std::size_t kOpenCvParts = 9;
-
 /// A part as a text gives it.
-struct OpenCvValue {
+struct CameraValue {
     std::string name; ///< as words, "camera matrix"
     std::string word; ///< the value, if it is a word
     std::vector<double> numbers;
     std::size_t line = 0;
     std::string file;
     std::string arithmetic{}; ///< as in NamedValue
+    Role role{};
 };
 
 /// The parts that some texts have: printed text, JSON, and the YAML and XML of cv::FileStorage and
 /// of ROS.
-class OpenCvValues {
+class CameraValues {
 public:
-    explicit OpenCvValues(std::span<const NamedText> texts);
+    explicit CameraValues(std::span<const NamedText> texts);
 
     /// All values of a part whose count of numbers fits it.
-    const std::vector<OpenCvValue> &all(OpenCvPart part) const { return m_parts[std::size_t(part)]; }
+    const std::vector<CameraValue> &all(Part part) const { return m_parts[std::size_t(part)]; }
     /// A value of the part whose count of numbers does not fit it.
-    const std::optional<OpenCvValue> &unfit(OpenCvPart part) const { return m_unfit[std::size_t(part)]; }
+    const std::optional<CameraValue> &unfit(Part part) const { return m_unfit[std::size_t(part)]; }
     /// A number by its name: "fx", "k1", "width". The first one counts.
     std::optional<double> number(std::initializer_list<std::string_view> names) const;
     /// The first value of one number under a name; null if there is none.
@@ -55,15 +43,22 @@ public:
     bool differ(std::string_view name) const;
     /// Returns whether a text is ROS's camera_info: its R is the rectification.
     bool isCameraInfo() const { return m_isCameraInfo; }
+    /// The values that look like a camera's, but whose name says no part.
+    const std::vector<CameraValue> &others() const { return m_others; }
+    /// Returns whether a file has any part, or a number with a name.
+    bool hasAny(const std::string &file) const;
 
 private:
-    void add(OpenCvPart part, OpenCvValue value);
-    void addPoses(OpenCvValue value);
+    void add(CameraValue value);
+    void addUnnamed(CameraValue value);
+    void addPoses(CameraValue value);
     void addComponents(const NamedValues &named, const std::string &file);
+    std::vector<CameraValue> &of(Part part) { return m_parts[std::size_t(part)]; }
 
-    std::array<std::vector<OpenCvValue>, kOpenCvParts> m_parts;
-    std::array<std::optional<OpenCvValue>, kOpenCvParts> m_unfit;
-    std::vector<NamedValue> m_numbers; ///< values of one number
+    std::array<std::vector<CameraValue>, kParts> m_parts;
+    std::array<std::optional<CameraValue>, kParts> m_unfit;
+    std::vector<CameraValue> m_others;
+    std::vector<std::pair<NamedValue, std::string>> m_numbers; ///< values of one number, and their files
     bool m_isCameraInfo = false;
 };
 

@@ -243,8 +243,35 @@ std::vector<PoseReading> possibleReadings(const ForeignCamera &camera, const Cam
 
 glm::dmat4 eyeFromWorldOf(const ForeignCamera &camera, const glm::dmat4 &pose, const PoseReading &reading)
 {
-    const glm::dmat4 cameraFromWorld = reading.direction == PoseDirection::WorldToCamera ? pose : affineInverse(pose);
+    const bool isToCamera = reading.direction == PoseDirection::WorldToCamera;
+    glm::dmat4 given = pose;
+    if (camera.center)
+        given[3] = glm::dvec4(isToCamera ? -(glm::dmat3(pose) * *camera.center) : *camera.center, 1.0);
+    const glm::dmat4 cameraFromWorld = isToCamera ? given : affineInverse(given);
     return eyeFromCamera(reading.axes) * cameraFromWorld * affineInverse(camera.rightHandedFromWorld);
+}
+
+/// Where a camera stands and where it looks, for a sentence.
+std::pair<std::string, std::string> standing(const glm::dmat4 &eyeFromWorld)
+{
+    const auto text = [](const glm::dvec3 &v) {
+        return '(' + significantText(v.x + 0.0, 4) + ", " + significantText(v.y + 0.0, 4) + ", "
+               + significantText(v.z + 0.0, 4) + ')';
+    };
+    const glm::dmat4 worldFromEye = affineInverse(eyeFromWorld);
+    return {text(glm::dvec3(worldFromEye[3])), text(-glm::dvec3(worldFromEye[2]))};
+}
+
+/// Fails for a pose whose direction neither its name nor the objects tell, with both readings.
+void refuseOpen(const ForeignCamera &camera, const glm::dmat4 &pose, EyeAxes axes)
+{
+    const auto [eye, ahead] = standing(eyeFromWorldOf(camera, pose, {PoseDirection::CameraToWorld, axes}));
+    const auto [otherEye, otherAhead] = standing(eyeFromWorldOf(camera, pose, {PoseDirection::WorldToCamera, axes}));
+    throw base::Error{tr("nothing tells the direction of the pose. From the camera to the world, the eye is at %1 and "
+                         "looks along %2; from the world to the camera, it is at %3 and looks along %4. Choose with "
+                         "--pose camera-to-world or --pose world-to-camera",
+                         eye, ahead, otherEye, otherAhead),
+                      "pose"};
 }
 
 /// Says by which reading the pose was read, and why.
@@ -260,17 +287,21 @@ void sayReading(const ForeignCamera &camera, const std::vector<PoseReading> &rea
     const auto others =
         std::count_if(readings.begin(), readings.end(), [&](const PoseReading &r) { return r.seen > 0.0; })
         - (taken.seen > 0.0 ? 1 : 0);
-    const std::string because =
-        !haveObjects ? tr("as %1 usually writes it. No objects decide it: give them with --objects", camera.program)
-        : taken.seen == 0.0 ? tr("as %1 usually writes it. No reading shows the objects", camera.program)
-        : others > 0        ? tr("which shows the objects best. Another reading shows them too")
-        : isAnother         ? tr("because only this reading shows the objects")
-                            : tr("as %1 usually writes it; the objects are in the image", camera.program);
+    const auto because = [&](const std::string &usual) {
+        return !haveObjects        ? tr("%1. No objects decide it: give them with --objects", usual)
+               : taken.seen == 0.0 ? tr("%1. No reading shows the objects", usual)
+               : others > 0        ? tr("which shows the objects best. Another reading shows them too")
+               : isAnother         ? tr("because only this reading shows the objects")
+                                   : tr("%1; the objects are in the image", usual);
+    };
+    const std::string usual = tr("as %1 usually writes it", camera.program);
     if (isDirectionOpen)
-        assumed.push_back(tr("The pose is read as %1, %2; --pose says otherwise.", keyOf(taken.direction), because));
-    if (areAxesOpen)
         assumed.push_back(
-            tr("The camera's axes are read as those of %1, %2; --axes says otherwise.", keyOf(taken.axes), because));
+            tr("The pose is read as %1, %2; --pose says otherwise.", keyOf(taken.direction),
+               because(camera.poseName.empty() ? usual : tr("as %1 usually means", base::quoted(camera.poseName)))));
+    if (areAxesOpen)
+        assumed.push_back(tr("The camera's axes are read as those of %1, %2; --axes says otherwise.", keyOf(taken.axes),
+                             because(usual)));
 }
 
 /// What to do about a camera that sees none of the objects: the first of the usual mistakes without
@@ -343,7 +374,7 @@ SceneCamera converted(const ForeignCamera &camera, const CameraChoices &choices,
         scene.assumed.push_back(tr("The file has no pixel coordinates, so --pixel-centers is ignored."));
 
     if (!camera.pose)
-        scene.assumed.push_back(tr("The file has no pose: the camera stands in the world's origin and looks along its "
+        scene.assumed.push_back(tr("No pose was read: the camera stands in the world's origin and looks along its "
                                    "own axis."));
     const std::vector<PoseReading> all = possibleReadings(camera, choices);
     std::vector<PoseReading> readings = camera.pose ? all : std::vector<PoseReading>{all.front()};
@@ -362,6 +393,14 @@ SceneCamera converted(const ForeignCamera &camera, const CameraChoices &choices,
             said = changes;
         }
     }
+    const auto isSeen = [&](PoseDirection direction) {
+        return std::any_of(readings.begin(), readings.end(), [&](const PoseReading &reading) {
+            return reading.direction == direction && reading.seen > 0.0;
+        });
+    };
+    if (camera.pose && camera.isDirectionOpen && !choices.direction
+        && isSeen(PoseDirection::CameraToWorld) == isSeen(PoseDirection::WorldToCamera))
+        refuseOpen(camera, *camera.pose, readings.front().axes);
     scene.direction = taken->direction;
     scene.axes = taken->axes;
     if (camera.pose) {

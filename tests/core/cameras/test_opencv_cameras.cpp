@@ -276,7 +276,7 @@ private slots:
         for (const char *sentence :
              {"The image is assumed to be 640x480, twice the principal point; --size says otherwise.",
               "Near 0.1 and far 1000 are assumed, because the file has none; --near and --far say otherwise.",
-              "The file has no pose"})
+              "No pose was read"})
             QVERIFY2(said.find(sentence) != said.npos, said.c_str());
         CameraChoices choices;
         choices.size = ImageSize{640, 480};
@@ -636,7 +636,7 @@ projection_matrix:
                              << "fx 1.2, fy 1.6, cx 0.5, cy 0.5 are no pixels; they look normalized. Multiply fx "
                                 "and cx by the image's width, fy and cy by its height @0";
         newRow("a stereo pair") << "K1 = 800 0 320 0 800 240 0 0 1\nK2 = 800 0 320 0 800 240 0 0 1\n"
-                                << "k1 is of a stereo pair; give one camera, its matrix under the name K @1";
+                                << "k1 and k2 are of a stereo pair; give one camera, or choose one with --image k1 @1";
         newRow("focal length 0") << "fx = 0, fy = 800, cx = 320, cy = 240\n"
                                  << "the focal lengths are 0 and 800; they must be finite and not 0";
     }

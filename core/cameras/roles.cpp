@@ -1,0 +1,394 @@
+#include "core/cameras/roles.h"
+
+#include "core/base/letters.h"
+#include "core/base/text_scanner.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace unprojector::cameras {
+using base::isDigit;
+namespace {
+
+/// What a word means in a name.
+enum class Word {
+    Unknown,
+    Filler,
+    Camera,    ///< a frame: the camera's
+    World,     ///< a frame: the world's, or a body's that stands for it
+    Side,      ///< which camera: "left", "depth"
+    Transform, ///< T
+    To,
+    From,
+    In,
+    OpenGl,
+    OpenCv,
+    Intrinsics,
+    Matrix,
+    Rotation,
+    Quaternion,
+    Translation,
+    Center,
+    Pose,
+    Extrinsics,
+    View,
+    Projection,
+    Distortion,
+    Coefficients,
+    Size,
+    Shape, ///< a size by rows
+    Image,
+    Model,
+    Other ///< makes the numbers another thing's
+};
+
+struct WordsOfKind {
+    Word kind;
+    std::string_view words; ///< between blanks
+};
+
+constexpr std::array kVocabulary{
+    WordsOfKind{Word::Camera, " camera cam cams c cn cnm optical sensor s eye lens "},
+    WordsOfKind{Word::World, " world w map m odom global g body b imu i base robot ego vehicle velodyne velo lidar rig "
+                             "object obj o marker board target ned enu "},
+    WordsOfKind{Word::Side, " left right color colour rgb depth ir infrared reference ref rect "},
+    WordsOfKind{Word::Transform, " t transform transformation trafo tf se "},
+    WordsOfKind{Word::To, " to "},
+    WordsOfKind{Word::From, " from "},
+    WordsOfKind{Word::In, " in "},
+    WordsOfKind{Word::OpenGl, " gl opengl blender nerf "},
+    WordsOfKind{Word::OpenCv, " cv opencv colmap "},
+    WordsOfKind{Word::Intrinsics, " k intrinsic intrinsics intr intri intrin kmat "},
+    WordsOfKind{Word::Matrix, " matrix mat mtx "},
+    WordsOfKind{Word::Rotation, " r rot rotation rmat rvec rvecs rodrigues "},
+    WordsOfKind{Word::Quaternion, " q quat quaternion orientation qvec "},
+    WordsOfKind{Word::Translation, " trans translation tvec tvecs "},
+    WordsOfKind{Word::Center, " center centre position pos origin location "},
+    WordsOfKind{Word::Pose, " pose poses "},
+    WordsOfKind{Word::Extrinsics, " extrinsic extrinsics extr extri rt "},
+    WordsOfKind{Word::View, " view "},
+    WordsOfKind{Word::Projection, " p projection proj "},
+    WordsOfKind{Word::Distortion, " d dist distortion "},
+    WordsOfKind{Word::Coefficients, " coeff coeffs coef coefs coefficients coefficient "},
+    WordsOfKind{Word::Size, " size resolution "},
+    WordsOfKind{Word::Shape, " shape hw "},
+    WordsOfKind{Word::Image, " image img frame "},
+    WordsOfKind{Word::Model, " model "},
+    WordsOfKind{Word::Filler, " vector vec params param parameters parameter data value values new est gt opt optimal "
+                              "is of the my raw array np list point pinhole final current "},
+    WordsOfKind{Word::Other, " std sigma cov covariance noise velocity speed error residual residuals jacobian inv "
+                             "inverse inverted delta relative limits min max bounds weights stereo fundamental "
+                             "essential homography modelview mv mvp viewport projview "}};
+
+Word kindOf(std::string_view word)
+{
+    const std::string wanted = ' ' + std::string(word) + ' ';
+    for (const auto &[kind, words] : kVocabulary) {
+        if (words.find(wanted) != words.npos)
+            return kind;
+    }
+    return Word::Unknown;
+}
+
+bool isFrame(Word kind)
+{
+    return kind == Word::Camera || kind == Word::World;
+}
+
+/// Letters in front of two frames: T_WC, R_cw, q_WC.
+bool isTurnOrShift(std::string_view word)
+{
+    return word.size() == 1 && std::string_view("txhrqp").find(word[0]) != std::string_view::npos;
+}
+
+/// Returns whether two letters are a camera's and a world's frame.
+bool areFrames(std::string_view two)
+{
+    const auto isCamera = [](char c) { return c == 'c' || c == 's'; };
+    return two.size() == 2 && isFrame(kindOf(two.substr(0, 1))) && isFrame(kindOf(two.substr(1)))
+           && isCamera(two[0]) != isCamera(two[1]);
+}
+
+/// Splits a word that is several known ones: "camtoworld", "rotmat". The longest known word comes
+/// first, and every part has three letters or is "to".
+bool splitIntoKnown(std::string_view word, std::vector<std::string> &parts)
+{
+    if (word.empty())
+        return true;
+    constexpr std::size_t kLongest = 15;
+    for (std::size_t length = std::min(word.size(), kLongest); length >= 2; --length) {
+        const std::string_view first = word.substr(0, length);
+        const Word kind = kindOf(first);
+        constexpr std::string_view kShort = " to rt gl cv ";
+        if (kind == Word::Unknown || (length == 2 && kShort.find(first) == kShort.npos))
+            continue;
+        parts.emplace_back(first);
+        if (splitIntoKnown(word.substr(length), parts))
+            return true;
+        parts.pop_back();
+    }
+    return false;
+}
+
+/// Adds a word between marks and changes of case, split further where its parts are known.
+void addWord(const std::string &word, std::vector<std::string> &words)
+{
+    const std::string_view letters = word;
+    std::vector<std::string> parts;
+    const bool isBehindFrame = !words.empty() && isFrame(kindOf(words.back())),
+               isBehindTurn = !words.empty() && isTurnOrShift(words.back());
+    if (kindOf(word) != Word::Unknown)
+        parts = {word};
+    else if (isBehindTurn && areFrames(letters)) // T_WC
+        parts = {word.substr(0, 1), word.substr(1)};
+    else if (letters.size() == 3 && isTurnOrShift(letters.substr(0, 1)) && areFrames(letters.substr(1))
+             && letters.find('c', 1) != letters.npos) // Twc
+        parts = {word.substr(0, 1), word.substr(1, 1), word.substr(2)};
+    else if (isBehindFrame && isTurnOrShift(letters.substr(0, 1)) && isFrame(kindOf(letters.substr(1)))) // wTc
+        parts = {word.substr(0, 1), word.substr(1)};
+    else if (!splitIntoKnown(letters, parts))
+        parts = {word};
+    words.insert(words.end(), parts.begin(), parts.end());
+}
+
+bool isLower(char c)
+{
+    return c >= 'a' && c <= 'z';
+}
+
+bool isUpper(char c)
+{
+    return c >= 'A' && c <= 'Z';
+}
+
+/// The words of a name with what they mean, without its numbers.
+struct Name {
+    explicit Name(std::string_view name) : words(wordsOf(name))
+    {
+        std::erase_if(words, [](const std::string &word) { return isDigit(word[0]); });
+        for (const std::string &word : words)
+            kinds.push_back(kindOf(word));
+        for (std::size_t i = 0; i + 1 < words.size(); ++i) { // X_WC
+            if ((words[i] == "x" || words[i] == "h") && isFrame(kinds[i + 1]))
+                kinds[i] = Word::Transform;
+        }
+    }
+
+    bool has(Word kind) const { return std::find(kinds.begin(), kinds.end(), kind) != kinds.end(); }
+    bool hasWord(std::string_view word) const { return std::find(words.begin(), words.end(), word) != words.end(); }
+    /// Returns whether the name has none but these kinds and those that say nothing.
+    bool isOnly(std::initializer_list<Word> some) const
+    {
+        return std::all_of(kinds.begin(), kinds.end(), [&](Word kind) {
+            return kind == Word::Filler || kind == Word::Camera || kind == Word::Side
+                   || std::find(some.begin(), some.end(), kind) != some.end();
+        });
+    }
+
+    std::vector<std::string> words;
+    std::vector<Word> kinds;
+};
+
+/// The frames that a transform leads from and to: indexes of words.
+struct Frames {
+    std::optional<std::size_t> from, to;
+};
+
+Frames framesOf(const Name &name)
+{
+    const std::vector<Word> &kinds = name.kinds;
+    const auto at = [&](std::size_t i) { return i < kinds.size() ? kinds[i] : Word::Unknown; };
+    const auto isEnd = [&](std::size_t i) { return isFrame(at(i)) || at(i) == Word::Side; };
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        const std::optional<std::size_t> before = i > 0 && isEnd(i - 1) ? std::optional(i - 1) : std::nullopt;
+        std::size_t next = i + 1;
+        while (isEnd(next) && isEnd(next + 1) && at(next) != Word::World) // "to_left_camera"
+            ++next;
+        if (!isEnd(next))
+            continue;
+        if (at(i) == Word::To || at(i) == Word::In)
+            return {before, next};
+        if (at(i) == Word::From)
+            return {next, before};
+    }
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        const bool isTransform = at(i) == Word::Transform || at(i) == Word::Rotation || at(i) == Word::Quaternion
+                                 || at(i) == Word::Translation || at(i) == Word::Pose || isTurnOrShift(name.words[i]);
+        if (isTransform && i > 0 && isFrame(at(i - 1)) && isFrame(at(i + 1)) && at(i - 1) != at(i + 1))
+            return {i + 1, i - 1}; // world_T_cam
+        if (isTransform && isEnd(i + 1) && isEnd(i + 2))
+            return {i + 2, i + 1}; // T_world_cam
+    }
+    return {};
+}
+
+/// Sets the direction that a name states by its frames.
+/// @return false for a transform between two cameras or two worlds
+bool setFrames(const Name &name, Role &role)
+{
+    const Frames frames = framesOf(name);
+    if (!frames.from && !frames.to)
+        return true;
+    const auto isWorld = [&](std::size_t i) { return name.kinds[i] == Word::World; };
+    if (frames.from && frames.to && isWorld(*frames.from) == isWorld(*frames.to))
+        return false;
+    const bool isFromWorld = frames.from ? isWorld(*frames.from) : !isWorld(*frames.to);
+    role.direction = isFromWorld ? PoseDirection::WorldToCamera : PoseDirection::CameraToWorld;
+    role.isDirectionStated = true;
+    const std::optional<std::size_t> world = isFromWorld ? frames.from : frames.to;
+    constexpr std::string_view kWorlds = " world w global g map m odom ";
+    if (world && kWorlds.find(' ' + name.words[*world] + ' ') == kWorlds.npos)
+        role.world = name.words[*world];
+    return true;
+}
+
+/// A name that means another direction than its words.
+struct NameOfProgram {
+    std::string_view name;
+    std::optional<PoseDirection> direction; ///< none: programs write either
+    std::string_view world;
+};
+constexpr std::array kNamesOfPrograms{
+    NameOfProgram{"extrinsicRotation", PoseDirection::CameraToWorld, "imu"}, // VINS-Mono
+    NameOfProgram{"extrinsicTranslation", PoseDirection::CameraToWorld, "imu"},
+    NameOfProgram{"CameraExtrinsicMat", std::nullopt, "lidar"}}; // Autoware, and others the other way
+
+/// The part by the words that are not frames.
+std::optional<Part> partOf(const Name &name, std::size_t count)
+{
+    const bool isMatrix = name.has(Word::Matrix), isTransform = name.has(Word::Transform);
+    const bool hasFrames = framesOf(name).from || framesOf(name).to;
+    if (name.has(Word::Model) && !name.has(Word::View))
+        return name.isOnly({Word::Model, Word::Distortion}) ? std::optional(Part::Model) : std::nullopt;
+    if (name.has(Word::Size) || name.has(Word::Shape))
+        return name.isOnly({Word::Size, Word::Shape, Word::Image}) ? std::optional(Part::Size) : std::nullopt;
+    if ((name.has(Word::Distortion) || name.has(Word::Coefficients))
+        && name.isOnly({Word::Distortion, Word::Coefficients, Word::Image}))
+        return Part::Distortion;
+    if (name.has(Word::Rotation) && name.hasWord("rect")) // KITTI's R_rect
+        return std::nullopt;
+    if (name.has(Word::Rotation) || name.has(Word::Quaternion))
+        return count == 4 || name.has(Word::Quaternion) ? Part::Quaternion : Part::Rotation;
+    if (name.has(Word::Translation))
+        return Part::Translation;
+    if (name.has(Word::Center))
+        return count == 12 || count == 16 ? Part::Pose : Part::Center;
+    if (count == 3 && !name.words.empty() && (name.words.back() == "c" || name.words.back() == "eye")
+        && name.isOnly({}))
+        return Part::Center;
+    if (name.has(Word::Intrinsics) && !hasFrames)
+        return Part::Intrinsics;
+    if (name.hasWord("p") && hasFrames && count == 3) // Drake's p_WC
+        return Part::Translation;
+    if (name.has(Word::Projection) && name.isOnly({Word::Projection, Word::Matrix}))
+        return Part::CameraMatrix;
+    const bool isPose = name.has(Word::Pose) || name.has(Word::Extrinsics) || name.has(Word::View) || isTransform
+                        || hasFrames || (isMatrix && name.has(Word::World));
+    if (isPose)
+        return isTransform && count != 12 && count != 16 ? Part::Translation : Part::Pose;
+    if (isMatrix && name.isOnly({Word::Matrix}))
+        return name.has(Word::Camera) || name.hasWord("mtx") ? std::optional(Part::Intrinsics) : std::nullopt;
+    return std::nullopt;
+}
+
+/// Returns whether unknown words may stand beside a part's: its count of numbers is rare.
+bool allowsUnknown(Part part, std::size_t count)
+{
+    return (part == Part::Intrinsics && count == 9) || (part == Part::Pose && (count == 12 || count == 16));
+}
+
+/// Sets what a pose's words usually mean.
+void setCustom(const Name &name, Role &role)
+{
+    if (name.has(Word::OpenGl) || name.has(Word::View))
+        role.axes = EyeAxes::RightUpBack;
+    else if (name.has(Word::OpenCv) || name.hasWord("rt"))
+        role.axes = EyeAxes::RightDownAhead;
+    role.areAxesStated = name.has(Word::OpenGl) || name.has(Word::OpenCv) || name.hasWord("rt");
+    if (role.direction)
+        return;
+    const bool isOfObject = name.has(Word::Matrix) && name.has(Word::World); // Blender's matrix_world
+    const bool isCameras = name.has(Word::Camera) && name.has(Word::Transform);
+    if (name.has(Word::Extrinsics) || name.has(Word::View))
+        role.direction = PoseDirection::WorldToCamera;
+    else if (name.has(Word::Pose) || isOfObject || isCameras || name.hasWord("position") || name.hasWord("pos")
+             || name.hasWord("location")) // an object's in the world
+        role.direction = PoseDirection::CameraToWorld;
+}
+
+} // namespace
+
+std::vector<std::string> wordsOf(std::string_view name)
+{
+    std::vector<std::string> words;
+    std::string word;
+    const auto end = [&] {
+        if (!word.empty())
+            addWord(word, words);
+        word.clear();
+    };
+    const auto at = [&](std::size_t i) { return i < name.size() ? name[i] : ' '; };
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const char c = name[i], before = i > 0 ? name[i - 1] : ' ';
+        const bool isLetter = isLower(c) || isUpper(c), wasLetter = isLower(before) || isUpper(before);
+        if (!isLetter && !isDigit(c)) {
+            end();
+            continue;
+        }
+        const bool isHump =
+            isUpper(c) && (isLower(before) || (isUpper(before) && isLower(at(i + 1)) && i + 2 < name.size()));
+        if ((isDigit(c) != isDigit(before) && !word.empty()) || (isHump && wasLetter))
+            end();
+        if (c == '2' && wasLetter && (isLower(at(i + 1)) || isUpper(at(i + 1)))) {
+            words.emplace_back("to");
+            continue;
+        }
+        word += isUpper(c) ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    end();
+    return words;
+}
+
+std::optional<Role> roleOf(std::string_view text, std::size_t count)
+{
+    constexpr std::size_t kLongest = 80; // longer ones are prose
+    const Name name(text.substr(0, kLongest));
+    if (name.words.empty() || name.has(Word::Other) || text.size() > kLongest)
+        return std::nullopt;
+    const std::optional<Part> part = partOf(name, count);
+    if (!part || (name.has(Word::Unknown) && !allowsUnknown(*part, count)))
+        return std::nullopt;
+    if (count == 1 && *part != Part::Distortion && *part != Part::Model)
+        return std::nullopt;
+    Role role{*part};
+    role.areRowsFirst = name.has(Word::Shape) || text.find("ImageSize") != text.npos;
+    const bool isOfPose = *part != Part::Intrinsics && *part != Part::Distortion && *part != Part::Size
+                          && *part != Part::Model && *part != Part::CameraMatrix;
+    if (!isOfPose)
+        return role;
+    for (const NameOfProgram &known : kNamesOfPrograms) {
+        if (text == known.name) {
+            role.direction = known.direction;
+            role.isDirectionStated = known.direction.has_value();
+            role.world = known.world;
+            return role;
+        }
+    }
+    if (!setFrames(name, role))
+        return std::nullopt;
+    setCustom(name, role);
+    return role;
+}
+
+bool hasPartWord(std::string_view text)
+{
+    const Name name(text);
+    return std::any_of(name.kinds.begin(), name.kinds.end(), [](Word kind) {
+        return kind == Word::Intrinsics || kind == Word::Rotation || kind == Word::Quaternion
+               || kind == Word::Translation || kind == Word::Pose || kind == Word::Extrinsics || kind == Word::View
+               || kind == Word::Transform || kind == Word::Distortion || kind == Word::Center;
+    });
+}
+
+} // namespace unprojector::cameras

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/cameras/foreign_camera.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace unprojector::cameras {
+
+/// The parts of a pinhole camera.
+enum class Part {
+    Intrinsics,   ///< K, nine numbers by rows, or fx, fy, cx, cy
+    Rotation,     ///< R, nine numbers by rows, or a rotation vector
+    Quaternion,   ///< x, y, z, w, each with its name
+    Translation,  ///< t
+    Center,       ///< the camera's position in the world
+    Pose,         ///< [R t], twelve or sixteen numbers by rows
+    CameraMatrix, ///< P, twelve numbers by rows
+    Distortion,   ///< a list of coefficients
+    Size,         ///< width, height
+    Model         ///< the name of a distortion model
+};
+inline constexpr std::size_t kParts = 10;
+
+/// What a name says about the numbers behind it.
+struct Role {
+    Part part = Part::Pose;
+    /// The direction that the name states (T_world_cam) or usually has (extrinsic); none: any.
+    std::optional<PoseDirection> direction{};
+    bool isDirectionStated = false;
+    std::optional<EyeAxes> axes{};
+    bool areAxesStated = false;
+    bool areRowsFirst = false; ///< of a size: height, width
+    std::string world{};       ///< the frame that counts as the world, where its name is another: "imu"
+};
+
+/// The words of a name in lower case: split at marks, at changes of case, and between known words.
+/// The 2 in "cam2world" is the word "to".
+std::vector<std::string> wordsOf(std::string_view name);
+
+/// The role of numbers by the words of their name: "T_world_camera", "cam_K", "extrinsics.R".
+///
+/// Frames are read as robotics writes them: T_a_b, a_T_b and a_from_b lead from b to a; a_to_b, a2b
+/// and a_in_b lead from a to b.
+/// @param count  of the numbers; it decides between t and T
+/// @return nothing for a name without a part, with a word that makes it another thing ("pose_std"),
+///         or for a transform between two cameras
+std::optional<Role> roleOf(std::string_view name, std::size_t count);
+
+/// Returns whether a name has a word of a camera's parts, whatever else it says.
+bool hasPartWord(std::string_view name);
+
+} // namespace unprojector::cameras

@@ -1,0 +1,265 @@
+// What the name of numbers tells: the part of a camera, and the direction of a pose. Nothing that looks like a part is
+// dropped without a word.
+
+#include "tests/support/test.h"
+
+#include "core/cameras/foreign_camera.h"
+#include "core/cameras/roles.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+
+#include <cmath>
+
+using namespace unprojector;
+using namespace unprojector::cameras;
+
+namespace {
+
+/// The camera looks from (1.5, -2, 3.25) along (0.28, 0, 0.96) of the world, with OpenCV's axes.
+constexpr const char *kToWorld = "0.96 0 0.28 1.5  0 1 0 -2  -0.28 0 0.96 3.25  0 0 0 1";
+constexpr const char *kToCamera = "0.96 0 -0.28 -0.53  0 1 0 2  0.28 0 0.96 -3.54  0 0 0 1";
+const std::string kK = "K = 600 0 320  0 600 240  0 0 1\nsize: 640x480\n";
+
+base::Expected<SceneCamera, base::Error> read(const std::vector<NamedText> &texts, CameraChoices choices = {})
+{
+    choices.axes = choices.axes.value_or(EyeAxes::RightDownAhead);
+    const auto camera = readCamera(texts, choices);
+    if (!camera)
+        return base::Error{"not recognised"};
+    if (!*camera)
+        return camera->error();
+    return sceneCamera(**camera, choices, std::nullopt);
+}
+
+base::Expected<SceneCamera, base::Error> read(const std::string &text, const CameraChoices &choices = {})
+{
+    return read(std::vector<NamedText>{{"a.txt", text}}, choices);
+}
+
+QString reasonOf(const base::Expected<SceneCamera, base::Error> &scene)
+{
+    return scene ? QString() : QString::fromStdString(scene.error().file + ": " + scene.error().text);
+}
+
+QString assumedIn(const SceneCamera &scene)
+{
+    QString text;
+    for (const std::string &sentence : scene.assumed)
+        text += QString::fromStdString(sentence) + '\n';
+    return text;
+}
+
+/// The largest difference of the view from that of the camera above.
+double missOf(const SceneCamera &scene)
+{
+    const glm::dmat4 wanted(0.96, 0, -0.28, 0, 0, -1, 0, 0, -0.28, 0, -0.96, 0, -0.53, -2, 3.54, 1);
+    double largest = 0.0;
+    for (int i = 0; i < 16; ++i)
+        largest = std::max(largest, std::abs(scene.eyeFromWorld[i / 4][i % 4] - wanted[i / 4][i % 4]));
+    return largest;
+}
+
+} // namespace
+
+class TestRoles : public QObject {
+    Q_OBJECT
+
+private slots:
+    void namesTellTheDirection_data()
+    {
+        addColumn<QString>("name");
+        addColumn<bool>("isToWorld");
+        for (const char *name : {"T_world_camera",
+                                 "T_world_cam",
+                                 "world_T_cam",
+                                 "wTc",
+                                 "T_cam2world",
+                                 "T_c2w",
+                                 "T_camera_to_world",
+                                 "X_WC",
+                                 "T_WC",
+                                 "Twc",
+                                 "world_from_camera",
+                                 "worldFromCam",
+                                 "matrix_world",
+                                 "cam2world",
+                                 "cameraToWorld",
+                                 "camera_in_world",
+                                 "extrinsics_c2w",
+                                 "T_BS",
+                                 "body_T_cam0",
+                                 "map_T_camera_optical",
+                                 "camera_pose",
+                                 "camera_transform",
+                                 "pose",
+                                 "Camera to World Transform"})
+            addRow("%s", name) << QString(name) << true;
+        for (const char *name :
+             {"T_cam_world", "T_camera_world", "cam_T_world", "cTw", "Tcw", "T_w2c", "T_world2cam", "world2camera",
+              "cam_from_world", "T_CW", "worldToCamera", "w2c_matrix", "T_cam_imu", "extrinsic", "RT",
+              "camera_extrinsics", "extrinsic_color", "World to Camera Transform"})
+            addRow("%s", name) << QString(name) << false;
+    }
+
+    void namesTellTheDirection()
+    {
+        QFETCH(QString, name);
+        QFETCH(bool, isToWorld);
+        const std::string pose = isToWorld ? kToWorld : kToCamera;
+        for (const std::string &text :
+             {kK + name.toStdString() + ":\n" + pose + '\n', kK + '"' + name.toStdString() + "\": [" + pose + "]\n"}) {
+            const auto scene = read(text);
+            QVERIFY2(scene, qPrintable(reasonOf(scene)));
+            QCOMPARE(scene->direction, isToWorld ? PoseDirection::CameraToWorld : PoseDirection::WorldToCamera);
+            QVERIFY2(missOf(*scene) < 1e-12, qPrintable(assumedIn(*scene)));
+        }
+    }
+
+    void partsTellTheDirection_data()
+    {
+        addColumn<QString>("parts");
+        const QString toWorld = "0.96 0 0.28  0 1 0  -0.28 0 0.96", toCamera = "0.96 0 -0.28  0 1 0  0.28 0 0.96";
+        newRow("R and t to the world") << "R_c2w = " + toWorld + "\nt_c2w = 1.5 -2 3.25";
+        newRow("R and t to the camera") << "cam_R_w2c = " + toCamera + "\ncam_t_w2c = -0.53 2 -3.54";
+        newRow("R and C") << "R = " + toCamera + "\nC = 1.5 -2 3.25";
+        newRow("rotation and center") << "rotation = " + toCamera + "\ncenter = 1.5 -2 3.25";
+        newRow("an object's position and rotation") << "camera_position = 1.5 -2 3.25\ncamera_rotation = " + toWorld;
+        newRow("R to the world and C") << "R_c2w = " + toWorld + "\ncamera_center = 1.5 -2 3.25";
+    }
+
+    void partsTellTheDirection()
+    {
+        QFETCH(QString, parts);
+        const auto scene = read(kK + parts.toStdString() + '\n');
+        QVERIFY2(scene, qPrintable(reasonOf(scene)));
+        QVERIFY2(missOf(*scene) < 1e-12, qPrintable(assumedIn(*scene)));
+    }
+
+    /// --pose says of R beside C which way R leads; C stays the camera's position.
+    void theCenterStaysWhereItIs()
+    {
+        CameraChoices choices;
+        choices.direction = PoseDirection::CameraToWorld;
+        const auto scene = read(kK + "R = 0.96 0 0.28  0 1 0  -0.28 0 0.96\nC = 1.5 -2 3.25\n", choices);
+        QVERIFY2(scene && missOf(*scene) < 1e-12, qPrintable(reasonOf(scene)));
+    }
+
+    void lensesHavePrefixesAndSuffixes_data()
+    {
+        addColumn<QString>("name");
+        for (const char *name : {"cam_K", "K_02", "K_left", "intrinsic_color", "depth_intrinsics", "camera_intrinsic",
+                                 "intrinsicMatrix", "color_camera_matrix"})
+            addRow("%s", name) << QString(name);
+    }
+
+    void lensesHavePrefixesAndSuffixes()
+    {
+        QFETCH(QString, name);
+        const auto scene = read(name.toStdString() + " = 600 0 320  0 600 240  0 0 1\n");
+        QVERIFY2(scene && scene->intrinsics->fx == 600.0, qPrintable(reasonOf(scene)));
+        const auto wide = read('"' + name.toStdString() + "\": [600, 0, 320, 0,  0, 600, 240, 0,  0, 0, 1, 0]\n");
+        QVERIFY2(wide && wide->intrinsics->cy == 240.0, qPrintable(reasonOf(wide)));
+    }
+
+    void nothingTellsTheDirection_data()
+    {
+        addColumn<QString>("name");
+        for (const char *name : {"T", "transform", "matrix", "m4"})
+            addRow("%s", name) << QString(name);
+    }
+
+    void nothingTellsTheDirection()
+    {
+        QFETCH(QString, name);
+        const std::string text = kK + name.toStdString() + " = [" + kToWorld + "]\n";
+        QCOMPARE(reasonOf(read(text)).section(':', 1).trimmed(),
+                 "nothing tells the direction of the pose. From the camera to the world, the eye is at (1.5, -2, 3.25) "
+                 "and looks along (0.28, 0, 0.96); from the world to the camera, it is at (-0.53, 2, -3.54) and looks "
+                 "along (-0.28, 0, 0.96). Choose with --pose camera-to-world or --pose world-to-camera");
+        CameraChoices choices;
+        choices.direction = PoseDirection::CameraToWorld;
+        const auto chosen = read(text, choices);
+        QVERIFY2(chosen && missOf(*chosen) < 1e-12, qPrintable(reasonOf(chosen)));
+    }
+
+    void whatIsNotUsedIsNamed_data()
+    {
+        addColumn<QString>("text");
+        addColumn<QString>("names");
+        newRow("between two cameras") << QString("T_cam0_cam1: [%1]").arg(kToCamera) << "T_cam0_cam1 (16 numbers)";
+        newRow("a sensor's to another") << QString("color_to_depth_extrinsics: [%1]").arg(kToCamera)
+                                        << "color_to_depth_extrinsics (16 numbers)";
+        newRow("a rectification") << QString("pose: [%1]\nR_rect: 1 0 0  0 1 0  0 0 1").arg(kToWorld)
+                                  << "R_rect (9 numbers)";
+        newRow("a position beside a pose")
+            << QString("pose: [%1]\nposition: 1 2 3").arg(kToWorld) << "position (3 numbers)";
+        newRow("an uncertainty") << QString("pose: [%1]\npose_std: 1 2 3 4 5 6").arg(kToWorld)
+                                 << "pose_std (6 numbers)";
+        newRow("a vector of a lens") << "RadialDistortion: [0.1, 0.2]"
+                                     << "RadialDistortion (2 numbers)";
+    }
+
+    void whatIsNotUsedIsNamed()
+    {
+        QFETCH(QString, text);
+        QFETCH(QString, names);
+        const auto scene = read(kK + text.toStdString() + '\n');
+        QVERIFY2(scene, qPrintable(reasonOf(scene)));
+        QVERIFY2(assumedIn(*scene).contains("Not used: " + names + ".\n"), qPrintable(assumedIn(*scene)));
+    }
+
+    void namesOfOtherThingsAreNoPart_data()
+    {
+        addColumn<QString>("name");
+        for (const char *name : {"rms", "pose_std", "T_cam0_cam1", "T_base_world", "robot", "xyz", "inverse K"})
+            addRow("%s", name) << QString(name);
+    }
+
+    void namesOfOtherThingsAreNoPart()
+    {
+        QFETCH(QString, name);
+        QVERIFY(!roleOf(name.toStdString(), 16));
+    }
+
+    /// Twice the principal point tells the order; where it does not, MATLAB's name does.
+    void sizesMayBeHeightFirst()
+    {
+        const auto sizeOfText = [](const std::string &text) { return read(text).value().size; };
+        const std::string k = "K = 600 0 320  0 600 240  0 0 1\n", square = "K = 600 0 300  0 600 300  0 0 1\n";
+        QCOMPARE(sizeOfText(k + "ImageSize = [480 640]\n"), (ImageSize{640, 480}));
+        QCOMPARE(sizeOfText(k + "image_size: [480, 640]\n"), (ImageSize{640, 480}));
+        QCOMPARE(sizeOfText(k + "image_size: [640, 480]\n"), (ImageSize{640, 480}));
+        QCOMPARE(sizeOfText(square + "ImageSize = [480 640]\n"), (ImageSize{640, 480}));
+        QCOMPARE(sizeOfText(square + "image_size: [640, 480]\n"), (ImageSize{640, 480}));
+        QVERIFY(assumedIn(read(k + "ImageSize = [480 640]\n").value())
+                    .contains("ImageSize is read as height, width: the image is 640x480."));
+    }
+
+    void everyFileIsRead()
+    {
+        CameraChoices choices;
+        const NamedText lens{"lens.json", "{\"fx\": 600, \"fy\": 600, \"cx\": 320, \"cy\": 240}"};
+        QCOMPARE(reasonOf(read({lens, {"notes.txt", "a: 1\n"}})),
+                 "notes.txt: nothing in it is read; leave it out, or give its numbers the names of a camera's parts");
+        const std::string rows = std::string(kToCamera) + '\n' + kToWorld + '\n';
+        QVERIFY(reasonOf(read({lens, {"traj.txt", rows}})).contains("nothing tells the direction"));
+        choices.direction = PoseDirection::CameraToWorld;
+        choices.image = "1";
+        const auto second = read({lens, {"traj.txt", rows}}, choices);
+        QVERIFY2(second && missOf(*second) < 1e-12, qPrintable(reasonOf(second)));
+        const auto named = read({lens, {"pose.txt", kToWorld}});
+        QVERIFY2(named && missOf(*named) < 1e-12, qPrintable(reasonOf(named)));
+    }
+
+    /// P of a rectified image has K; the pose stands beside it.
+    void aRectifiedPGivesK()
+    {
+        const auto scene = read("P2: 600 0 320 0  0 600 240 0  0 0 1 0\nT_world_cam: " + std::string(kToWorld) + '\n');
+        QVERIFY2(scene && missOf(*scene) < 1e-12, qPrintable(reasonOf(scene)));
+        QCOMPARE(scene->intrinsics->fx, 600.0);
+    }
+};
+
+UNPROJECTOR_TEST(TestRoles)
+#include "test_roles.moc"
