@@ -129,7 +129,7 @@ std::optional<base::Expected<ForeignCamera, base::Error>> readCamera(std::span<c
     if (!*read)
         return std::move(read);
     ForeignCamera camera = **read;
-    for (const NamedText &text : texts) {
+    for (const NamedText &text : texts.size() > 1 ? texts : std::span<const NamedText>()) {
         if (std::find(camera.files.begin(), camera.files.end(), text.name) == camera.files.end())
             return base::Error{.text = tr("nothing in it is read; leave it out, or give its numbers the names of a "
                                           "camera's parts"),

@@ -82,6 +82,9 @@ bool isTurned(const std::optional<CameraParts> &asWritten, const CameraParts &tu
     return slant(turned.intrinsics) < 1e-3 && (!asWritten || slant(asWritten->intrinsics) > 1e-2);
 }
 
+constexpr std::array<std::string_view, 3> kFx{"fx", "focallengthx", "focalx"}, kFy{"fy", "focallengthy", "focaly"},
+    kCx{"cx", "ppx", "principalpointx"}, kCy{"cy", "ppy", "principalpointy"};
+
 class Reader {
 public:
     Reader(std::span<const NamedText> texts, const CameraChoices &choices)
@@ -92,7 +95,11 @@ public:
     bool isRecognised() const
     {
         const auto has = [this](Part part) { return !m_values.all(part).empty(); };
-        const bool hasFocal = m_values.number({"fx"}) && m_values.number({"fy"});
+        const auto hasOne = [this](std::span<const std::string_view> names) {
+            return std::any_of(names.begin(), names.end(),
+                               [this](std::string_view name) { return m_values.find(name) != nullptr; });
+        };
+        const bool hasFocal = (hasOne(kFx) && hasOne(kFy)) || hasFocalAndPrincipal();
         // In other texts, a letter K may stand before a number.
         const auto isNamed = [](const auto &value, const char *name) {
             return value && value->numbers.size() >= 3 && plain(value->name) == name;
@@ -291,27 +298,58 @@ private:
         refuseUnfit(Part::Intrinsics, tr("a camera matrix has nine, by rows"));
         if (const CameraValue *k = valueOf(Part::Intrinsics)) {
             m_camera.intrinsics = intrinsicsOf(*k, m_camera.assumed, m_isTransposed);
-        } else if (const auto fx = m_values.number({"fx"}), fy = m_values.number({"fy"}); fx && fy) {
-            for (const char *name : {"fx", "fy", "cx", "cy", "ppx", "ppy"}) {
-                if (m_values.differ(name))
-                    m_reading.fail(tr("%1 has several values. Give the text of one camera", name),
-                                   m_values.find(name)->line);
-            }
-            for (const char *name : {"fx", "fy", "cx", "cy", "ppx", "ppy"}) {
-                const NamedValue *value = m_values.find(name);
-                if (value && !value->arithmetic.empty())
-                    m_reading.fail(tr("%1: the text computes with it (%2), and only numbers are read; write the result",
-                                      name, value->arithmetic),
-                                   value->line);
-            }
-            const auto cx = m_values.number({"cx", "ppx"}), cy = m_values.number({"cy", "ppy"});
+            countFromOne(k->name);
+        } else if (const auto fx = scalar(kFx), fy = scalar(kFy); fx && fy) {
+            const auto cx = scalar(kCx), cy = scalar(kCy);
             if (!cx || !cy)
                 m_reading.fail(tr("fx and fy are given without cx and cy; give all four"));
             m_camera.intrinsics =
                 Intrinsics{*fx, *fy, *cx, *cy, m_values.number({"skew"}).value_or(0.0), PixelCentres::AtIntegers};
+        } else if (hasFocalAndPrincipal()) {
+            const CameraValue *focal = valueOf(Part::Focal), *principal = valueOf(Part::Principal);
+            m_camera.intrinsics = Intrinsics{
+                focal->numbers[0],       focal->numbers[1], principal->numbers[0], principal->numbers[1], 0.0,
+                PixelCentres::AtIntegers};
+            countFromOne(principal->name);
         } else if (m_values.all(Part::CameraMatrix).empty()) {
             m_reading.fail(tr("there is a pose, but no camera matrix; give K, nine numbers by rows"));
         }
+    }
+
+    bool hasFocalAndPrincipal() const
+    {
+        return !m_values.all(Part::Focal).empty() && !m_values.all(Part::Principal).empty();
+    }
+
+    /// MATLAB's pixels count from 1.
+    void countFromOne(std::string_view name)
+    {
+        if (name != "IntrinsicMatrix" && name != "PrincipalPoint")
+            return;
+        m_camera.intrinsics->cx -= 1.0;
+        m_camera.intrinsics->cy -= 1.0;
+        m_camera.assumed.push_back(
+            tr("%1 is MATLAB's, whose pixels count from 1: here the principal point is (%2, %3).", name,
+               shortestText(m_camera.intrinsics->cx), shortestText(m_camera.intrinsics->cy)));
+    }
+
+    /// The number under the first of some names. Fails where the text has others under it, or
+    /// computes with it.
+    std::optional<double> scalar(std::span<const std::string_view> names) const
+    {
+        for (const std::string_view name : names) {
+            const NamedValue *value = m_values.find(name);
+            if (!value)
+                continue;
+            if (m_values.differ(name))
+                m_reading.fail(tr("%1 has several values. Give the text of one camera", name), value->line);
+            if (!value->arithmetic.empty())
+                m_reading.fail(tr("%1: the text computes with it (%2), and only numbers are read; write the result",
+                                  name, value->arithmetic),
+                               value->line);
+            return value->numbers[0];
+        }
+        return std::nullopt;
     }
 
     void readPose()

@@ -12,20 +12,23 @@ namespace {
 constexpr std::array<std::string_view, 6> kMembers{"typeid", "rows", "cols", "dt", "data", "dims"};
 
 /// Numbers that are read one by one.
-constexpr std::array<std::string_view, 16> kScalars{"fx", "fy", "cx", "cy", "ppx", "ppy", "width", "height",
-                                                    "w",  "h",  "k1", "k2", "p1",  "p2",  "znear", "zfar"};
+constexpr std::array<std::string_view, 20> kScalars{
+    "fx",    "fy",     "cx", "cy", "ppx", "ppy", "focallengthx", "focallengthy", "principalpointx", "principalpointy",
+    "width", "height", "w",  "h",  "k1",  "k2",  "p1",           "p2",           "znear",           "zfar"};
 
 bool fits(Part part, std::size_t count)
 {
     switch (part) {
     case Part::Intrinsics: return count == 9 || count == 4;
     case Part::Rotation: return count == 9 || count == 3;
-    case Part::Quaternion: return false; // of a list, either end may be w
+    case Part::Quaternion: return false; // of a list, either end may be w: see add()
     case Part::Translation:
     case Part::Center: return count == 3;
     case Part::Pose: return count == 12 || count == 16;
     case Part::CameraMatrix: return count == 12;
     case Part::Distortion: return count >= 1;
+    case Part::Focal:
+    case Part::Principal:
     case Part::Size: return count == 2;
     case Part::Model: return true;
     }
@@ -129,6 +132,11 @@ void CameraValues::add(CameraValue value)
     }
     if (part == Part::Intrinsics)
         value.numbers = withoutBorder(value.numbers);
+    if (part == Part::Quaternion && role->w < 4) {
+        if (role->w == 0)
+            std::rotate(value.numbers.begin(), value.numbers.begin() + 1, value.numbers.end());
+        return of(part).push_back(std::move(value));
+    }
     // The vectors of several images: rvecs, tvecs.
     const bool isVectors = (part == Part::Rotation || part == Part::Translation) && count > 3 && count % 3 == 0
                            && (count != 9 || value.name.ends_with("vecs"));

@@ -25,6 +25,8 @@ enum class Word {
     OpenGl,
     OpenCv,
     Intrinsics,
+    Focal,
+    Principal,
     Matrix,
     Rotation,
     Quaternion,
@@ -60,6 +62,8 @@ constexpr std::array kVocabulary{
     WordsOfKind{Word::OpenGl, " gl opengl blender nerf "},
     WordsOfKind{Word::OpenCv, " cv opencv colmap "},
     WordsOfKind{Word::Intrinsics, " k intrinsic intrinsics intr intri intrin kmat "},
+    WordsOfKind{Word::Focal, " focal fl "},
+    WordsOfKind{Word::Principal, " principal pp "},
     WordsOfKind{Word::Matrix, " matrix mat mtx "},
     WordsOfKind{Word::Rotation, " r rot rotation rmat rvec rvecs rodrigues "},
     WordsOfKind{Word::Quaternion, " q quat quaternion orientation qvec "},
@@ -75,8 +79,9 @@ constexpr std::array kVocabulary{
     WordsOfKind{Word::Shape, " shape hw "},
     WordsOfKind{Word::Image, " image img frame "},
     WordsOfKind{Word::Model, " model "},
-    WordsOfKind{Word::Filler, " vector vec params param parameters parameter data value values new est gt opt optimal "
-                              "is of the my raw array np list point pinhole final current "},
+    WordsOfKind{Word::Filler,
+                " vector vec params param parameters parameter data value values new est gt opt optimal "
+                "is of the my raw array np list point points length lengths pinhole final current xyzw wxyz "},
     WordsOfKind{Word::Other, " std sigma cov covariance noise velocity speed error residual residuals jacobian inv "
                              "inverse inverted delta relative limits min max bounds weights stereo fundamental "
                              "essential homography modelview mv mvp viewport projview "}};
@@ -266,6 +271,8 @@ std::optional<Part> partOf(const Name &name, std::size_t count)
     if ((name.has(Word::Distortion) || name.has(Word::Coefficients))
         && name.isOnly({Word::Distortion, Word::Coefficients, Word::Image}))
         return Part::Distortion;
+    if (name.has(Word::Focal) || name.has(Word::Principal))
+        return name.has(Word::Focal) ? Part::Focal : Part::Principal;
     if (name.has(Word::Rotation) && name.hasWord("rect")) // KITTI's R_rect
         return std::nullopt;
     if (name.has(Word::Rotation) || name.has(Word::Quaternion))
@@ -364,7 +371,8 @@ std::optional<Role> roleOf(std::string_view text, std::size_t count)
     Role role{*part};
     role.areRowsFirst = name.has(Word::Shape) || text.find("ImageSize") != text.npos;
     const bool isOfPose = *part != Part::Intrinsics && *part != Part::Distortion && *part != Part::Size
-                          && *part != Part::Model && *part != Part::CameraMatrix;
+                          && *part != Part::Model && *part != Part::CameraMatrix && *part != Part::Focal
+                          && *part != Part::Principal;
     if (!isOfPose)
         return role;
     for (const NameOfProgram &known : kNamesOfPrograms) {
@@ -378,6 +386,7 @@ std::optional<Role> roleOf(std::string_view text, std::size_t count)
     if (!setFrames(name, role))
         return std::nullopt;
     setCustom(name, role);
+    role.w = name.hasWord("xyzw") ? 3 : name.hasWord("wxyz") || name.hasWord("qvec") ? 0 : 4;
     return role;
 }
 
@@ -387,7 +396,8 @@ bool hasPartWord(std::string_view text)
     return std::any_of(name.kinds.begin(), name.kinds.end(), [](Word kind) {
         return kind == Word::Intrinsics || kind == Word::Rotation || kind == Word::Quaternion
                || kind == Word::Translation || kind == Word::Pose || kind == Word::Extrinsics || kind == Word::View
-               || kind == Word::Transform || kind == Word::Distortion || kind == Word::Center;
+               || kind == Word::Transform || kind == Word::Distortion || kind == Word::Center || kind == Word::Focal
+               || kind == Word::Principal;
     });
 }
 

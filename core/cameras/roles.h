@@ -13,8 +13,10 @@ namespace unprojector::cameras {
 /// The parts of a pinhole camera.
 enum class Part {
     Intrinsics,   ///< K, nine numbers by rows, or fx, fy, cx, cy
+    Focal,        ///< fx, fy
+    Principal,    ///< cx, cy
     Rotation,     ///< R, nine numbers by rows, or a rotation vector
-    Quaternion,   ///< x, y, z, w, each with its name
+    Quaternion,   ///< x, y, z, w, each with its name, or in an order that the name tells
     Translation,  ///< t
     Center,       ///< the camera's position in the world
     Pose,         ///< [R t], twelve or sixteen numbers by rows
@@ -23,7 +25,7 @@ enum class Part {
     Size,         ///< width, height
     Model         ///< the name of a distortion model
 };
-inline constexpr std::size_t kParts = 10;
+inline constexpr std::size_t kParts = 12;
 
 /// What a name says about the numbers behind it.
 struct Role {
@@ -34,6 +36,7 @@ struct Role {
     std::optional<EyeAxes> axes{};
     bool areAxesStated = false;
     bool areRowsFirst = false; ///< of a size: height, width
+    std::size_t w = 4;         ///< the place of a quaternion's w: 0 or 3; 4: not told
     std::string world{};       ///< the frame that counts as the world, where its name is another: "imu"
 };
 

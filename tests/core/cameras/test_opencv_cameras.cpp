@@ -130,7 +130,7 @@ private slots:
                                       "-0.52;\n 0.113]\ntvec:\n[0.2;\n -0.1;\n 6.5]\n"
                                    << QString();
         newRow("MATLAB, with a common factor, transposed")
-            << "IntrinsicMatrix =\n\n   1.0e+02 *\n\n   8.123456789 0 0\n   0 8.05125 0\n   3.3125 2.36875 "
+            << "IntrinsicMatrix =\n\n   1.0e+02 *\n\n   8.123456789 0 0\n   0 8.05125 0\n   3.3225 2.37875 "
                "0.01\n\nrvec = "
                "0.31 "
                "-0.52 0.113\ntvec = 0.2 -0.1 6.5\nImageSize = [640 480]\n"

@@ -136,6 +136,38 @@ private slots:
         QVERIFY2(missOf(*scene) < 1e-12, qPrintable(assumedIn(*scene)));
     }
 
+    /// The camera above is turned about y by 2 asin 0.1414…: w = 0.98994949366, y = 0.14142135624.
+    void quaternionsHaveTheOrderOfTheirName()
+    {
+        for (const char *pose : {"rotation_xyzw: [0, 0.14142135623730951, 0, 0.98994949366116658]",
+                                 "q_wxyz: [0.98994949366116658, 0, 0.14142135623730951, 0]"}) {
+            const auto scene = read(kK + "position: [1.5, -2, 3.25]\n" + pose + '\n');
+            QVERIFY2(scene && missOf(*scene) < 1e-12, qPrintable(reasonOf(scene) + assumedIn(scene.value())));
+        }
+    }
+
+    void lensesInTwoParts_data()
+    {
+        addColumn<QString>("text");
+        addColumn<double>("cx");
+        newRow("focal_length") << "focal_length: [600, 610]\nprincipal_point: [320, 240]" << 320.0;
+        newRow("one by one")
+            << "focal_length_x: 600\nfocal_length_y: 610\nprincipal_point_x: 320\nprincipal_point_y: 240" << 320.0;
+        newRow("MATLAB's count from 1") << "FocalLength: [600 610]\nPrincipalPoint: [320 240]\nImageSize: [480 640]"
+                                        << 319.0;
+        newRow("MATLAB's matrix") << "IntrinsicMatrix =\n  600 0 0\n  0 610 0\n  320 240 1" << 319.0;
+    }
+
+    void lensesInTwoParts()
+    {
+        QFETCH(QString, text);
+        QFETCH(double, cx);
+        const auto scene = read(text.toStdString() + '\n');
+        QVERIFY2(scene, qPrintable(reasonOf(scene)));
+        QCOMPARE(scene->intrinsics->cx, cx);
+        QCOMPARE(scene->intrinsics->fy, 610.0);
+    }
+
     /// --pose says of R beside C which way R leads; C stays the camera's position.
     void theCenterStaysWhereItIs()
     {
