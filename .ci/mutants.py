@@ -8,7 +8,7 @@ more on two cores. The same SEED gives the same faults: there, MUTANT=7 ctest --
 import concurrent.futures, json, os, pathlib, random, re, shlex, subprocess, sys, time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-ROOMS = [*(f"core/{room}" for room in "base geometry unproject ray mesh landmarks doctor scene_file cameras matrices".split()),
+ROOMS = [*(f"core/{room}" for room in "base geometry unproject ray mesh landmarks doctor scene_file cameras pipeline".split()),
          "gui/document", "gui/view"]
 HEADER = """#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #include <array>

@@ -1,3 +1,4 @@
+#include "core/base/byte_order.h"
 #include "core/base/number_text.h"
 #include "core/base/text_scanner.h"
 #include "core/base/translation.h"
@@ -6,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <string_view>
@@ -14,6 +16,7 @@
 
 // cameras.txt: CAMERA_ID MODEL WIDTH HEIGHT PARAMS[]
 // images.txt:  IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME, then a line of 2-D points
+// cameras.bin and images.bin have the same fields behind a count, little-endian.
 // Source: COLMAP's documentation, "Output Format".
 
 namespace unprojector::cameras {
@@ -22,17 +25,61 @@ using base::tr;
 
 namespace {
 
+/// A model and its count of parameters, in the order of COLMAP's numbers.
 struct Model {
     std::string_view name;
     std::size_t parameters;
+    bool isRead;
 };
-constexpr std::array<Model, 6> kRead{
-    {{"SIMPLE_PINHOLE", 3}, {"PINHOLE", 4}, {"SIMPLE_RADIAL", 4}, {"RADIAL", 5}, {"OPENCV", 8}, {"FULL_OPENCV", 12}}};
-constexpr std::array<std::string_view, 9> kNotRead{"OPENCV_FISHEYE",        "FOV",
-                                                   "SIMPLE_RADIAL_FISHEYE", "RADIAL_FISHEYE",
-                                                   "THIN_PRISM_FISHEYE",    "RAD_TAN_THIN_PRISM_FISHEYE",
-                                                   "SIMPLE_DIVISION",       "DIVISION",
-                                                   "SIMPLE_FISHEYE"};
+constexpr std::array<Model, 11> kModels{{{"SIMPLE_PINHOLE", 3, true},
+                                         {"PINHOLE", 4, true},
+                                         {"SIMPLE_RADIAL", 4, true},
+                                         {"RADIAL", 5, true},
+                                         {"OPENCV", 8, true},
+                                         {"OPENCV_FISHEYE", 8, false},
+                                         {"FULL_OPENCV", 12, true},
+                                         {"FOV", 5, false},
+                                         {"SIMPLE_RADIAL_FISHEYE", 4, false},
+                                         {"RADIAL_FISHEYE", 5, false},
+                                         {"THIN_PRISM_FISHEYE", 12, false}}};
+/// Later models, which are not read.
+constexpr std::array<std::string_view, 4> kLaterModels{"RAD_TAN_THIN_PRISM_FISHEYE", "SIMPLE_DIVISION", "DIVISION",
+                                                       "SIMPLE_FISHEYE"};
+
+const Model *modelOf(std::string_view name)
+{
+    const auto found =
+        std::find_if(kModels.begin(), kModels.end(), [name](const Model &model) { return model.name == name; });
+    return found == kModels.end() ? nullptr : &*found;
+}
+
+/// A camera or an image, with the file that has it and its line; 0 in a binary file.
+struct Entry {
+    const NamedText *file = nullptr;
+    std::size_t line = 0;
+
+    [[noreturn]] void fail(std::string reason) const
+    {
+        throw base::Error{.text = std::move(reason), .file = file->name, .line = int(line)};
+    }
+};
+struct Camera : Entry {
+    std::string model{};
+    double width = 0.0, height = 0.0;
+    std::vector<double> parameters{}; ///< of a model that is read
+    std::string fault{};              ///< why they are not read
+};
+struct Image : Entry {
+    std::array<double, 7> pose{}; ///< QW QX QY QZ TX TY TZ
+    long long camera = 0;
+    std::string name{};
+};
+
+/// The cameras by their ids, and the images in their order.
+struct Reconstruction {
+    std::map<long long, Camera> cameras;
+    std::vector<Image> images;
+};
 
 struct Line {
     std::size_t number; ///< from 1
@@ -63,33 +110,38 @@ std::vector<Line> linesOf(std::string_view text)
     return lines;
 }
 
-bool isModel(std::string_view word)
-{
-    return std::any_of(kRead.begin(), kRead.end(), [word](const Model &model) { return model.name == word; })
-           || std::find(kNotRead.begin(), kNotRead.end(), word) != kNotRead.end();
-}
-
 bool isCameraLine(const Line &line)
 {
+    const auto isModel = [](std::string_view word) {
+        return modelOf(word) || std::find(kLaterModels.begin(), kLaterModels.end(), word) != kLaterModels.end();
+    };
     return line.words.size() >= 5 && base::integerFromWord(line.words[0]) && isModel(line.words[1])
            && base::integerFromWord(line.words[2]) && base::integerFromWord(line.words[3]);
 }
 
-/// Returns whether a line is of 2-D points: triples of numbers.
-bool isPointsLine(const Line &line)
+/// Returns whether a line has an image's form, and is no line of 2-D points. Its quaternion may be
+/// damaged.
+bool isImageLine(const Line &line)
 {
-    return line.words.size() % 3 == 0 && std::all_of(line.words.begin(), line.words.end(), [](std::string_view word) {
-               return base::doubleFromWord(word).has_value();
-           });
+    const bool isPoints = line.words.size() % 3 == 0
+                          && std::all_of(line.words.begin(), line.words.end(),
+                                         [](std::string_view word) { return base::doubleFromWord(word).has_value(); });
+    return line.words.size() >= 10 && base::integerFromWord(line.words[0]) && base::integerFromWord(line.words[8])
+           && !isPoints;
 }
 
-/// The quaternion and translation of an image's line. Words that are no numbers become NaN.
-std::array<double, 7> poseIn(const Line &line)
+Camera cameraIn(const Line &line, const NamedText &file)
 {
-    std::array<double, 7> pose{};
-    for (std::size_t i = 0; i < pose.size(); ++i)
-        pose[i] = base::doubleFromWord(line.words[i + 1]).value_or(std::numeric_limits<double>::quiet_NaN());
-    return pose;
+    Camera camera{{&file, line.number}, std::string(line.words[1])};
+    camera.width = base::doubleFromWord(line.words[2]).value_or(0.0);
+    camera.height = base::doubleFromWord(line.words[3]).value_or(0.0);
+    for (std::size_t i = 4; i < line.words.size(); ++i) {
+        const auto number = base::doubleFromWord(line.words[i]);
+        if (camera.fault.empty() && !(number && std::isfinite(*number)))
+            camera.fault = tr("%1 is not a finite number", base::quoted(line.words[i]));
+        camera.parameters.push_back(number.value_or(0.0));
+    }
+    return camera;
 }
 
 double quaternionLength(const std::array<double, 7> &pose)
@@ -100,98 +152,154 @@ double quaternionLength(const std::array<double, 7> &pose)
 /// How far a quaternion printed with few digits may be from the length 1.
 constexpr double kUnit = 5e-3;
 
-/// Returns whether a line has an image's form. Its quaternion may be damaged.
-bool isImageLine(const Line &line)
+/// Words that are no numbers become NaN: see readColmap.
+Image imageIn(const Line &line, const NamedText &file)
 {
-    return line.words.size() >= 10 && base::integerFromWord(line.words[0]) && base::integerFromWord(line.words[8])
-           && !isPointsLine(line);
+    Image image{{&file, line.number}};
+    for (std::size_t i = 0; i < image.pose.size(); ++i)
+        image.pose[i] = base::doubleFromWord(line.words[i + 1]).value_or(std::numeric_limits<double>::quiet_NaN());
+    image.camera = *base::integerFromWord(line.words[8]);
+    // The name is the rest of the line, which may contain blanks.
+    image.name = base::trimmed(line.text.substr(std::size_t(line.words[9].data() - line.text.data())));
+    return image;
 }
 
-/// Returns whether a line is an image's without doubt: a table of numbers is none.
-bool isWholeImageLine(const Line &line)
+void readText(const NamedText &file, Reconstruction &found)
 {
-    return isImageLine(line) && std::abs(quaternionLength(poseIn(line)) - 1.0) < kUnit;
+    const std::vector<Line> lines = linesOf(file.text);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (isCameraLine(lines[i])) {
+            found.cameras.emplace(*base::integerFromWord(lines[i].words[0]), cameraIn(lines[i], file));
+        } else if (isImageLine(lines[i])) {
+            found.images.push_back(imageIn(lines[i], file));
+            const bool hasPoints = i + 1 < lines.size() && !isImageLine(lines[i + 1]) && !isCameraLine(lines[i + 1]);
+            i += hasPoints ? 1 : 0; // the line of its points
+        }
+    }
 }
 
-/// A camera or an image: its line and the file that has it.
-struct Found {
-    const NamedText *file;
-    Line line;
+/// The values of a binary file, in their order.
+class Bytes {
+public:
+    explicit Bytes(const NamedText &file) : m_entry{&file} {}
+
+    template <class Value>
+    Value next()
+    {
+        const std::string_view bytes = take(sizeof(Value));
+        return base::numberAt<Value>(reinterpret_cast<const std::uint8_t *>(bytes.data()));
+    }
+    std::string nextName()
+    {
+        const std::string &text = m_entry.file->text;
+        const std::size_t end = text.find('\0', m_at);
+        if (end == text.npos)
+            m_entry.fail(tr("the file ends in the middle of an entry; it is incomplete"));
+        std::string name = text.substr(m_at, end - m_at);
+        m_at = end + 1;
+        return name;
+    }
+    void skip(std::uint64_t count, std::size_t size)
+    {
+        if (count > m_entry.file->text.size())
+            take(m_entry.file->text.size());
+        take(std::size_t(count) * size);
+    }
+    const Entry &entry() const { return m_entry; }
+
+private:
+    std::string_view take(std::size_t count)
+    {
+        const std::string_view rest = std::string_view(m_entry.file->text).substr(m_at);
+        if (count > rest.size())
+            m_entry.fail(tr("the file ends in the middle of an entry; it is incomplete"));
+        m_at += count;
+        return rest.substr(0, count);
+    }
+
+    Entry m_entry;
+    std::size_t m_at = 0;
 };
 
-/// The cameras by their ids, and the images in their order.
-struct Reconstruction {
-    std::map<long long, Found> cameras;
-    std::vector<Found> images;
-    bool hasWholeImage = false;
-};
+void readBinaryCameras(const NamedText &file, Reconstruction &found)
+{
+    Bytes bytes(file);
+    for (auto count = bytes.next<std::uint64_t>(); count > 0; --count) {
+        const auto id = bytes.next<std::int32_t>();
+        const auto number = bytes.next<std::int32_t>();
+        if (number < 0 || std::size_t(number) >= kModels.size())
+            bytes.entry().fail(tr("the camera model number %1 is not known", number));
+        const Model &model = kModels[std::size_t(number)];
+        Camera camera{bytes.entry(), std::string(model.name)};
+        camera.width = double(bytes.next<std::uint64_t>());
+        camera.height = double(bytes.next<std::uint64_t>());
+        for (std::size_t i = 0; i < model.parameters; ++i)
+            camera.parameters.push_back(bytes.next<double>());
+        found.cameras.emplace(id, std::move(camera));
+    }
+}
+
+void readBinaryImages(const NamedText &file, Reconstruction &found)
+{
+    constexpr std::size_t kPoint = 24; // x, y and the id of a point
+    Bytes bytes(file);
+    for (auto count = bytes.next<std::uint64_t>(); count > 0; --count) {
+        bytes.next<std::int32_t>(); // its id
+        Image image{bytes.entry()};
+        for (double &number : image.pose)
+            number = bytes.next<double>();
+        image.camera = bytes.next<std::int32_t>();
+        image.name = bytes.nextName();
+        bytes.skip(bytes.next<std::uint64_t>(), kPoint);
+        found.images.push_back(std::move(image));
+    }
+}
 
 Reconstruction reconstructionOf(std::span<const NamedText> texts)
 {
     Reconstruction found;
+    bool isBinary = false;
     for (const NamedText &file : texts) {
-        const std::vector<Line> lines = linesOf(file.text);
-        for (std::size_t i = 0; i < lines.size(); ++i) {
-            const Line &line = lines[i];
-            if (isCameraLine(line)) {
-                found.cameras.emplace(*base::integerFromWord(line.words[0]), Found{&file, line});
-            } else if (isImageLine(line)) {
-                found.images.push_back({&file, line});
-                found.hasWholeImage = found.hasWholeImage || isWholeImageLine(line);
-                const bool hasPoints =
-                    i + 1 < lines.size() && !isImageLine(lines[i + 1]) && !isCameraLine(lines[i + 1]);
-                i += hasPoints ? 1 : 0; // the line of its points
-            }
-        }
+        const bool areCameras = file.name.ends_with("cameras.bin"), areImages = file.name.ends_with("images.bin");
+        isBinary = isBinary || areImages;
+        areCameras ? readBinaryCameras(file, found) : areImages ? readBinaryImages(file, found) : readText(file, found);
     }
-    if (found.cameras.empty() && !found.hasWholeImage)
+    // A line alone is an image's without doubt only where its quaternion is one: a table of numbers
+    // is none.
+    const bool hasUnit = std::any_of(found.images.begin(), found.images.end(), [](const Image &image) {
+        return std::abs(quaternionLength(image.pose) - 1.0) < kUnit;
+    });
+    if (found.cameras.empty() && !hasUnit && !isBinary)
         found.images.clear();
     return found;
 }
 
-/// An image's name: the rest of the line, which may contain blanks.
-std::string nameIn(const Line &line)
-{
-    std::string_view name = line.text.substr(std::size_t(line.words[9].data() - line.text.data()));
-    while (name.ends_with(' ') || name.ends_with('\t'))
-        name.remove_suffix(1);
-    return std::string(name);
-}
-
 /// The camera's size, intrinsics and distortion.
-void setLens(ForeignCamera &camera, const Found &found)
+void setLens(ForeignCamera &camera, const Camera &found)
 {
-    const Line &line = found.line;
-    const auto fault = [&](std::string reason) {
-        throw base::Error{.text = std::move(reason), .file = found.file->name, .line = int(line.number)};
-    };
-    const std::string_view name = line.words[1];
-    const auto model = std::find_if(kRead.begin(), kRead.end(), [name](const Model &m) { return m.name == name; });
-    if (model == kRead.end())
-        fault(tr("the camera model %1 is not read: it is no pinhole with the distortion of Brown and Conrady. "
-                 "Undistort the images with COLMAP's image_undistorter",
-                 name));
-    if (line.words.size() != 4 + model->parameters)
-        fault(tr("%1 has %2 parameters; it needs %3", name, line.words.size() - 4, model->parameters));
-    std::vector<double> p;
-    for (std::size_t i = 4; i < line.words.size(); ++i) {
-        const auto number = base::doubleFromWord(line.words[i]);
-        if (!number || !std::isfinite(*number))
-            fault(tr("%1 is not a finite number", base::quoted(line.words[i])));
-        p.push_back(*number);
-    }
-    camera.size = sizeOf(base::doubleFromWord(line.words[2]), base::doubleFromWord(line.words[3]));
+    const Model *model = modelOf(found.model);
+    if (!model || !model->isRead)
+        found.fail(tr("the camera model %1 is not read: it is no pinhole with the distortion of Brown and Conrady. "
+                      "Undistort the images with COLMAP's image_undistorter",
+                      found.model));
+    std::vector<double> p = found.parameters;
+    if (p.size() != model->parameters)
+        found.fail(tr("%1 has %2 parameters; it needs %3", found.model, p.size(), model->parameters));
+    if (!found.fault.empty())
+        found.fail(found.fault);
+    camera.size = sizeOf(found.width, found.height);
     if (!camera.size)
-        fault(tr("width and height are %1 and %2; they must be whole numbers above 0", line.words[2], line.words[3]));
-    const bool hasOneFocal = name.starts_with("SIMPLE_") || name == "RADIAL";
+        found.fail(tr("width and height are %1 and %2; they must be whole numbers above 0",
+                      base::shortestText(found.width), base::shortestText(found.height)));
+    const bool hasOneFocal = model->name.starts_with("SIMPLE_") || model->name == "RADIAL";
     if (hasOneFocal)
         p.insert(p.begin(), p.front()); // fx = fy
     camera.intrinsics = Intrinsics{p[0], p[1], p[2], p[3], 0.0, PixelCentres::AtHalves};
     p.resize(12, 0.0);
     Distortion distortion{p[4], p[5], p[6], p[7], p[8]};
     if (p[9] != 0.0 || p[10] != 0.0 || p[11] != 0.0)
-        fault(tr("FULL_OPENCV's k4, k5 and k6 are not read; undistort the images with COLMAP's "
-                 "image_undistorter"));
+        found.fail(tr("FULL_OPENCV's k4, k5 and k6 are not read; undistort the images with COLMAP's "
+                      "image_undistorter"));
     if (!distortion.isNone())
         camera.distortion = distortion;
 }
@@ -200,49 +308,43 @@ void setLens(ForeignCamera &camera, const Found &found)
 
 std::optional<ForeignCamera> readColmap(std::span<const NamedText> texts, const CameraChoices &choices)
 {
-    for (const NamedText &text : texts) {
-        if (text.name.ends_with("cameras.bin") || text.name.ends_with("images.bin"))
-            Reading(text, choices)
-                .fail(tr("COLMAP's binary files are not read; write text with 'colmap model_converter "
-                         "--output_type TXT' and give cameras.txt and images.txt"));
-    }
     const Reconstruction found = reconstructionOf(texts);
     if (found.cameras.empty() && found.images.empty())
         return std::nullopt;
     if (found.images.empty())
-        Reading(*found.cameras.begin()->second.file, choices)
-            .fail(tr("COLMAP's cameras have no poses; give images.txt too"));
+        found.cameras.begin()->second.fail(tr("COLMAP's cameras have no poses; give images.txt or images.bin, too"));
     Reading reading(*found.images.front().file, choices);
     ForeignCamera &camera = reading.camera;
     reading.begin("COLMAP", PoseDirection::WorldToCamera, EyeAxes::RightDownAhead);
-    for (const Found &image : found.images)
-        camera.images.push_back(nameIn(image.line));
+    for (const Image &image : found.images)
+        camera.images.push_back(image.name);
     if (found.cameras.empty())
-        reading.fail(tr("COLMAP's images have no focal lengths; give cameras.txt too"));
+        reading.fail(tr("COLMAP's images have no focal lengths; give cameras.txt or cameras.bin, too"));
     reading.chooseImage();
-    const Line &image = found.images[camera.image].line;
-    const std::array<double, 7> v = poseIn(image);
-    for (std::size_t i = 0; i < v.size(); ++i) {
-        if (!std::isfinite(v[i]))
-            reading.fail(tr("%1 is not a finite number", base::quoted(image.words[i + 1])), image.number);
+    const Image &image = found.images[camera.image];
+    const std::array<double, 7> &v = image.pose;
+    for (const double number : v) {
+        if (!std::isfinite(number))
+            image.fail(tr("a number of the pose of %1 is not finite", image.name));
     }
     const auto rotation = rotationOf(v[0], v[1], v[2], v[3]);
     if (!rotation)
-        reading.fail(tr("the image's quaternion is 0; a rotation has the length 1"), image.number);
+        image.fail(tr("the image's quaternion is 0; a rotation has the length 1"));
     if (const double length = quaternionLength(v); std::abs(length - 1.0) >= kUnit)
         camera.assumed.push_back(tr("The quaternion of %1 has the length %2 instead of 1; it is divided by it.",
-                                    camera.images[camera.image], base::significantText(length, 4)));
+                                    image.name, base::significantText(length, 4)));
     camera.pose = rigid(*rotation, {v[4], v[5], v[6]});
-    const auto lens = found.cameras.find(*base::integerFromWord(image.words[8]));
+    const auto lens = found.cameras.find(image.camera);
     if (lens == found.cameras.end())
-        reading.fail(tr("there is no camera %1 in cameras.txt", image.words[8]), image.number);
+        image.fail(tr("there is no camera %1 among COLMAP's cameras", image.camera));
     setLens(camera, lens->second);
     for (const NamedText &text : texts) {
-        const auto isIt = [&text](const Found &one) { return one.file == &text; };
-        const bool isPoints = text.text.starts_with("# 3D point list"); // points3D.txt, which has no camera
-        if (isPoints || std::any_of(found.images.begin(), found.images.end(), isIt)
+        const auto isOf = [&text](const Entry &entry) { return entry.file == &text; };
+        // points3D.txt has no camera.
+        if (text.text.starts_with("# 3D point list") || text.name.ends_with("points3D.bin")
+            || std::any_of(found.images.begin(), found.images.end(), isOf)
             || std::any_of(found.cameras.begin(), found.cameras.end(),
-                           [&](const auto &one) { return isIt(one.second); }))
+                           [&](const auto &one) { return isOf(one.second); }))
             camera.files.push_back(text.name);
     }
     return std::move(camera);

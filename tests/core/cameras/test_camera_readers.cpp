@@ -259,7 +259,7 @@ private slots:
             "the camera model OPENCV_FISHEYE is not");
         row("too few parameters", "COLMAP", "2559.81 2561.25 1536.5 1151.75", "2559.81 1536.5 1151.75",
             "PINHOLE has 3 parameters; it needs 4");
-        row("no such camera", "COLMAP", "4.75 2 left", "4.75 5 left", "there is no camera 5 in cameras.txt");
+        row("no such camera", "COLMAP", "4.75 2 left", "4.75 5 left", "there is no camera 5 among COLMAP's cameras");
         row("a short matrix", "NeRF", "[0.0, 0.0, 0.0, 1.0]", "[0.0, 0.0, 1.0]",
             "transform_matrix needs 16 numbers; it has 15");
         row("no angle", "NeRF, made with Blender", "camera_angle_x", "angle",
@@ -352,16 +352,14 @@ private slots:
         QVERIFY(
             reasonOf(texts, choices).contains("there is no image \"P118\" among 3 (first.jpg, left/P1180141.JPG, "));
         // A file alone names the other.
-        QVERIFY(reasonOf({texts[0]}, {}).contains("give images.txt too"));
-        QVERIFY(reasonOf({texts[1]}, {}).contains("give cameras.txt too"));
+        QVERIFY(reasonOf({texts[0]}, {}).contains("give images.txt"));
+        QVERIFY(reasonOf({texts[1]}, {}).contains("give cameras.txt"));
         // The order of the files and their line ends do not count.
         std::vector<NamedText> turned{texts[1], texts[0]};
         for (NamedText &text : turned)
             text.text = QString::fromStdString(text.text).replace("\n", "\r\n").toStdString();
         choices.image = "without points.jpg";
         QCOMPARE(reasonOf(turned, choices), QStringLiteral("read"));
-        const NamedText binary{"sparse/0/cameras.bin", std::string("\1\0\0\0", 4)};
-        QVERIFY(reasonOf({binary}, {}).contains("--output_type TXT"));
     }
 
     /// The last image has no line of points; the line below is a camera's.
@@ -387,7 +385,7 @@ private slots:
         QCOMPARE((*read)->images.size(), std::size_t{3});
         QVERIFY(assumedOf(with("0.7 0 0.7 0"), second).contains("The quaternion of b.png has the length 0.9899"));
         QVERIFY(reasonOf(with("0 0 0 0"), second).contains("the image's quaternion is 0"));
-        QVERIFY(reasonOf(with("nan 0 0 0"), second).contains("\"nan\" is not a finite number"));
+        QVERIFY(reasonOf(with("nan 0 0 0"), second).contains("a number of the pose of b.png is not finite"));
         second.image = "c.png";
         QCOMPARE(reasonOf(with("nan 0 0 0"), second), QStringLiteral("read"));
     }
@@ -439,6 +437,42 @@ private slots:
         QVERIFY(read("FULL_OPENCV 640 480 500 510 320 240 0.1 0.2 0.3 0.4 0.5 0 0 0").distortion
                 == (Distortion{0.1, 0.2, 0.3, 0.4, 0.5}));
         QVERIFY(!read("PINHOLE 640 480 500 510 320 240").distortion);
+    }
+
+    /// The same cameras and images as text and in COLMAP's binary form.
+    void colmapsBinaryFilesAreRead()
+    {
+        const auto bytesOf = [](auto... values) {
+            std::string bytes;
+            (bytes.append(reinterpret_cast<const char *>(&values), sizeof values), ...);
+            return bytes;
+        };
+        using Count = std::uint64_t;
+        using Id = std::int32_t;
+        const std::string cameras =
+            bytesOf(Count(2), Id(7), Id(5), Count(640), Count(480), 1., 1., 1., 1., 0., 0., 0., 0.)
+            + bytesOf(Id(3), Id(4), Count(640), Count(480), 500., 510., 320., 240., .1, .2, .3, .4);
+        const std::string images = bytesOf(Count(2), Id(1), 1., 0., 0., 0., 0., 0., 0., Id(7))
+                                   + std::string("a.png\0", 6) + bytesOf(Count(1), 1., 2., std::int64_t(-1))
+                                   + bytesOf(Id(2), .6, 0., .8, 0., 1., 2., 3., Id(3)) + std::string("b b.png\0", 8)
+                                   + bytesOf(Count(0));
+        std::vector<NamedText> binary{{"sparse/0/cameras.bin", cameras}, {"sparse/0/images.bin", images}};
+        const std::vector<NamedText> text{{"cameras.txt", "3 OPENCV 640 480 500 510 320 240 .1 .2 .3 .4\n"},
+                                          {"images.txt", "2 .6 0 .8 0 1 2 3 3 b b.png\n\n"}};
+        CameraChoices second;
+        second.image = "b b.png";
+        const ForeignCamera read = readCamera(binary, second)->value(), wanted = readCamera(text, {})->value();
+        QCOMPARE(*read.pose, *wanted.pose);
+        QCOMPARE(read.intrinsics->fy, 510.0);
+        QVERIFY(read.distortion == wanted.distortion);
+        QCOMPARE(read.images.size(), std::size_t{2});
+        QVERIFY(reasonOf(binary, {}).contains("the camera model OPENCV_FISHEYE is not read"));
+        for (std::size_t length = 0; length < images.size(); ++length) {
+            binary[1].text = images.substr(0, length);
+            QVERIFY2(reasonOf(binary, second).contains("it is incomplete"), qPrintable(reasonOf(binary, second)));
+        }
+        binary[1].text = bytesOf(Count(1) << 60) + images.substr(8);
+        QVERIFY(reasonOf(binary, second).contains("it is incomplete"));
     }
 
     void posesInAParentAreSaid()
