@@ -2,11 +2,14 @@
 
 #include "core/base/angle.h"
 #include "core/base/letters.h"
+#include "core/base/source_text.h"
+#include "core/base/text_scanner.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <initializer_list>
+#include <iterator>
 #include <string>
 #include <system_error>
 
@@ -15,7 +18,13 @@ namespace unprojector::base {
 namespace {
 
 using Code = ExpressionErrorCode;
-using Value = Expected<double, ExpressionError>;
+
+/// The value of a part of an expression.
+struct Term {
+    double value = 0.0;
+    bool isWhole = false; ///< computed from whole numbers only; these have no decimal point
+};
+using Value = Expected<Term, ExpressionError>;
 
 constexpr int kDeepest = 100;
 
@@ -26,11 +35,48 @@ constexpr std::string_view kMiddleDot = "\xc2\xb7";
 constexpr std::string_view kDivided = "\xc3\xb7";
 constexpr std::string_view kPiLetter = "\xcf\x80";
 
+/// Names between blanks: those of a program's source as base::plainName, those that a user may type after =.
+struct Constant {
+    std::string_view names;
+    double value;
+};
+constexpr Constant kConstants[] = {{" =pi pi d3dxpi mpi xmpi piv pif ", kPi},
+                                   {" mpi2 halfpi xmpidiv2 piover2 fracpi2 ", kPi / 2.0},
+                                   {" fracpi3 ", kPi / 3.0},
+                                   {" mpi4 quarterpi xmpidiv4 piover4 fracpi4 ", kPi / 4.0},
+                                   {" xm2pi twopi tau ", 2.0 * kPi},
+                                   {" degtorad deg2rad ", kRadiansPerDegree},
+                                   {" radtodeg rad2deg ", 1.0 / kRadiansPerDegree}};
+struct Function {
+    std::string_view names;
+    double (*value)(double);
+};
+constexpr Function kFunctions[] = {
+    {" =rad radians degtorad deg2rad toradians xmconverttoradians degreestoradians qdegreestoradians ",
+     radiansFromDegrees},
+    {" =deg degrees radtodeg todegrees xmconverttodegrees radianstodegrees ", degreesFromRadians},
+    {" =sqrt sqrt ", [](double x) { return std::sqrt(x); }},
+    {" tan ", [](double x) { return std::tan(x); }},
+    {" atan ", [](double x) { return std::atan(x); }},
+    {" float double glfloat gldouble glclampd staticcast t ", [](double x) { return x; }}};
+constexpr std::string_view kTypes = " float double int glfloat gldouble glint glsizei glclampd ";
+
+template <class Table>
+auto found(const Table &table, const std::string &name)
+{
+    const auto entry = std::ranges::find_if(table, [&](const auto &one) { return isListed(one.names, name); });
+    return entry == std::end(table) ? nullptr : &*entry;
+}
+
 /// Recursive descent, one function a level: sum of products of factors.
 class Parser {
 public:
     /// @param names  in addition to pi and the functions; may be empty
-    Parser(std::string_view text, const Names &names) : m_text(text), m_names(names) {}
+    /// @param variables  of a program, whose source text this is; null for what a user types
+    Parser(std::string_view text, const Names &names, const Variables *variables = nullptr, int levels = 0)
+        : m_text(text), m_names(names), m_variables(variables), m_levels(levels)
+    {
+    }
 
     Value whole()
     {
@@ -42,10 +88,12 @@ public:
             return value;
         if (!isAtEnd())
             return unexpected(Code::MissingOperator);
-        if (!std::isfinite(*value))
+        if (!std::isfinite(value->value))
             return ExpressionError{Code::OutOfRange, 0, m_text.size()};
         return value;
     }
+
+    std::string_view wholeQuotient() const { return m_wholeQuotient; }
 
 private:
     bool isAtEnd() const { return m_at == m_text.size(); }
@@ -110,13 +158,17 @@ private:
             if (!isPlus && !takeMinus())
                 break;
             const Value other = product();
-            value = other ? Value(isPlus ? *value + *other : *value - *other) : other;
+            if (!other)
+                return other;
+            value = Term{isPlus ? value->value + other->value : value->value - other->value,
+                         value->isWhole && other->isWhole};
         }
         return value;
     }
 
     Value product()
     {
+        const std::size_t start = m_at;
         Value value = factor();
         while (value) {
             const std::size_t place = m_at;
@@ -124,9 +176,14 @@ private:
             if (!isTimes && !take({"/", kDivided}))
                 break;
             const Value other = factor();
-            if (other && !isTimes && *other == 0.0)
+            if (!other)
+                return other;
+            if (!isTimes && other->value == 0.0)
                 return ExpressionError{Code::DivisionByZero, place, m_text[place] == '/' ? 1u : 2u};
-            value = other ? Value(isTimes ? *value * *other : *value / *other) : other;
+            value = Term{isTimes ? value->value * other->value : value->value / other->value,
+                         value->isWhole && other->isWhole};
+            if (!isTimes && value->isWhole && value->value != std::trunc(value->value))
+                m_wholeQuotient = trimmed(m_text.substr(start, m_at - start));
         }
         return value;
     }
@@ -144,17 +201,17 @@ private:
     {
         if (takeMinus()) {
             const Value value = factor();
-            return value ? Value(-*value) : value;
+            return value ? Value(Term{-value->value, value->isWhole}) : value;
         }
         if (take({"+"}))
             return factor();
         if (take({kPiLetter}))
-            return kPi;
+            return Term{kPi};
         if (next() == '(')
             return parenthesis();
         if (isLetter(next()))
             return named();
-        if (isDigit(next()) || next() == '.' || next() == ',')
+        if (isDigit(next()) || isAtPoint())
             return number();
         return unexpected(Code::MissingNumber);
     }
@@ -163,6 +220,12 @@ private:
     {
         const std::size_t opened = m_at;
         take({"("});
+        const std::string_view type = namesAt(m_text, m_at);
+        if (m_variables && isListed(kTypes, plainName(type))) {
+            m_at += type.size();
+            skipBlanks();
+            return take({")"}) ? cast(factor(), type) : unexpected(Code::MissingOperator);
+        }
         ++m_depth;
         Value value = sum();
         if (!value)
@@ -174,29 +237,58 @@ private:
         return value;
     }
 
+    static Value cast(const Value &value, std::string_view type)
+    {
+        if (!value)
+            return value;
+        const bool isWhole = plainName(type).find("int") != std::string::npos;
+        return Term{isWhole ? std::trunc(value->value) : value->value, isWhole};
+    }
+
     Value named()
     {
         const ExpressionError here{Code::UnknownName, m_at, lengthOfNext()};
-        const std::string_view name = m_text.substr(m_at, here.length);
-        const bool isPi = name == "pi";
-        if (!isPi && name != "sqrt" && name != "deg" && name != "rad")
+        const std::string_view written = m_variables ? namesAt(m_text, m_at) : m_text.substr(m_at, here.length);
+        const std::string name = m_variables ? plainName(written) : '=' + std::string(written);
+        const Constant *const constant = found(kConstants, name);
+        const Function *const function = found(kFunctions, name);
+        if (!m_variables && !constant && !function)
             return m_names ? given() : here;
-        m_at += here.length;
+        m_at = m_variables ? behindTemplate(m_text, m_at + written.size()) : m_at + written.size();
         skipBlanks();
-        if (isPi)
-            return kPi;
+        const std::size_t opened = m_at;
+        const bool isEmptyCall = m_variables && take({"("}) && take({")"}); // glm::pi<float>()
+        if (!isEmptyCall)
+            m_at = opened;
+        if (constant && (!m_variables || isEmptyCall || next() != '('))
+            return Term{constant->value};
+        if (m_variables && !isEmptyCall && next() != '(')
+            return variable(written, here);
+        if (!function)
+            return here;
         if (next() != '(')
             return ExpressionError{Code::NotCalled, here.place, here.length};
         const Value argument = parenthesis();
         if (!argument)
             return argument;
-        if (name == "deg")
-            return degreesFromRadians(*argument);
-        if (name == "rad")
-            return radiansFromDegrees(*argument);
-        if (*argument < 0.0)
+        if (name == "=sqrt" && argument->value < 0.0)
             return ExpressionError{Code::RootOfNegative, here.place, here.length};
-        return std::sqrt(*argument);
+        return Term{function->value(argument->value)};
+    }
+
+    Value variable(std::string_view name, const ExpressionError &here)
+    {
+        constexpr int kOneDeeper = 12; // a variable may refer to itself
+        const std::optional<std::string_view> text = (*m_variables)(name);
+        if (!text)
+            return here;
+        Parser inner(*text, m_names, m_variables, m_levels + kOneDeeper);
+        const Value value = inner.whole();
+        if (!value)
+            return here;
+        if (!inner.m_wholeQuotient.empty())
+            m_wholeQuotient = inner.m_wholeQuotient;
+        return Term{value->value, text->find_first_not_of("0123456789 ") == text->npos};
     }
 
     Value given()
@@ -211,8 +303,10 @@ private:
         if (!value)
             return ExpressionError{Code::UnknownName, start, m_at - start};
         skipBlanks();
-        return *value;
+        return Term{*value};
     }
+
+    bool isAtPoint() const { return next() == '.' || (next() == ',' && !m_variables); }
 
     Value number()
     {
@@ -225,7 +319,7 @@ private:
             return m_at > before;
         };
         bool hasDigits = takeDigits();
-        if (next() == '.' || next() == ',') {
+        if (isAtPoint()) {
             const std::size_t point = m_at;
             const bool isComma = next() == ',';
             const bool isOfThousands = hasDigits && digits.size() <= 3 && digits.front() != '0';
@@ -233,12 +327,12 @@ private:
             digits += '.';
             const std::size_t before = digits.size();
             hasDigits = takeDigits() || hasDigits;
-            if (isComma && isOfThousands && digits.size() == before + 3 && next() != '.' && next() != ',')
+            if (isComma && isOfThousands && digits.size() == before + 3 && !isAtPoint())
                 return ExpressionError{Code::AmbiguousComma, point, m_at - point};
         }
         if (!hasDigits)
             return ExpressionError{Code::MissingNumber, start, 1};
-        if (next() == '.' || next() == ',')
+        if (isAtPoint())
             return ExpressionError{Code::SecondPoint, m_at, 1};
         if (next() == 'e' || next() == 'E') {
             ++m_at;
@@ -254,27 +348,59 @@ private:
         const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);
         if (read.ec != std::errc() || !std::isfinite(value))
             return ExpressionError{Code::OutOfRange, start, m_at - start};
+        bool isWhole = digits.find_first_not_of("0123456789") == digits.npos;
+        if (m_variables)
+            isWhole = takeSuffix() && isWhole;
         skipBlanks();
-        return value;
+        return Term{value, isWhole};
+    }
+
+    /// @return whether a number with this suffix may be whole
+    bool takeSuffix()
+    {
+        for (const std::string_view type : {"_f32", "_f64", "f32", "f64"}) {
+            if (m_text.substr(m_at).starts_with(type)) {
+                m_at += type.size();
+                return false;
+            }
+        }
+        const std::size_t start = m_at;
+        m_at = std::min(m_text.find_first_not_of("fFlLdDmMuU", m_at), m_text.size());
+        return m_text.substr(start, m_at - start).find_first_not_of("lLuU") == m_text.npos;
     }
 
     std::string_view m_text;
     const Names &m_names;
+    const Variables *m_variables;
+    int m_levels;    ///< nesting of parentheses, signs and variables
+    int m_depth = 0; ///< open parentheses
     std::size_t m_at = 0;
-    int m_depth = 0;  ///< open parentheses
-    int m_levels = 0; ///< nesting of parentheses and signs
+    std::string_view m_wholeQuotient;
 };
 
 } // namespace
 
-Expected<double, ExpressionError> evaluate(std::string_view text)
-{
-    return evaluate(text, Names());
-}
-
 Expected<double, ExpressionError> evaluate(std::string_view text, const Names &names)
 {
-    return Parser(text, names).whole();
+    const Value value = Parser(text, names).whole();
+    if (!value)
+        return value.error();
+    return value->value;
+}
+
+std::optional<SourceNumber> sourceNumber(std::string_view text, const Variables &variables)
+{
+    constexpr std::string_view kToRadians = ".to_radians()"; // Rust
+    text = trimmed(text);
+    const bool areDegrees = text.ends_with(kToRadians);
+    if (areDegrees)
+        text.remove_suffix(kToRadians.size());
+    const Names none;
+    Parser parser(text, none, &variables);
+    const Value value = parser.whole();
+    if (!value)
+        return std::nullopt;
+    return SourceNumber{areDegrees ? radiansFromDegrees(value->value) : value->value, parser.wholeQuotient()};
 }
 
 } // namespace unprojector::base

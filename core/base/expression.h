@@ -33,6 +33,9 @@ struct ExpressionError {
     std::size_t length = 0; ///< bytes; 0 at the end of the text
 };
 
+/// Called with a name; returns its value, or nothing.
+using Names = std::function<std::optional<double>(std::string_view name)>;
+
 /// Evaluates an expression that a user types for a number, UTF-8: "1/3", "2*pi", "-0.5e3",
 /// "sqrt(2)".
 ///
@@ -40,16 +43,30 @@ struct ExpressionError {
 /// deg(x) and rad(x), which convert radians to degrees and back. A decimal comma counts as a point
 /// unless it could separate thousands: "1,000" is rejected, "0,125" and "1,25" are not. A lone
 /// number gives the nearest double.
-/// @return the value, always finite
-Expected<double, ExpressionError> evaluate(std::string_view text);
+/// @param names  additional ones: "ndc.x * 2", "projection[2][3]". A name starts with a letter and
+///         continues with letters, digits and . [ ] : without blanks. pi and the functions keep
+///         their meaning.
+/// @return the value, always finite; UnknownName also for a name without a value
+Expected<double, ExpressionError> evaluate(std::string_view text, const Names &names = {});
 
-/// Called with a name; returns its value, or nothing.
-using Names = std::function<std::optional<double>(std::string_view name)>;
+/// A number in the source text of a program.
+struct SourceNumber {
+    double value = 0.0;
+    /// The source text of a division of whole numbers with a remainder; C, C++ and C# drop the
+    /// remainder.
+    std::string_view wholeQuotient{};
+};
 
-/// The same with additional names: "ndc.x * 2", "projection[2][3]". A name starts with a letter and
-/// continues with letters, digits and . [ ] : without blanks. pi and the functions keep their
-/// meaning.
-/// @return also UnknownName, for a name without a value
-Expected<double, ExpressionError> evaluate(std::string_view text, const Names &names);
+/// Called with a variable, "camera.fov"; returns the text of its value, or nothing.
+using Variables = std::function<std::optional<std::string_view>(std::string_view variable)>;
+
+/// Evaluates a number in the source text of a program in C, C++, C#, JavaScript, Python or Rust.
+///
+/// As evaluate, but deg(x), rad(x) and the decimal comma are not supported. Supports in addition suffixes (1.0f,
+/// 1d, 45_f32), casts, the libraries' names of pi and its parts (Math.PI, XM_PIDIV4,
+/// glm::pi<float>()), their functions (glm::radians, XMConvertToRadians, tan, atan, 45.0.to_radians()),
+/// and variables.
+/// @return nothing if the text is not a number
+std::optional<SourceNumber> sourceNumber(std::string_view text, const Variables &variables);
 
 } // namespace unprojector::base

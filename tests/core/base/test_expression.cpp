@@ -15,6 +15,26 @@ using Code = ExpressionErrorCode;
 
 Q_DECLARE_METATYPE(Code)
 
+namespace {
+
+/// The variables of a program.
+Variables variables()
+{
+    return [](std::string_view name) -> std::optional<std::string_view> {
+        if (name == "camera.fov")
+            return "60.0";
+        if (name == "half")
+            return "camera.fov / 2";
+        if (name == "width")
+            return "800";
+        if (name == "height")
+            return "600";
+        return name == "itself" ? std::optional<std::string_view>("itself + 1") : std::nullopt;
+    };
+}
+
+} // namespace
+
 class TestExpression : public QObject {
     Q_OBJECT
 
@@ -89,6 +109,60 @@ private slots:
         QCOMPARE(unknown.error().place, std::size_t(4));
         QCOMPARE(unknown.error().length, std::size_t(6));
         QVERIFY(!evaluate("step:x"));
+    }
+
+    void numbersOfAProgramAreRead_data()
+    {
+        addColumn<QString>("text");
+        addColumn<double>("value");
+        newRow("float") << "1.5f" << 1.5;
+        newRow("double-of-c#") << "2d" << 2.0;
+        newRow("rust") << "0.5_f32" << 0.5;
+        newRow("rust-degrees") << "180.0_f64.to_radians()" << 3.141592653589793;
+        newRow("cast") << "(GLfloat)3 / 2" << 1.5;
+        newRow("cast-to-whole") << "(int)1.75 * 2" << 2.0;
+        newRow("cast-by-name") << "static_cast<float>(1 + 2)" << 3.0;
+        newRow("pi") << "Math.PI" << 3.141592653589793;
+        newRow("part-of-pi") << "DirectX::XM_PIDIV4" << 0.7853981633974483;
+        newRow("pi-by-call") << "glm::half_pi<float>()" << 1.5707963267948966;
+        newRow("radians") << "glm::radians(180)" << 3.141592653589793;
+        newRow("factor") << "180 * DEG2RAD" << 3.141592653589793;
+        newRow("variable") << "camera.fov / 2" << 30.0;
+        newRow("variable-of-a-variable") << "-half" << -30.0;
+    }
+
+    void numbersOfAProgramAreRead()
+    {
+        QFETCH(QString, text);
+        QFETCH(double, value);
+        const auto number = sourceNumber(text.toStdString(), variables());
+        QVERIFY2(number, qPrintable(text));
+        QVERIFY2(number->value == value, qPrintable(QString::number(number->value, 'g', 17)));
+        QVERIFY(number->wholeQuotient.empty());
+    }
+
+    void aWholeQuotientIsReported()
+    {
+        const auto quotient = [](const char *text) {
+            const auto number = sourceNumber(text, variables());
+            return number ? std::string(number->wholeQuotient) : "none";
+        };
+        QCOMPARE(quotient("800 / 600 "), "800 / 600");
+        QCOMPARE(quotient("1 + 800L/600 * 2"), "800L/600");
+        QCOMPARE(quotient("width / height"), "width / height");
+        QCOMPARE(quotient("800 / 400"), "");
+        QCOMPARE(quotient("800 / 600."), "");
+        QCOMPARE(quotient("800 / 600f"), "");
+        QCOMPARE(quotient("(float)800 / 600"), "");
+    }
+
+    void fieldsAndProgramsDiffer()
+    {
+        for (const char *text : {"1f", "(float)1", "M_PI", "radians(1)", "tan(1)", "tau", "width"})
+            QVERIFY2(!evaluate(text), text);
+        for (const char *text :
+             {"0,5", "deg(1)", "rad(1)", "itself", "twice", "1_000", "2(3)", "1/0", "", "pi(1)", "tan"})
+            QVERIFY2(!sourceNumber(text, variables()), text);
     }
 
     void whatIsNoNumberIsRefusedWithItsPlace_data()
