@@ -1,31 +1,34 @@
 #include "core/cameras/pasted_calls.h"
 
+#include "core/base/expression.h"
 #include "core/base/number_text.h"
+#include "core/base/source_text.h"
 #include "core/base/text_scanner.h"
 #include "core/base/translation.h"
-#include "core/cameras/argument_reader.h"
-#include "core/cameras/call_keywords.h"
-#include "core/cameras/call_matrices.h"
-#include "core/cameras/call_signature.h"
+#include "core/cameras/known_calls.h"
+#include "core/geometry/camera.h"
 #include "core/geometry/error_text.h"
 #include "core/geometry/numbers.h"
 #include "core/geometry/projection.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace unprojector::cameras {
 using namespace geometry;
-using base::tr;
+using namespace base;
 
 namespace {
 
-constexpr int kDigits = 5;
+/// The arguments of a call by their parameters. A number is x of its vector.
+using Values = std::map<std::string_view, glm::dvec3>;
 
 std::string numberText(double value)
 {
-    return base::significantText(value, kDigits);
+    constexpr int kDigits = 5;
+    return significantText(value, kDigits);
 }
 
 std::string vectorText(const glm::dvec3 &v)
@@ -33,380 +36,371 @@ std::string vectorText(const glm::dvec3 &v)
     return '(' + numberText(v.x) + ", " + numberText(v.y) + ", " + numberText(v.z) + ')';
 }
 
-PastedMatrix pastedOf(const glm::dmat4 &matrix, const CallSignature &signature, std::string said)
+PastedMatrix pastedOf(const glm::dmat4 &matrix, std::string said)
 {
     PastedMatrix pasted;
     pasted.form = MatrixForm::Call;
     for (int i = 0; i < 16; ++i)
         pasted.numbers[std::size_t(i)] = matrix[i / 4][i % 4] + 0.0;
-    if (isProjection(signature.shape))
-        pasted.ndcDepth = signature.ndcDepth;
     pasted.call = std::move(said);
     return pasted;
+}
+
+/// Fails for a parameter that no projection or view has.
+[[noreturn]] void fail(const SourceCall &call, const Error &error)
+{
+    failCall(std::string(call.written) + ": " + errorText(error));
+}
+
+/// The matrix of glFrustum or glOrtho, with NDC depths in [0, 1] or an eye that looks along +z if
+/// the library has these. Near may lie behind far, as in reversed depth.
+glm::dmat4 clipFromEye(const Ortho &v, const KnownCall &known, const SourceCall &call)
+{
+    const double n = v.nearDistance, f = v.farDistance, width = v.right - v.left, height = v.top - v.bottom;
+    const bool isPerspective = known.kind == CallKind::Perspective;
+    if (isPerspective && std::min(n, f) <= 0.0)
+        fail(call, {ErrorCode::NearNotPositive, std::min(n, f), std::max(n, f)});
+    if (v.left == v.right)
+        fail(call, {ErrorCode::LeftEqualsRight, v.left});
+    if (v.bottom == v.top)
+        fail(call, {ErrorCode::BottomEqualsTop, v.bottom});
+    if (n == f)
+        fail(call, {ErrorCode::NearNotBeforeFar, n, f});
+    const bool isZeroToOne = known.ndcDepth == NdcDepth::ZeroToOne;
+    const double depths = isZeroToOne ? 1.0 : 2.0, x = (v.right + v.left) / width, y = (v.top + v.bottom) / height;
+    glm::dmat4 m(0.0);
+    if (isPerspective) {
+        m[0][0] = 2.0 * n / width;
+        m[1][1] = 2.0 * n / height;
+        m[2] = {x, y, -(isZeroToOne ? f : f + n) / (f - n), -1.0};
+        m[3][2] = -depths * f * n / (f - n);
+    } else {
+        m[0][0] = 2.0 / width;
+        m[1][1] = 2.0 / height;
+        m[2][2] = -depths / (f - n);
+        m[3] = {-x, -y, -(isZeroToOne ? n : f + n) / (f - n), 1.0};
+    }
+    if (known.isLeftHanded)
+        m[2] = -m[2];
+    return m;
 }
 
 class Reader {
 public:
     explicit Reader(std::string_view text)
-        : m_program(text), m_text(withoutComments(text)), m_arguments(m_text), m_assignments(assignmentTexts(m_text)),
-          m_rest(m_text)
+        : m_program(text), m_text(withoutComments(text)), m_calls(sourceCalls(m_text)), m_rest(m_text)
     {
     }
 
     PastedCalls read()
     {
-        for (const CallText &call : callTexts(m_text)) {
-            readAssignments(call.at);
-            const std::optional<CallSignature> signature = signatureOf(call, m_program);
-            if (signature)
-                readCall(call, *signature);
-            else
-                readThree(call);
-            if (isLeftOut(call) && std::find(m_leftOut.begin(), m_leftOut.end(), call.written) == m_leftOut.end())
-                m_leftOut.push_back(call.written);
+        if (std::ranges::none_of(m_calls, [this](const SourceCall &call) {
+                return knownCall(call, m_program) || (!call.isAssignment && !movedCamera(call).empty());
+            }))
+            return {};
+        std::vector<std::string_view> leftOut; // calls that change the view
+        for (const SourceCall &call : m_calls) {
+            if (const std::optional<KnownCall> known = knownCall(call, m_program))
+                readCall(call, *known);
+            else if (const std::string_view camera = movedCamera(call); !camera.empty())
+                readMove(call, camera);
+            if (call.isAssignment)
+                readLens(call);
+            else if (isLeftOut(call) && std::ranges::find(leftOut, call.written) == leftOut.end())
+                leftOut.push_back(call.written);
         }
-        if (m_read.hasAny)
-            readAssignments(m_text.size());
         if (!m_three.name.empty())
-            setThreeView();
-        if (std::optional<PastedMatrix> &view = m_read.parts.view) {
-            for (const std::string &one : m_leftOut)
-                view->call += tr(". %1 is ignored: the view is read without it", one);
+            setView({m_three.name}, {{CallKind::View, {}}, {}},
+                    {WorldPoint(m_three.position), WorldPoint(m_three.position + m_three.direction),
+                     WorldVector(m_three.upThen)});
+        for (const std::string_view one : leftOut) {
+            if (m_parts.view)
+                m_parts.view->call += tr(". %1 is ignored: the view is read without it", one);
         }
-        for (const AssignmentText &one : m_assignments) { // width = 800 is no number of a matrix
-            if (m_arguments.number(one.value))
-                blank(one.at, one.end);
+        for (const SourceCall &one : m_calls) { // width = 800 is no number of a matrix
+            if (one.isAssignment && number(one.arguments[0]))
+                blank(one);
         }
-        m_read.rest = m_rest;
-        return m_read;
+        return {true, m_parts, m_rest};
     }
 
 private:
-    void blank(std::size_t at, std::size_t end)
-    {
-        std::fill(m_rest.begin() + std::ptrdiff_t(at), m_rest.begin() + std::ptrdiff_t(end), ' ');
-    }
-    void blank(const CallText &call)
-    {
-        m_read.hasAny = true;
-        blank(call.at, call.end);
-    }
+    void blank(const SourceCall &call) { m_rest.replace(call.at, call.end - call.at, call.end - call.at, ' '); }
 
-    /// Fails for parameters that no projection or view has.
-    static void require(const CallText &call, const Check &valid)
+    /// The value of a variable that has exactly one in the text.
+    std::optional<std::string_view> assigned(std::string_view name) const
     {
-        if (!valid)
-            failCall(call.written + ": " + geometry::errorText(valid.error()));
-    }
-    [[noreturn]] static void failCount(const CallText &call, std::size_t found, std::size_t wanted)
-    {
-        failCall(tr("%1: %2 arguments found, %3 are needed", call.written, found, wanted));
-    }
-
-    /// The value of an argument, or of a number assigned to a name.
-    ArgumentNumber number(const std::string &name, const std::string &argument) const
-    {
-        const auto value = m_arguments.number(argument);
-        if (!value)
-            failCall(tr("%1: the argument '%2' is not a number. Put its value there", name, argument));
-        return *value;
-    }
-
-    /// The numbers of a call, starting at an argument.
-    std::vector<double> numbers(const CallText &call, std::size_t first, std::size_t count)
-    {
-        std::vector<double> values;
-        for (std::size_t i = first; i < first + count; ++i) {
-            const ArgumentNumber one = number(call.written, call.arguments[i]);
-            values.push_back(one.value);
-            if (!one.wholeQuotient.empty())
-                m_wholeQuotient = one;
+        std::optional<std::string_view> value;
+        for (const SourceCall &one : m_calls) {
+            if (!one.isAssignment || one.written != name)
+                continue;
+            if (value && *value != one.arguments[0]) // only the program knows which value applies
+                return std::nullopt;
+            value = one.arguments[0];
         }
-        return values;
+        return value;
     }
 
-    glm::dvec3 vector(const CallText &call, std::size_t index) const
+    std::optional<SourceNumber> number(std::string_view text) const
     {
-        const auto value = m_arguments.vector(call.arguments[index]);
+        return sourceNumber(text, [this](std::string_view name) { return assigned(name); });
+    }
+
+    double number(const SourceCall &call, std::string_view argument)
+    {
+        const std::optional<SourceNumber> read = number(argument);
+        if (!read)
+            failCall(tr("%1: the argument '%2' is not a number. Put its value there", call.written, argument));
+        if (!read->wholeQuotient.empty())
+            m_wholeQuotient = *read;
+        return read->value;
+    }
+
+    /// A vector of three numbers: "glm::vec3(0, 0, 5)", "{0, 0, 5}", "-Vector3.UnitY", a variable.
+    std::optional<glm::dvec3> vector(std::string_view text) const
+    {
+        constexpr std::pair<std::string_view, glm::dvec3> kVectors[] = {{" unitx ", {1.0, 0.0, 0.0}},
+                                                                        {" unity up ", {0.0, 1.0, 0.0}},
+                                                                        {" unitz ", {0.0, 0.0, 1.0}},
+                                                                        {" zero ", {0.0, 0.0, 0.0}},
+                                                                        {" one ", {1.0, 1.0, 1.0}}};
+        constexpr int kMostMarks = 16; // a variable may refer to itself
+        double sign = 1.0;
+        text = trimmed(text);
+        for (int mark = 0; mark < kMostMarks; ++mark) {
+            if (text.starts_with("new ") || text.starts_with('&') || text.starts_with('-')) { // D3DX takes pointers
+                sign = text.front() == '-' ? -sign : sign;
+                text = trimmed(text.substr(text.front() == 'n' ? 4 : 1));
+                continue;
+            }
+            const std::string_view names = namesAt(text, 0);
+            const std::size_t open = behindBlanks(text, behindTemplate(text, names.size()));
+            if (open < text.size()) {
+                if (closingBracket(text, open) != text.size() - 1)
+                    break;
+                const auto parts = commaSeparated(text.substr(open + 1, text.size() - open - 2));
+                if (parts.size() == 2 || parts.size() > 4)
+                    break;
+                glm::dvec3 result(0.0);
+                for (std::size_t i = 0; i < 3 && !parts.empty(); ++i) {
+                    // glm::vec3(1.0f) repeats its number
+                    const std::optional<SourceNumber> value = number(parts[std::min(i, parts.size() - 1)]);
+                    if (!value)
+                        return std::nullopt;
+                    result[int(i)] = sign * value->value;
+                }
+                return result;
+            }
+            for (const auto &[known, value] : kVectors) {
+                if (isListed(known, plainName(names)))
+                    return sign * value;
+            }
+            const std::optional<std::string_view> value = assigned(names);
+            if (!value)
+                break;
+            text = trimmed(*value);
+        }
+        return std::nullopt;
+    }
+
+    glm::dvec3 vector(const SourceCall &call, std::string_view argument) const
+    {
+        const std::optional<glm::dvec3> value = vector(argument);
         if (!value)
             failCall(tr("%1: the argument '%2' is not a vector of numbers. Put three numbers there", call.written,
-                        call.arguments[index]));
+                        argument));
         return *value;
     }
 
-    void readCall(CallText call, const CallSignature &signature)
+    void readCall(const SourceCall &call, const KnownCall &known)
     {
         blank(call);
         m_wholeQuotient = {};
-        if (call.arguments.size() >= signature.firstArgument)
-            call.arguments.erase(call.arguments.begin(),
-                                 call.arguments.begin() + std::ptrdiff_t(signature.firstArgument));
-        sortByKeyword(call, signature.shape);
-        if (call.name.ends_with("Camera")) {
-            addDefaults(call, signature);
+        // gluOrtho2D has no clip distances.
+        Values values{{"near", glm::dvec3(-1.0)}, {"far", glm::dvec3(1.0)}};
+        for (const CallArgument &one : callArguments(call, known))
+            values[one.parameter] = one.isVector ? vector(call, one.text) : glm::dvec3(number(call, one.text));
+        if (call.name.ends_with("Camera"))
             m_camera = call.variable;
-        }
-        const std::size_t wanted = argumentCount(signature.shape);
-        const auto missing = std::size_t(std::count(call.arguments.begin(), call.arguments.end(), std::string()));
-        if (call.arguments.size() != wanted || missing > 0)
-            failCount(call, call.arguments.size() - missing, wanted);
-        if (signature.shape == CallShape::Viewport)
-            readViewport(call);
-        else if (isProjection(signature.shape))
-            readProjection(call, signature);
-        else
-            readView(call, signature);
+        if (known.kind == CallKind::View)
+            return readView(call, known, values);
+        if (known.kind != CallKind::Viewport)
+            return readProjection(call, known, values);
+        const Viewport viewport{values["x"].x, values["y"].x, values["width"].x, values["height"].x};
+        if (const Check valid = check(viewport); !valid && !m_parts.viewport)
+            fail(call, valid.error());
+        m_parts.viewport = m_parts.viewport.value_or(viewport);
     }
 
-    /// Adds the default arguments of three.js.
-    static void addDefaults(CallText &call, const CallSignature &signature)
-    {
-        const std::vector<std::string> defaults = signature.isPerspective
-                                                      ? std::vector<std::string>{"50", "1", "0.1", "2000"}
-                                                      : std::vector<std::string>{"-1", "1", "1", "-1", "0.1", "2000"};
-        call.arguments.resize(std::max(call.arguments.size(), defaults.size()));
-        for (std::size_t i = 0; i < defaults.size(); ++i) {
-            if (call.arguments[i].empty())
-                call.arguments[i] = defaults[i];
-        }
-    }
-
-    void readViewport(const CallText &call)
-    {
-        const std::vector<double> v = numbers(call, 0, 4);
-        if (m_read.parts.viewport)
-            return;
-        const Viewport viewport{v[0], v[1], v[2], v[3]};
-        require(call, geometry::check(viewport));
-        m_read.parts.viewport = viewport;
-    }
-
-    void readProjection(const CallText &call, const CallSignature &signature)
+    void readProjection(const SourceCall &call, const KnownCall &known, Values &v)
     {
         std::string said;
-        const Ortho volume = volumeOf(call, signature, said);
-        require(call, check(volume, signature.isPerspective));
-        if (m_read.parts.projection) {
-            m_read.parts.projection->call += tr(". %1 follows and is ignored: one projection is read", call.written);
+        const glm::dmat4 matrix = clipFromEye(volumeOf(call, known, v, said), known, call);
+        if (m_parts.projection) {
+            m_parts.projection->call += tr(". %1 follows and is ignored: one projection is read", call.written);
             return;
         }
-        if (signature.isLeftHanded || signature.ndcDepth == NdcDepth::ZeroToOne)
-            said += handText(signature);
-        if (signature.dropsRest && !m_wholeQuotient.wholeQuotient.empty()) {
-            const double value = m_wholeQuotient.value;
+        const bool isZeroToOne = known.ndcDepth == NdcDepth::ZeroToOne;
+        if (known.isLeftHanded)
+            said += isZeroToOne ? tr("; left-handed, NDC depths from 0 to 1")
+                                : tr("; left-handed, NDC depths from -1 to 1");
+        else if (isZeroToOne)
+            said += tr("; right-handed, NDC depths from 0 to 1");
+        if (known.dropsRest && !m_wholeQuotient.wholeQuotient.empty())
             said += tr(". %1 is read as %2; in C, C++ and C# it is %3, as long as no number of it has a point",
-                       m_wholeQuotient.wholeQuotient, numberText(value), numberText(std::trunc(value)));
+                       m_wholeQuotient.wholeQuotient, numberText(m_wholeQuotient.value),
+                       numberText(std::trunc(m_wholeQuotient.value)));
+        m_parts.projection = pastedOf(matrix, std::move(said));
+        m_parts.projection->ndcDepth = known.ndcDepth;
+    }
+
+    static Ortho volumeOf(const SourceCall &call, const KnownCall &known, Values &v, std::string &said)
+    {
+        const double nearDistance = v["near"].x, farDistance = v["far"].x, width = v["width"].x, height = v["height"].x;
+        if (!v.contains("fov")) {
+            const Ortho volume =
+                v.contains("left")
+                    ? Ortho{v["left"].x, v["right"].x, v["bottom"].x, v["top"].x, nearDistance, farDistance}
+                    : Ortho{-width / 2.0, width / 2.0, -height / 2.0, height / 2.0, nearDistance, farDistance};
+            said = tr("%1: left %2, right %3, bottom %4, top %5, near %6, far %7", call.written,
+                      numberText(volume.left), numberText(volume.right), numberText(volume.bottom),
+                      numberText(volume.top), numberText(nearDistance), numberText(farDistance));
+            return volume;
         }
-        m_read.parts.projection = pastedOf(cameras::clipFromEye(volume, signature), signature, said);
-    }
-
-    static std::string handText(const CallSignature &signature)
-    {
-        const bool isZeroToOne = signature.ndcDepth == NdcDepth::ZeroToOne;
-        if (signature.isLeftHanded)
-            return isZeroToOne ? tr("; left-handed, NDC depths from 0 to 1")
-                               : tr("; left-handed, NDC depths from -1 to 1");
-        return tr("; right-handed, NDC depths from 0 to 1");
-    }
-
-    Ortho volumeOf(const CallText &call, const CallSignature &signature, std::string &said)
-    {
-        const std::vector<double> v = numbers(call, 0, call.arguments.size());
-        Ortho volume;
-        switch (signature.shape) {
-        case CallShape::FieldOfView: return volumeOf(call, signature, v[0], v[1], v[2], v[3], said);
-        case CallShape::FieldOfViewOfSize: return volumeOf(call, signature, v[0], v[1] / v[2], v[3], v[4], said);
-        case CallShape::Size: volume = {-v[0] / 2.0, v[0] / 2.0, -v[1] / 2.0, v[1] / 2.0, v[2], v[3]}; break;
-        case CallShape::EdgesTopFirst: volume = {v[0], v[1], v[3], v[2], v[4], v[5]}; break;
-        case CallShape::EdgesOnly: volume = {v[0], v[1], v[2], v[3], -1.0, 1.0}; break;
-        default: volume = {v[0], v[1], v[2], v[3], v[4], v[5]}; break;
-        }
-        said = tr("%1: left %2, right %3, bottom %4, top %5, near %6, far %7", call.written, numberText(volume.left),
-                  numberText(volume.right), numberText(volume.bottom), numberText(volume.top),
-                  numberText(volume.nearDistance), numberText(volume.farDistance));
-        return volume;
-    }
-
-    Ortho volumeOf(const CallText &call, const CallSignature &signature, double angle, double aspect,
-                   double nearDistance, double farDistance, std::string &said)
-    {
-        Perspective lens;
-        lens.verticalFov = signature.areDegrees ? Angle::fromDegrees(angle) : Angle(angle);
-        lens.aspect = aspect;
-        lens.nearDistance = nearDistance;
-        lens.farDistance = farDistance;
-        if (!signature.areDegrees && angle >= kPi)
+        const bool areDegrees = known.areDegrees;
+        const double angle = v["fov"].x, aspect = v.contains("aspect") ? v["aspect"].x : width / height;
+        const Perspective lens{areDegrees ? Angle::fromDegrees(angle) : Angle(angle), aspect, nearDistance,
+                               farDistance};
+        if (!areDegrees && angle >= kPi)
             failCall(tr("%1: the angle is in radians and must be smaller than pi. You entered %2", call.written,
                         numberText(angle)));
         if (const double fov = lens.verticalFov.radians.value; !(fov > 0.0 && fov < kPi))
-            require(call, Error{ErrorCode::FieldOfViewOutOfRange, fov});
+            fail(call, {ErrorCode::FieldOfViewOutOfRange, fov});
         if (!(std::abs(aspect) > 0.0) || !std::isfinite(aspect))
-            require(call, Error{ErrorCode::AspectNotPositive, aspect});
+            fail(call, {ErrorCode::AspectNotPositive, aspect});
         said = tr("%1: fovy %2°, aspect %3, near %4, far %5", call.written, numberText(lens.verticalFov.degrees()),
                   numberText(aspect), numberText(nearDistance), numberText(farDistance));
-        if (signature.areDegrees && angle < kPi)
+        if (areDegrees && angle < kPi)
             said += tr(". The angle is in degrees: %1 would be %2° if it were in radians", numberText(angle),
                        numberText(degreesFromRadians(angle)));
         const Frustum f = frustumFromPerspective(lens);
         return {f.left, f.right, f.bottom, f.top, f.nearDistance, f.farDistance};
     }
 
-    void readView(const CallText &call, const CallSignature &signature)
+    void readView(const SourceCall &call, const KnownCall &known, Values &v)
     {
-        glm::dvec3 eye(0.0), center(0.0), up(0.0);
-        if (signature.shape == CallShape::LookAtNumbers) {
-            const std::vector<double> v = numbers(call, 0, 9);
-            eye = {v[0], v[1], v[2]};
-            center = {v[3], v[4], v[5]};
-            up = {v[6], v[7], v[8]};
-        } else {
-            eye = vector(call, 0);
-            center = vector(call, 1);
-            if (signature.shape == CallShape::LookTo)
-                center += eye;
-            up = vector(call, 2);
+        if (v.contains("eyex")) {
+            for (const char *point : {"eye", "center", "up"}) {
+                const std::string name = point;
+                v[point] = {v.at(name + 'x').x, v.at(name + 'y').x, v.at(name + 'z').x};
+            }
         }
-        setView(call, signature, {WorldPoint(eye), WorldPoint(center), WorldVector(up)});
+        const glm::dvec3 center = v.contains("direction") ? v["eye"] + v["direction"] : v["center"];
+        setView(call, known, {WorldPoint(v["eye"]), WorldPoint(center), WorldVector(v["up"])});
     }
 
-    void setView(const CallText &call, const CallSignature &signature, const LookAt &camera)
+    /// Sets the matrix of gluLookAt. A left-handed eye looks along +z: it is rotated by 180 degrees
+    /// about its y axis.
+    void setView(const SourceCall &call, const KnownCall &known, const LookAt &camera)
     {
-        const Result<glm::dmat4> matrix = cameras::eyeFromWorld(camera, signature.isLeftHanded);
-        if (!matrix)
-            require(call, matrix.error());
-        if (m_read.parts.view) {
-            m_read.parts.view->call += tr(". %1 follows and is ignored: one view is read", call.written);
+        const Result<EyeFrame> frame = eyeFrame(camera);
+        if (!frame)
+            fail(call, frame.error());
+        if (m_parts.view) {
+            m_parts.view->call += tr(". %1 follows and is ignored: one view is read", call.written);
             return;
         }
         std::string said = tr("%1: eye %2, center %3, up %4", call.written, vectorText(camera.eye.coordinates()),
                               vectorText(camera.center.coordinates()), vectorText(camera.up.coordinates()));
-        if (signature.isLeftHanded)
+        glm::dmat4 matrix = eyeFromWorld(*frame);
+        if (known.isLeftHanded) {
             said += tr("; left-handed");
-        m_read.parts.view = pastedOf(*matrix, signature, std::move(said));
+            for (int column = 0; column < 4; ++column) {
+                matrix[column][0] = -matrix[column][0];
+                matrix[column][2] = -matrix[column][2];
+            }
+        }
+        m_parts.view = pastedOf(matrix, std::move(said));
     }
 
-    void setThreeView()
+    /// The camera that three.js moves or turns, by camera.position.set, camera.position.z =, the
+    /// same of up, or camera.lookAt: the one that the text creates, or a variable with its name.
+    /// Empty for other calls.
+    std::string_view movedCamera(const SourceCall &call) const
     {
-        CallText camera;
-        camera.written = m_three.name;
-        CallSignature signature;
-        signature.shape = CallShape::LookAtPoints;
-        setView(camera, signature,
-                {WorldPoint(m_three.position), WorldPoint(m_three.position + m_three.direction),
-                 WorldVector(m_three.upThen)});
+        const std::string_view name = call.name, member = lastName(call.object);
+        const bool isSet = call.isAssignment ? isListed(" x y z ", name) : name == "set";
+        std::string_view camera;
+        if (!call.isAssignment && name == "lookAt")
+            camera = call.object;
+        else if (isSet && (member == "position" || member == "up"))
+            camera = namesBefore(call.object);
+        return isCamera(camera) ? camera : std::string_view();
     }
 
-    /// Reads camera.position.set, camera.up.set and camera.lookAt of three.js, for the camera that
-    /// the text creates or a variable with its name.
-    void readThree(const CallText &call)
+    void readMove(const SourceCall &call, std::string_view camera)
     {
-        std::string object = call.object;
-        const bool isSet = call.name == "set";
-        const auto takeEnd = [&object](std::string_view end) {
-            const bool isThere = object.ends_with(end);
-            if (isThere)
-                object.resize(object.size() - end.size());
-            return isThere;
-        };
-        const bool isPosition = isSet && takeEnd(".position"), isUp = isSet && !isPosition && takeEnd(".up");
-        const bool isLookAt = call.name == "lookAt";
-        if ((!isPosition && !isUp && !isLookAt) || !isCamera(object))
+        const bool isUp = lastName(call.object) == "up";
+        glm::dvec3 &set = isUp ? m_three.up : m_three.position;
+        if (!isUp)
+            m_three.name = camera;
+        if (call.isAssignment) {
+            set[call.name[0] - 'x'] = number(call, call.arguments[0]);
             return;
+        }
         blank(call);
         glm::dvec3 point(0.0);
-        if (call.arguments.size() == 1) {
-            point = vector(call, 0);
-        } else if (call.arguments.size() == 3) {
-            const std::vector<double> v = numbers(call, 0, 3);
-            point = {v[0], v[1], v[2]};
-        } else {
+        if (call.arguments.size() == 1)
+            point = vector(call, call.arguments[0]);
+        else if (call.arguments.size() != 3)
             failCount(call, call.arguments.size(), 3);
-        }
-        if (isUp) {
-            m_three.up = point;
-            return;
-        }
-        m_three.name = object;
-        if (isPosition) {
-            m_three.position = point;
+        for (int i = 0; i < 3 && call.arguments.size() == 3; ++i)
+            point[i] = number(call, call.arguments[std::size_t(i)]);
+        if (call.name == "set") {
+            set = point;
         } else {
             m_three.direction = point - m_three.position;
             m_three.upThen = m_three.up;
         }
     }
 
-    /// Returns whether a call turns or moves the view, or an object in it, in an unsupported way.
-    bool isLeftOut(const CallText &call) const
+    /// Reports camera.fov = and the like of three.js, which are not read.
+    void readLens(const SourceCall &call)
     {
-        for (const std::string_view name : {"glTranslate", "glRotate", "glScale", "glMultMatrix"}) {
-            if (call.name.starts_with(name))
+        if (m_parts.projection && isCamera(call.object) && isListed(" fov aspect near far zoom ", call.name))
+            m_parts.projection->call += tr(". %1 is ignored: put its value into the call", call.written);
+    }
+
+    /// Returns whether a call turns or moves the view, or an object in it, in an unsupported way.
+    bool isLeftOut(const SourceCall &call) const
+    {
+        const std::string_view name = call.name, member = lastName(call.object);
+        for (const std::string_view one : {"glTranslate", "glRotate", "glScale", "glMultMatrix"}) {
+            if (name.starts_with(one))
                 return true;
         }
-        for (const std::string_view member : {".rotation", ".quaternion"}) {
-            if (call.object.ends_with(member))
-                return isCamera(call.object.substr(0, call.object.size() - member.size()));
-        }
-        const bool isTurn = call.name.starts_with("rotate") || call.name.starts_with("translate");
-        return isTurn && !call.object.empty() && isCamera(call.object);
+        if (member == "rotation" || member == "quaternion")
+            return isCamera(namesBefore(call.object));
+        return (name.starts_with("rotate") || name.starts_with("translate")) && isCamera(call.object);
     }
 
-    bool isCamera(const std::string &object) const
+    bool isCamera(std::string_view object) const
     {
-        if (!m_camera.empty())
-            return object == m_camera;
-        return base::lowerCase(object).find("cam") != std::string::npos;
-    }
-
-    /// Reads the assignments to single members of the camera before a position: camera.position.z =
-    /// 5.
-    void readAssignments(std::size_t end)
-    {
-        for (; m_nextAssignment < m_assignments.size() && m_assignments[m_nextAssignment].at < end;
-             ++m_nextAssignment) {
-            const AssignmentText &one = m_assignments[m_nextAssignment];
-            const std::size_t dot = one.name.rfind('.');
-            if (dot == one.name.npos)
-                continue;
-            std::string object = one.name.substr(0, dot);
-            const std::string member = one.name.substr(dot + 1);
-            constexpr std::string_view kPosition = ".position", kAxes = "xyz";
-            if (object.ends_with(kPosition) && member.size() == 1 && kAxes.find(member) != kAxes.npos) {
-                object.resize(object.size() - kPosition.size());
-                if (isCamera(object))
-                    move(one, object, int(kAxes.find(member)));
-            } else if (isCamera(object) && m_read.parts.projection && isOfLens(member)) {
-                m_read.parts.projection->call += tr(". %1 is ignored: put its value into the call", one.name);
-            }
-        }
-    }
-
-    static bool isOfLens(const std::string &member)
-    {
-        return member == "fov" || member == "aspect" || member == "near" || member == "far" || member == "zoom";
-    }
-
-    void move(const AssignmentText &to, const std::string &object, int axis)
-    {
-        const double value = number(to.name, to.value).value;
-        m_three.name = object;
-        m_three.position[axis] = value;
+        return m_camera.empty() ? lowerCase(object).find("cam") != std::string::npos : object == m_camera;
     }
 
     std::string_view m_program;
     std::string m_text;
-    ArgumentReader m_arguments;
-    std::vector<AssignmentText> m_assignments;
-    std::size_t m_nextAssignment = 0;
-    std::string m_rest;
-    PastedCalls m_read;
-    ArgumentNumber m_wholeQuotient;     ///< of the current call
-    std::vector<std::string> m_leftOut; ///< names of calls that change the view
-    std::string m_camera;               ///< the variable that holds the three.js camera
+    std::vector<SourceCall> m_calls;
+    std::string m_rest; ///< the text without what is read
+    PastedScene m_parts;
+    SourceNumber m_wholeQuotient; ///< of the current call
+    std::string_view m_camera;    ///< the variable that holds the three.js camera
 
     /// A three.js camera. lookAt turns it at its current position; moved later, it keeps its
     /// direction.
     struct ThreeCamera {
-        std::string name; ///< empty until a call moves it
+        std::string_view name; ///< empty until a call moves it
         glm::dvec3 position{0.0}, up{0.0, 1.0, 0.0};
         glm::dvec3 direction{0.0, 0.0, -1.0}, upThen{0.0, 1.0, 0.0};
     };

@@ -229,6 +229,9 @@ private slots:
             << view();
         newRow("three.js, up") << "camera.up.set(0, 0, 1)\ncamera.position.set(3, 2, 5)\ncamera.lookAt(0, 0.5, 0)"
                                << glm::lookAt(eye, center, glm::dvec3(0, 0, 1));
+        newRow("three.js, up, coordinate by coordinate")
+            << "camera.up.y = 0\ncamera.up.z = 1\ncamera.position.set(3, 2, 5)\ncamera.lookAt(0, 0.5, 0)"
+            << glm::lookAt(eye, center, glm::dvec3(0, 0, 1));
         newRow("three.js, moved after it was turned") // keeps its direction
             << "camera.position.set(3, 2, 4); camera.lookAt(0, 0.5, -1); camera.position.z = 5;"
             << glm::lookAt(eye, center, up);
@@ -389,6 +392,9 @@ private slots:
             << "glm::perspective: the angle is in radians and must be smaller than pi. You entered 45";
         newRow("near 0") << "gluPerspective(45, 1.5, 0, 100)"
                          << "gluPerspective: near";
+        newRow("far behind the eye") << "gluPerspective(45, 1.5, 1, -100)"
+                                     << "gluPerspective: near is -100; it must be greater than 0 and smaller than far "
+                                        "(1)";
         newRow("a flat window") << "glFrustum(1, 1, -1, 1, 1, 9)"
                                 << "glFrustum: left";
         newRow("an eye in its center") << "gluLookAt(1, 2, 3, 1, 2, 3, 0, 1, 0)"
@@ -416,6 +422,7 @@ private slots:
         newRow("in a comment") << "// gluPerspective(45, 1, 1, 9)\n1 2 3";
         newRow("a name alone") << "gluPerspective";
         newRow("not closed") << "gluPerspective(45, 1, 1, 9";
+        newRow("a camera that no call turns") << "camera.position.z = radius;\nrender(camera)";
         newRow("another library's") << "view.lookAt(a, b, c)";
         newRow("nothing") << "";
         newRow("brackets only") << ")))((([[[{{{";
