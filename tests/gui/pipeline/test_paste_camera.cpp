@@ -506,7 +506,7 @@ private slots:
             Pasting pasting;
             pasting.dialog.readFiles({areImagesFirst ? images : cameras});
             QVERIFY(!pasting.ok()->isEnabled());
-            QVERIFY2(pasting.said().contains(areImagesFirst ? "give cameras.txt too" : "give images.txt too"),
+            QVERIFY2(pasting.said().contains(areImagesFirst ? "give cameras.txt" : "give images.txt"),
                      qPrintable(pasting.said()));
             pasting.dialog.readFiles({areImagesFirst ? cameras : images});
             QVERIFY2(pasting.ok()->isEnabled() && pasting.said().contains("Camera of COLMAP"),
