@@ -368,8 +368,7 @@ Curvature curvatureOf(const Model &model, const base::Progress &progress)
 try {
     base::Reporter reporter(progress);
     Curvature curvature = computed(model, reporter);
-    if (progress)
-        progress(1.0);
+    reporter.beginStage(1.0, 1.0); // the other threads may have ended the work without a report
     return curvature;
 } catch (const base::Stopped &) {
     return {};
