@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/cameras/scan.h"
+
 #include <cstddef>
 #include <initializer_list>
 #include <optional>
@@ -9,25 +11,22 @@
 
 namespace unprojector::cameras {
 
-/// The letters and digits of a name in lower case: "nearclip" of "near_Clip".
-std::string plain(std::string_view name);
-
 /// A name in a printed text with the values behind it.
 struct NamedValue {
     std::vector<std::string> words; ///< of the name, letters and digits in lower case: {"near", "clipplane"}
     std::string written;            ///< the name as in the text: "cam.nearClipPlane"
     std::string parent;             ///< the last name before it that has no values: "location" of "Location: X=1 Y=2"
-    std::string word;               ///< the value, if it is a word: "HORIZONTAL"
+    std::string word;               ///< the value, if it is of words: "HORIZONTAL"
     std::vector<double> numbers;    ///< the values up to the next name
     std::size_t line = 0;           ///< of the name, from 1
     std::string arithmetic{};       ///< what the text computes with the values: "/ 1000", ".T"; empty: nothing
     bool isNamed(std::string_view name) const; ///< by all its words or by its last ones
 };
 
-/// The names and values of a printed text: "fov = 60", "near clip plane: 0.3", "lens 50 mm",
-/// "Location X=1 Y=2 Z=3", "matrix_world = Matrix(((…), (…)))", JSON and YAML of one level. Skips
-/// comments, and names of types before brackets. Applies MATLAB's common factor, "1.0e+03 *", to
-/// the numbers behind it. nan and inf count as numbers, so no other number takes their position.
+/// The names and values of any text, see scan(): "fov = 60", "near clip plane: 0.3", "lens 50 mm",
+/// "Location X=1 Y=2 Z=3", "matrix_world = Matrix(((…), (…)))", JSON, YAML, XML. Skips comments, and
+/// names of types before brackets. nan and inf count as numbers, so no other number takes their
+/// position.
 class NamedValues {
 public:
     explicit NamedValues(std::string_view text);

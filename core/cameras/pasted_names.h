@@ -10,7 +10,7 @@
 namespace unprojector::cameras {
 
 struct NamedPart {
-    PastedPart part;
+    std::optional<PastedPart> part{};
     bool isInverse = false; ///< the name is of the part's inverse: "projectionMatrixInverse", "cameraToWorld"
 };
 

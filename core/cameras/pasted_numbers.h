@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/cameras/pasted_matrix.h"
+#include "core/cameras/scan.h"
 
 #include <optional>
 #include <string>
@@ -10,14 +11,8 @@
 namespace unprojector::cameras {
 
 /// A number of a pasted text with its context, which tells the matrix it belongs to.
-struct PastedNumber {
-    double value = 0.0;
-    std::size_t at = 0;               ///< its first byte
-    std::size_t line = 0;             ///< from 0
-    std::size_t bracket = 0;          ///< the number of its innermost bracket pair, counted as they open; 0: none
-    bool isBehindSemicolon = false;   ///< a semicolon stands between it and the number before it
-    std::vector<int> subscripts{};    ///< m[3] = 1: {3}; m(0,1) = 1 and m01 = 1: {0, 1}
-    std::vector<std::string> words{}; ///< between it and the previous number, in lower case
+struct PastedNumber : ScannedNumber {
+    std::vector<std::string> words{}; ///< names between it and the previous number, in lower case
     std::optional<PastedPart> part{}; ///< the part whose name occurred last
     bool isInverse = false;           ///< that name is of the part's inverse
 };

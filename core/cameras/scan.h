@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace unprojector::cameras {
+
+enum class NumberKind {
+    Plain,
+    Side, ///< one of 800x600
+    Unit, ///< a unit follows without a blank: 50mm
+    Sign  ///< no number but a minus apart from one: 3 - 5
+};
+
+/// A number of a text with its place.
+struct ScannedNumber {
+    double value = 0.0; ///< NaN or infinite if the text has no finite number here: nan, 1.#QNAN, 1e400
+    NumberKind kind = NumberKind::Plain;
+    bool isBehindSemicolon = false;   ///< a semicolon stands between it and the number before it
+    std::size_t at = 0, length = 0;   ///< its bytes in the text
+    std::size_t line = 0;             ///< from 1
+    std::size_t bracket = 0;          ///< the number of its innermost bracket pair, counted as they open; 0: none
+    std::vector<int> subscripts = {}; ///< m[3] = 1: {3}; m(0,1) = 1 and m01 = 1: {0, 1}
+};
+
+enum class GroupKind {
+    Name,   ///< the numbers up to the next name are its values: "near clip plane: 0.3"
+    Word,   ///< a value: 'AUTO'
+    Type,   ///< a type or function before brackets: np.array(
+    Comment ///< words of a comment
+};
+
+/// Adjacent words of a text, and the numbers between them and the next ones.
+struct Group {
+    std::string_view name; ///< as written: "cam.nearClipPlane"; the first group has none
+    GroupKind kind = GroupKind::Name;
+    bool isQuoted = false;
+    std::size_t line = 0;                    ///< from 1
+    std::string arithmetic = {};             ///< what the text computes with a name's values: "/ 1000", ".T"
+    std::vector<ScannedNumber> numbers = {}; ///< without those of comments
+};
+
+/// The words and numbers of any text, in its order: JSON, YAML, XML, source code and printed
+/// arrays. What printing adds is skipped: sizes (Array(16), 4×4 Matrix), labels of rows and
+/// columns, addresses, times, and the second and third name of a component in a debugger (x = 1,
+/// r = 1, s = 1). Applied: MATLAB's common factor, "1.0e+03 *", decimal commas, exponents of
+/// Fortran, Mathematica and LaTeX, np.radians(60), np.pi / 3, np.eye(3).
+/// @return views of the text
+std::vector<Group> scan(std::string_view text);
+
+/// The letters and digits of a name in lower case: "nearclip" of "near_Clip".
+std::string plain(std::string_view name);
+/// The part of "camera.data.lens", "cam->lens" or "cv::Mat" behind the last dot, arrow or colon.
+std::string_view lastPart(std::string_view path);
+
+} // namespace unprojector::cameras
