@@ -43,7 +43,7 @@ NamedValues::NamedValues(std::string_view text)
                 parent = m_values.back().words.back();
             NamedValue value;
             value.written = group.name;
-            value.words = group.isQuoted ? std::vector{plain(group.name)} : wordsOf(group.name);
+            value.words = wordsOf(group.name);
             if (value.words.size() > 1 && value.words.back().size() == 1) { // "Location X=1 Y=2 Z=3"
                 parent = value.words[value.words.size() - 2];
                 value.words = {value.words.back()};
@@ -58,10 +58,8 @@ NamedValues::NamedValues(std::string_view text)
         } else if (group.kind == GroupKind::Word && m_values.back().numbers.empty() && m_values.back().word.empty()) {
             m_values.back().word = group.name;
         }
-        for (const ScannedNumber &number : group.numbers) {
-            if (number.kind != NumberKind::Sign)
-                m_values.back().numbers.push_back(number.value);
-        }
+        for (const ScannedNumber &number : group.numbers)
+            m_values.back().numbers.push_back(number.value);
     }
 }
 

@@ -24,7 +24,7 @@ public:
                 tell();
                 const bool isOnLine = number.line == m_nameLine;
                 const bool isOfSize = m_named.part == PastedPart::Viewport || (isOnLine && m_sides.size() == 2);
-                if (number.kind == NumberKind::Unit || (number.kind == NumberKind::Side && !isOfSize))
+                if (number.isInWord && !isOfSize)
                     continue;
                 if (!std::isfinite(number.value))
                     return PasteError{
@@ -49,7 +49,7 @@ private:
         else
             m_names.emplace_back();
         m_names.back() += group.name;
-        m_isInverse = group.kind == GroupKind::Type && (letters.ends_with("inverse") || letters.ends_with("inv"));
+        m_isInverse = group.kind == GroupKind::Other && (letters.ends_with("inverse") || letters.ends_with("inv"));
         m_nameLine = group.line;
     }
 

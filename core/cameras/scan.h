@@ -7,17 +7,10 @@
 
 namespace unprojector::cameras {
 
-enum class NumberKind {
-    Plain,
-    Side, ///< one of 800x600
-    Unit, ///< a unit follows without a blank: 50mm
-    Sign  ///< no number but a minus apart from one: 3 - 5
-};
-
 /// A number of a text with its place.
 struct ScannedNumber {
-    double value = 0.0; ///< NaN or infinite if the text has no finite number here: nan, 1.#QNAN, 1e400
-    NumberKind kind = NumberKind::Plain;
+    double value = 0.0;    ///< NaN or infinite if the text has no finite number here: nan, 1.#QNAN, 1e400, 3 - 5
+    bool isInWord = false; ///< one of 800x600, or 50mm
     bool isBehindSemicolon = false;   ///< a semicolon stands between it and the number before it
     std::size_t at = 0, length = 0;   ///< its bytes in the text
     std::size_t line = 0;             ///< from 1
@@ -26,17 +19,15 @@ struct ScannedNumber {
 };
 
 enum class GroupKind {
-    Name,   ///< the numbers up to the next name are its values: "near clip plane: 0.3"
-    Word,   ///< a value: 'AUTO'
-    Type,   ///< a type or function before brackets: np.array(
-    Comment ///< words of a comment
+    Name, ///< the numbers up to the next name are its values: "near clip plane: 0.3"
+    Word, ///< a value: 'AUTO'
+    Other ///< a type or function before brackets, np.array(, or words of a comment
 };
 
 /// Adjacent words of a text, and the numbers between them and the next ones.
 struct Group {
     std::string_view name; ///< as written: "cam.nearClipPlane"; the first group has none
     GroupKind kind = GroupKind::Name;
-    bool isQuoted = false;
     std::size_t line = 0;                    ///< from 1
     std::string arithmetic = {};             ///< what the text computes with a name's values: "/ 1000", ".T"
     std::vector<ScannedNumber> numbers = {}; ///< without those of comments
