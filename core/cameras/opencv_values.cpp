@@ -1,7 +1,5 @@
 #include "core/cameras/opencv_values.h"
 
-#include "core/cameras/printed_text.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -81,7 +79,7 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
             bool isTable = false; ///< of six columns
         };
         std::vector<Owned> values;
-        const NamedValues named(withNames(text.text));
+        const NamedValues named(text.text);
         for (const NamedValue &value : named.all()) {
             const auto member = std::find_if(kMembers.begin(), kMembers.end(),
                                              [&](std::string_view name) { return value.isNamed(name); });
