@@ -1,10 +1,13 @@
 #include "core/cameras/camera_json.h"
 
 #include "core/base/json.h"
+#include "core/base/text_scanner.h"
 #include "core/base/translation.h"
+#include "core/cameras/reader_parts.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -22,6 +25,12 @@ std::optional<double> finiteNumber(const Json &json)
         return std::nullopt;
     const double value = base::valueOfJsonNumber(json);
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+const Json &nothing()
+{
+    static const Json null;
+    return null;
 }
 
 bool addNumbers(const Json &value, std::vector<double> &numbers)
@@ -88,6 +97,84 @@ std::vector<double> numbersOf(const Json &object, std::string_view key)
     const Json *member = memberOf(object, key);
     std::vector<double> numbers;
     return member && addNumbers(*member, numbers) ? numbers : std::vector<double>();
+}
+
+Json documentWith(const NamedText &text, JsonKeys keys)
+{
+    const auto has = [&](const char *key) { return text.text.find('"' + std::string(key) + '"') != text.text.npos; };
+    return isJson(text.text) && std::all_of(keys.begin(), keys.end(), has) ? parsedJson(text) : Json();
+}
+
+const Json &inside(const Json &object, JsonKeys path)
+{
+    const Json *at = &object;
+    for (auto key = path.begin(); key != path.end() && at; ++key)
+        at = memberOf(*at, *key);
+    return at ? *at : nothing();
+}
+
+std::string wordOf(const Json &object, std::string_view key)
+{
+    const Json *member = memberOf(object, key);
+    return !member ? std::string() : member->is_string() ? member->get<std::string>() : base::compactJson(*member);
+}
+
+std::vector<const Json *> elementsOf(const Json &value)
+{
+    std::vector<const Json *> elements;
+    for (const Json &element : value)
+        elements.push_back(&element);
+    return value.is_array() ? elements : std::vector{&value};
+}
+
+const Json &entryOf(const Json &list, std::string_view key, const std::string &word)
+{
+    const auto found =
+        std::find_if(list.begin(), list.end(), [&](const Json &entry) { return wordOf(entry, key) == word; });
+    return found == list.end() ? nothing() : *found;
+}
+
+std::vector<double> spelledNumbers(const Json &object, std::string_view key)
+{
+    const Json *member = memberOf(object, key);
+    const auto isText = [](const Json &element) { return element.is_string(); };
+    // The elements of a text are the text itself.
+    if (!member || !std::all_of(member->begin(), member->end(), isText))
+        return numbersOf(object, key);
+    std::vector<double> numbers;
+    for (const Json &element : *member) {
+        const auto number = base::doubleFromWord(element.get<std::string>());
+        if (!number || !std::isfinite(*number))
+            return {};
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
+std::optional<double> spelledNumber(const Json &object, std::string_view key)
+{
+    const std::vector<double> numbers = spelledNumbers(object, key);
+    return numbers.size() == 1 ? std::optional(numbers[0]) : std::nullopt;
+}
+
+std::vector<double> neededNumbers(const Reading &reading, const Json &object, std::string_view key, std::size_t count)
+{
+    std::vector<double> numbers = spelledNumbers(object, key);
+    if (numbers.size() != count)
+        reading.fail(base::tr("%1 needs %2 numbers; it has %3", key, count, numbers.size()),
+                     lineOfKey(reading.text.text, key, reading.camera.image));
+    return numbers;
+}
+
+double neededNumber(const Reading &reading, const Json &object, std::string_view key)
+{
+    return neededNumbers(reading, object, key, 1)[0];
+}
+
+glm::dvec3 neededVector(const Reading &reading, const Json &object, std::string_view key)
+{
+    const std::vector<double> v = neededNumbers(reading, object, key, 3);
+    return {v[0], v[1], v[2]};
 }
 
 std::string nameOf(const Json &object, std::string_view key, std::size_t index)

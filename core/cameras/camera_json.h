@@ -4,13 +4,18 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <glm/vec3.hpp>
+
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace unprojector::cameras {
+
+class Reading;
 
 // JSON of other programs. A reader includes <nlohmann/json.hpp>.
 
@@ -31,6 +36,34 @@ const nlohmann::ordered_json *memberOf(const nlohmann::ordered_json &object, std
 /// The finite numbers of a member, nested lists one after the other; empty if there is none, or if it
 /// has anything else. A single number is a list of one.
 std::vector<double> numbersOf(const nlohmann::ordered_json &object, std::string_view key);
+
+using JsonKeys = std::initializer_list<const char *>;
+
+/// The document of a JSON text that has all these keys; null for another text.
+nlohmann::ordered_json documentWith(const NamedText &text, JsonKeys keys);
+
+/// The value along a path of keys; null where a key is missing.
+const nlohmann::ordered_json &inside(const nlohmann::ordered_json &object, JsonKeys path);
+
+/// A member's text, or its value as JSON; empty without the member.
+std::string wordOf(const nlohmann::ordered_json &object, std::string_view key);
+
+/// The elements of a list; another value itself.
+std::vector<const nlohmann::ordered_json *> elementsOf(const nlohmann::ordered_json &value);
+
+/// The element of a list whose member is this word; null if there is none.
+const nlohmann::ordered_json &entryOf(const nlohmann::ordered_json &list, std::string_view key,
+                                      const std::string &word);
+
+/// The finite numbers of a member, each a number or, as AliceVision writes it, a text.
+std::vector<double> spelledNumbers(const nlohmann::ordered_json &object, std::string_view key);
+/// The same, of a single number.
+std::optional<double> spelledNumber(const nlohmann::ordered_json &object, std::string_view key);
+/// The same; for another count it fails, in the line of the chosen image's key.
+std::vector<double> neededNumbers(const Reading &reading, const nlohmann::ordered_json &object, std::string_view key,
+                                  std::size_t count);
+double neededNumber(const Reading &reading, const nlohmann::ordered_json &object, std::string_view key);
+glm::dvec3 neededVector(const Reading &reading, const nlohmann::ordered_json &object, std::string_view key);
 
 /// The text of a member; the index if there is none.
 std::string nameOf(const nlohmann::ordered_json &object, std::string_view key, std::size_t index);

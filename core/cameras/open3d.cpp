@@ -32,15 +32,6 @@ constexpr std::array kKinds{"PinholeCameraParameters", "PinholeCameraTrajectory"
     reading.fail(std::move(reason), lineOfKey(reading.text.text, key, reading.camera.image));
 }
 
-/// Numbers under a key of an object, by count.
-std::vector<double> taken(const Reading &reading, const Json &object, const char *key, std::size_t count)
-{
-    std::vector<double> numbers = numbersOf(object, key);
-    if (numbers.size() != count)
-        failAtKey(reading, key, tr("%1 needs %2 numbers; it has %3", key, count, numbers.size()));
-    return numbers;
-}
-
 void readPinhole(Reading &reading, const Json &parameters, const std::string &kind)
 {
     ForeignCamera &camera = reading.camera;
@@ -48,21 +39,18 @@ void readPinhole(Reading &reading, const Json &parameters, const std::string &ki
     const Json *lens = isLensAlone ? &parameters : memberOf(parameters, "intrinsic");
     if (lens == nullptr)
         failAtKey(reading, "extrinsic", tr("there is no intrinsic; give the focal length there"));
-    const std::vector<double> k = taken(reading, *lens, "intrinsic_matrix", 9); // by columns
+    const std::vector<double> k = neededNumbers(reading, *lens, "intrinsic_matrix", 9); // by columns
     camera.intrinsics = Intrinsics{k[0], k[4], k[6], k[7], k[3], PixelCentres::AtIntegers};
     camera.size = sizeOf(numberOf(*lens, "width"), numberOf(*lens, "height"));
     if (!isLensAlone)
-        camera.pose = matrixByColumns(taken(reading, parameters, "extrinsic", 16));
+        camera.pose = matrixByColumns(neededNumbers(reading, parameters, "extrinsic", 16));
 }
 
 /// The camera of Open3D's viewer, as its ViewControl computes it.
 void readView(Reading &reading, const Json &view)
 {
     ForeignCamera &camera = reading.camera;
-    const auto point = [&](const char *key) {
-        const std::vector<double> v = taken(reading, view, key, 3);
-        return glm::dvec3(v[0], v[1], v[2]);
-    };
+    const auto point = [&](const char *key) { return neededVector(reading, view, key); };
     const glm::dvec3 lowest = point("boundingbox_min"), extents = point("boundingbox_max") - lowest,
                      front = point("front"), center = point("lookat"), up = point("up");
     const auto degrees = numberOf(view, "field_of_view"), zoom = numberOf(view, "zoom");

@@ -91,9 +91,11 @@ void Reading::failAt(std::string_view name, std::string reason)
     fail(std::move(reason), value ? value->line : 0);
 }
 
-void Reading::chooseImage()
+void Reading::chooseImage(std::span<const std::string> ids)
 {
-    const auto index = imageIndex(camera.images, choices.image);
+    const auto id = std::find(ids.begin(), ids.end(), choices.image);
+    const bool isId = id != ids.end() && !choices.image.empty();
+    const auto index = isId ? std::size_t(id - ids.begin()) : imageIndex(camera.images, choices.image);
     if (!index)
         fail(tr("there is no image %1 among %2 (%3); give one of their names or an index from 0 with --image",
                 base::quoted(choices.image), camera.images.size(), firstNames(camera.images)));

@@ -42,7 +42,8 @@ public:
 
     /// Sets the image of a camera whose `images` are set. Adds a sentence where the first of several
     /// is taken. A wrong choice fails with a list of the first images.
-    void chooseImage();
+    /// @param ids  other names of the images, in their order; empty: none
+    void chooseImage(std::span<const std::string> ids = {});
 
     /// The image's size, by the choices or by the camera's file.
     std::optional<ImageSize> size() const { return choices.size ? choices.size : camera.size; }
