@@ -27,6 +27,16 @@ struct CameraReader {
 
 /// The first that recognises the texts reads them: the most particular form is first.
 constexpr std::array kReaders{CameraReader{"COLMAP", nullptr, readColmap},
+                              CameraReader{"OpenMVG", readOpenMvg},
+                              CameraReader{"AliceVision", readAliceVision},
+                              CameraReader{"OpenSfM", readOpenSfm},
+                              CameraReader{"Nerfstudio", readCameraPath},
+                              CameraReader{"BOP", nullptr, readBop},
+                              CameraReader{"nuScenes", readNuScenes},
+                              CameraReader{"Polycam", readPolycam},
+                              CameraReader{"ARKit", readArKit},
+                              CameraReader{"Record3D", readRecord3d},
+                              CameraReader{"three.js", readThree},
                               CameraReader{"NeRF", nullptr, readNerf},
                               CameraReader{"Open3D", readOpen3d},
                               CameraReader{"glTF", readGltf},

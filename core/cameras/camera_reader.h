@@ -36,6 +36,26 @@ bool readUnreal(Reading &reading);
 bool readPyrender(Reading &reading);
 /// cameras.json, or the printed world_view_transform and full_proj_transform.
 bool readSplatting(Reading &reading);
+/// sfm_data.json.
+bool readOpenMvg(Reading &reading);
+/// cameras.sfm of AliceVision and Meshroom.
+bool readAliceVision(Reading &reading);
+/// reconstruction.json of OpenSfM and ODM.
+bool readOpenSfm(Reading &reading);
+/// camera_path.json of Nerfstudio's viewer.
+bool readCameraPath(Reading &reading);
+/// scene_camera.json, and camera.json, which has the image's size.
+std::optional<ForeignCamera> readBop(std::span<const NamedText> texts, const CameraChoices &choices);
+/// calibrated_sensor.json, or one record of it.
+bool readNuScenes(Reading &reading);
+/// A key frame's JSON.
+bool readPolycam(Reading &reading);
+/// A frame's JSON of 3D Scanner App: cameraPoseARFrame and intrinsics.
+bool readArKit(Reading &reading);
+/// The metadata of a .r3d file.
+bool readRecord3d(Reading &reading);
+/// A camera of Object3D.toJSON or of its editor.
+bool readThree(Reading &reading);
 /// extrinsic_cv or cam2world_gl with intrinsic_cv, as ManiSkill prints them.
 bool readSapien(Reading &reading);
 

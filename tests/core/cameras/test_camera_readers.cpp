@@ -4,6 +4,7 @@
 #include "tests/support/test.h"
 
 #include "core/cameras/camera_reader.h"
+#include "core/cameras/lens.h"
 #include "core/cameras/named_values.h"
 #include "tests/support/data_files.h"
 
@@ -473,6 +474,111 @@ private slots:
         }
         binary[1].text = bytesOf(Count(1) << 60) + images.substr(8);
         QVERIFY(reasonOf(binary, second).contains("it is incomplete"));
+    }
+
+    void distortionOfReconstructions_data()
+    {
+        addColumn<QString>("text");
+        addColumn<QString>("wanted");
+        const auto openMvg = [](const QString &lens) {
+            return QStringLiteral(R"({"sfm_data_version": "0.3", "views": [{"value": {"ptr_wrapper": {"data":
+                {"filename": "a.jpg", "id_view": 0, "id_intrinsic": 0, "id_pose": 0}}}}], "intrinsics": [{"key": 0,
+                "value": {"polymorphic_name": "a_model", "ptr_wrapper": {"data": {"width": 640, "height": 480,
+                "focal_length": 500, "principal_point": [320, 240], %1}}}}]})")
+                .arg(lens);
+        };
+        const auto aliceVision = [](const QString &lens) {
+            return QStringLiteral(R"({"version": ["1", "2", "5"], "views": [{"viewId": "1", "intrinsicId": "9",
+                "path": "a.jpg"}], "intrinsics": [{"intrinsicId": "9", "width": "640", "height": "480",
+                "focalLength": "30", "principalPoint": ["0", "0"], %1}]})")
+                .arg(lens);
+        };
+        const auto openSfm = [](const QString &lens) {
+            return QStringLiteral(R"([{"cameras": {"c": {"width": 640, "height": 480, "focal": 0.8, %1}}, "shots":
+                {"a.jpg": {"camera": "c", "rotation": [0, 0, 0], "translation": [0, 0, 0]}}}])")
+                .arg(lens);
+        };
+        const char *brown = "k1 = 0.1, k2 = 0.2, p1 = 0.3, p2 = 0.4, k3 = 0.5";
+        newRow("OpenMVG, k1") << openMvg(R"("disto_k1": [0.1])") << "k1 = 0.1";
+        newRow("OpenMVG, t2") << openMvg(R"("disto_t2": [0.1, 0.2, 0.5, 0.3, 0.4])") << brown;
+        newRow("OpenMVG, fisheye") << openMvg(R"("fisheye": [0, 0, 0, 0])") << "the camera model a_model is not read";
+        newRow("AliceVision, brown") << aliceVision(
+            R"("type": "brown", "distortionParams": ["0.1", "0.2", "0.5", "0.3", "0.4"])")
+                                     << brown;
+        newRow("AliceVision, later radial")
+            << aliceVision(R"("type": "pinhole", "distortionType": "radialk1", "distortionParams": ["0.1"])")
+            << "k1 = 0.1";
+        newRow("AliceVision, fisheye") << aliceVision(R"("type": "fisheye4", "distortionParams": ["0", "0", "0", "0"])")
+                                       << "the camera model fisheye4 is not read";
+        newRow("AliceVision, 3DE") << aliceVision(R"("type": "3declassicld", "distortionParams": ["0.1", "0"])")
+                                   << "the camera model 3declassicld is not read";
+        newRow("AliceVision, 3DE of zeros")
+            << aliceVision(R"("type": "3declassicld", "distortionParams": ["0", "0"])") << "";
+        newRow("AliceVision, undistortion")
+            << aliceVision(R"("type": "pinhole", "undistortionParams": ["0.1"])") << "the camera model pinhole is not";
+        newRow("OpenSfM, brown") << openSfm(
+            R"("projection_type": "brown", "focal_x": 0.8, "focal_y": 0.8, "k1": 0.1, "k2": 0.2, "p1": 0.3,
+                          "p2": 0.4, "k3": 0.5)")
+                                 << brown;
+        newRow("OpenSfM, fisheye") << openSfm(R"("projection_type": "fisheye", "k1": 0.0)")
+                                   << "the camera model fisheye is not read";
+    }
+
+    void distortionOfReconstructions()
+    {
+        QFETCH(QString, text);
+        QFETCH(QString, wanted);
+        const std::vector<NamedText> texts{{"a.json", text.toStdString()}};
+        const auto read = readCamera(texts, {});
+        QVERIFY(read);
+        if (*read)
+            QCOMPARE(QString::fromStdString(coefficientsText((*read)->distortion.value_or(Distortion()))), wanted);
+        else
+            QVERIFY2(reasonOf(texts, {}).contains(wanted) && !wanted.isEmpty(), qPrintable(reasonOf(texts, {})));
+        CameraChoices choices;
+        choices.isUndistorted = true;
+        QCOMPARE(reasonOf(texts, choices), QStringLiteral("read"));
+    }
+
+    /// The first view without a pose is not the first that is read; ids choose as names do.
+    void viewsOfReconstructionsAreChosen()
+    {
+        const auto read = readCamera(textsOf(exampleOf("AliceVision")), {});
+        QVERIFY(read && *read);
+        QCOMPARE((*read)->images, std::vector<std::string>{"/sequence/1120.exr"});
+        CameraChoices choices;
+        for (const char *image : {"6", "IMG_0006.JPG", "1"}) {
+            choices.image = image;
+            QCOMPARE(readCamera(textsOf(exampleOf("OpenMVG")), choices)->value().image, std::size_t(1));
+        }
+        choices.image = "7"; // a view without a pose
+        QVERIFY(reasonOf(textsOf(exampleOf("OpenMVG")), choices).contains("there is no image \"7\" among 2"));
+        choices.image = "725903f5b62f56118f4094b46a4470d8";
+        QCOMPARE(readCamera(textsOf(exampleOf("nuScenes")), choices)->value().image, std::size_t(1));
+        const auto ofRig = changed("AliceVision", R"("frameId": "1120")", R"("rigId": "3", "isPoseIndependant": "0")");
+        QVERIFY2(reasonOf(ofRig, {}).contains("the pose of /sequence/1120.exr is that of its rig"),
+                 qPrintable(reasonOf(ofRig, {})));
+    }
+
+    void partsOfCapturesAreToldApart()
+    {
+        const std::vector<NamedText> bop = textsOf(exampleOf("BOP"));
+        QVERIFY(readCamera(bop, {})->value().size == (ImageSize{640, 480}));
+        QCOMPARE(reasonOf({bop[1]}, {}), QStringLiteral("read"));
+        QVERIFY(assumedOf(bop, {}).contains("Lengths are in millimetres"));
+        const NamedText objects{"scene_gt.json", R"({"48": [{"cam_R_m2c": [1, 0, 0, 0, 1, 0, 0, 0, 1],
+                                                            "cam_t_m2c": [0, 0, 500], "obj_id": 1}]})"};
+        QVERIFY(reasonOf({objects}, {}).contains("scene_gt.json has the poses of objects and no camera"));
+        QVERIFY(reasonOf({bop[0], objects}, {}).contains("nothing in it is read"));
+        // Without a path, its key frames count.
+        const NamedText frames{"camera_path.json",
+                               R"({"camera_path": [], "render_width": 640, "render_height": 480, "keyframes": [
+                                   {"matrix": [1, 0, 0, 7, 0, 1, 0, 8, 0, 0, 1, 9, 0, 0, 0, 1], "fov": 60}]})"};
+        QCOMPARE((*readCamera({&frames, 1}, {})->value().pose)[3], glm::dvec4(7.0, 8.0, 9.0, 1.0));
+        CameraChoices choices;
+        choices.size = ImageSize{640, 480};
+        QVERIFY(reasonOf(changed("three.js", R"("filmOffset": 0)", R"("filmOffset": 2)"), choices)
+                    .contains("a camera with filmOffset or setViewOffset is not read"));
     }
 
     void posesInAParentAreSaid()
