@@ -94,6 +94,8 @@ std::optional<ForeignCamera> readBop(std::span<const NamedText> texts, const Cam
             reading.chooseImage(ids);
         const Json &one = isOne ? file : inside(file, {ids[camera.image].c_str()});
         camera.intrinsics = intrinsicsOf(neededNumbers(reading, one, "cam_K", 9), PixelCentres::AtIntegers);
+        if (const auto size = sizeOf(numberOf(one, "width"), numberOf(one, "height")))
+            camera.size = size;
         camera.files.push_back(of->name);
         if (memberOf(one, "cam_R_w2c")) {
             const auto rotation = matrixByRows(neededNumbers(reading, one, "cam_R_w2c", 9));

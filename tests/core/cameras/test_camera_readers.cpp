@@ -563,7 +563,10 @@ private slots:
     void partsOfCapturesAreToldApart()
     {
         const std::vector<NamedText> bop = textsOf(exampleOf("BOP"));
-        QVERIFY(readCamera(bop, {})->value().size == (ImageSize{640, 480}));
+        QVERIFY(readCamera(bop, {})->value().size == (ImageSize{320, 240})); // its own
+        CameraChoices choices;
+        choices.image = "000048.png";
+        QVERIFY(readCamera(bop, choices)->value().size == (ImageSize{640, 480}));
         QCOMPARE(reasonOf({bop[1]}, {}), QStringLiteral("read"));
         QVERIFY(assumedOf(bop, {}).contains("Lengths are in millimetres"));
         const NamedText objects{"scene_gt.json", R"({"48": [{"cam_R_m2c": [1, 0, 0, 0, 1, 0, 0, 0, 1],
@@ -575,7 +578,7 @@ private slots:
                                R"({"camera_path": [], "render_width": 640, "render_height": 480, "keyframes": [
                                    {"matrix": [1, 0, 0, 7, 0, 1, 0, 8, 0, 0, 1, 9, 0, 0, 0, 1], "fov": 60}]})"};
         QCOMPARE((*readCamera({&frames, 1}, {})->value().pose)[3], glm::dvec4(7.0, 8.0, 9.0, 1.0));
-        CameraChoices choices;
+        choices.image.clear();
         choices.size = ImageSize{640, 480};
         QVERIFY(reasonOf(changed("three.js", R"("filmOffset": 0)", R"("filmOffset": 2)"), choices)
                     .contains("a camera with filmOffset or setViewOffset is not read"));
