@@ -53,6 +53,7 @@ NamedValues::NamedValues(std::string_view text)
                 value.words.emplace_back();
             value.parent = parent;
             value.line = group.line;
+            value.at = group.name.empty() ? 0 : std::size_t(group.name.data() - text.data());
             value.arithmetic = std::move(group.arithmetic);
             m_values.push_back(std::move(value));
         } else if (group.kind == GroupKind::Word && m_values.back().numbers.empty() && m_values.back().word.empty()) {

@@ -19,6 +19,7 @@ struct NamedValue {
     std::string word;               ///< the value, if it is of words: "HORIZONTAL"
     std::vector<double> numbers;    ///< the values up to the next name
     std::size_t line = 0;           ///< of the name, from 1
+    std::size_t at = 0;             ///< of the name in the text
     std::string arithmetic{};       ///< what the text computes with the values: "/ 1000", ".T"; empty: nothing
     bool isNamed(std::string_view name) const; ///< by all its words or by its last ones
 };

@@ -113,6 +113,10 @@ public:
 
     ForeignCamera read()
     {
+        for (const NamedText &text : m_texts) {
+            if (m_values.hasAny(text.name))
+                m_camera.files.push_back(text.name);
+        }
         m_reading.begin(m_values.isCameraInfo() ? "ROS camera_info" : "OpenCV", PoseDirection::WorldToCamera,
                         EyeAxes::RightDownAhead);
         countImages();
@@ -122,10 +126,6 @@ public:
         readDistortion();
         readClipDistances();
         sayUnused();
-        for (const NamedText &text : m_texts) {
-            if (m_values.hasAny(text.name))
-                m_camera.files.push_back(text.name);
-        }
         return std::move(m_camera);
     }
 
@@ -138,7 +138,8 @@ private:
         setUsed({part});
         if (values.empty())
             return nullptr;
-        const CameraValue &value = values[std::min(m_camera.image, values.size() - 1)];
+        const std::size_t image = m_values.cameras().empty() ? m_camera.image : 0;
+        const CameraValue &value = values[std::min(image, values.size() - 1)];
         refuseComputed(part, value);
         return &value;
     }
@@ -200,6 +201,19 @@ private:
 
     void countImages()
     {
+        if (m_values.cameras().size() > 1) {
+            m_camera.images = m_values.cameras();
+            std::vector<std::string> lenses;
+            for (const Part part : {Part::Intrinsics, Part::CameraMatrix}) {
+                if (m_values.all(part).size() == m_camera.images.size())
+                    lenses = namesOf(part);
+            }
+            m_reading.chooseImage(lenses);
+            if (m_reading.choices.image.empty())
+                refuseShared();
+            m_values.keepCamera(m_camera.images[m_camera.image]);
+            return;
+        }
         std::size_t count = 1;
         Part most = Part::Pose;
         const auto look = [&](Part part) {
@@ -239,6 +253,21 @@ private:
                 names[i] = std::to_string(i);
         }
         return names;
+    }
+
+    /// Fails for R or t that no camera of several has for its own: it may lead from one camera to the
+    /// other.
+    void refuseShared() const
+    {
+        const std::vector<std::string> &cameras = m_values.cameras();
+        for (const Part part : {Part::Rotation, Part::Translation}) {
+            for (const CameraValue &value : m_values.all(part)) {
+                if (std::find_first_of(value.sections.begin(), value.sections.end(), cameras.begin(), cameras.end())
+                    == value.sections.end())
+                    fail(value, tr("the text has %1 camera matrices, but %2 of this. Give the text of one camera",
+                                   cameras.size(), m_values.all(part).size()));
+            }
+        }
     }
 
     /// Returns whether the text has several K that differ.

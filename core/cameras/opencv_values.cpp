@@ -1,5 +1,7 @@
 #include "core/cameras/opencv_values.h"
 
+#include "core/cameras/outline.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -31,6 +33,14 @@ bool fits(Part part, std::size_t count)
     case Part::Model: return true;
     }
     return false;
+}
+
+/// Returns whether a word is a lens that is no pinhole.
+bool isLens(const std::string &word)
+{
+    constexpr std::string_view kLenses = " ds eucm ucm kb kb4 kb8 mei omni omnidirectional fisheye equidistant equi "
+                                         "kannalabrandt kannalabrandt8 doublesphere scaramuzza fov atan ";
+    return kLenses.find(' ' + plain(word) + ' ') != kLenses.npos;
 }
 
 /// The name as in the text, without its object's: "cameraMatrix" of "calib.cameraMatrix".
@@ -80,6 +90,13 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
         };
         std::vector<Owned> values;
         const NamedValues named(text.text);
+        const Outline outline(text.text);
+        const auto sectionsAt = [&outline](std::size_t at) {
+            std::vector<std::string> names;
+            for (const std::size_t node : outline.pathTo(outline.nodeAt(at)))
+                names.push_back(outline.nameOf(node));
+            return names;
+        };
         for (const NamedValue &value : named.all()) {
             const auto member = std::find_if(kMembers.begin(), kMembers.end(),
                                              [&](std::string_view name) { return value.isNamed(name); });
@@ -91,10 +108,17 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
                 continue;
             }
             if (value.numbers.size() == 1)
-                m_numbers.push_back({value, text.name});
-            values.push_back({{nameOf(value), value.word, value.numbers, value.line, text.name, value.arithmetic}});
+                m_numbers.push_back({value, text.name, sectionsAt(value.at)});
+            CameraValue &added = values.emplace_back().value;
+            added.name = nameOf(value);
+            added.word = value.word;
+            added.numbers = value.numbers;
+            added.line = value.line;
+            added.file = text.name;
+            added.arithmetic = value.arithmetic;
+            added.sections = sectionsAt(value.at);
         }
-        addComponents(named, text.name);
+        addComponents(named, text.name, sectionsAt);
         for (Owned &owned : values) {
             const bool isPoses = owned.isTable && owned.value.numbers.size() % 6 == 0;
             if (const auto role = roleOf(owned.value); role && role->part == Part::Pose && isPoses)
@@ -105,9 +129,58 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
                 add(std::move(owned.value));
         }
     }
-    // Both ROS's messages and its calibration files have a model, K and P; R is then the
-    // rectification.
-    m_isCameraInfo = !all(Part::Model).empty() && !all(Part::CameraMatrix).empty() && !all(Part::Intrinsics).empty();
+    findCameras();
+}
+
+/// Finds the parts of the text that have a lens each: where the sections of the lenses part.
+void CameraValues::findCameras()
+{
+    std::vector<const std::vector<std::string> *> lenses;
+    for (const Part part : {Part::Intrinsics, Part::CameraMatrix, Part::Focal}) {
+        for (const CameraValue &value : all(part))
+            lenses.push_back(&value.sections);
+    }
+    for (const Number &number : m_numbers) {
+        if (number.value.isNamed("fx"))
+            lenses.push_back(&number.sections);
+    }
+    for (std::size_t depth = 0; !lenses.empty(); ++depth) {
+        std::vector<std::string> names;
+        for (const std::vector<std::string> *sections : lenses) {
+            if (sections->size() <= depth)
+                return; // a lens of all
+            if (std::find(names.begin(), names.end(), (*sections)[depth]) == names.end())
+                names.push_back((*sections)[depth]);
+        }
+        if (names.size() > 1) {
+            m_cameras = std::move(names);
+            return;
+        }
+    }
+}
+
+void CameraValues::keepCamera(const std::string &name)
+{
+    const auto isOfOther = [&](const std::vector<std::string> &sections) {
+        return std::any_of(sections.begin(), sections.end(), [&](const std::string &section) {
+            return section != name && std::find(m_cameras.begin(), m_cameras.end(), section) != m_cameras.end();
+        });
+    };
+    const auto isValueOfOther = [&](const CameraValue &value) { return isOfOther(value.sections); };
+    for (std::vector<CameraValue> &values : m_parts)
+        std::erase_if(values, isValueOfOther);
+    for (std::optional<CameraValue> &value : m_unfit) {
+        if (value && isValueOfOther(*value))
+            value.reset();
+    }
+    std::erase_if(m_others, isValueOfOther);
+    std::erase_if(m_numbers, [&](const Number &number) { return isOfOther(number.sections); });
+}
+
+/// Both ROS's messages and its calibration files have a model, K and P; R is then the rectification.
+bool CameraValues::isCameraInfo() const
+{
+    return !all(Part::Model).empty() && !all(Part::CameraMatrix).empty() && !all(Part::Intrinsics).empty();
 }
 
 void CameraValues::add(CameraValue value)
@@ -121,15 +194,33 @@ void CameraValues::add(CameraValue value)
     }
     value.role = *role;
     const Part part = role->part;
+    if (const std::string camera = cameraOf(value.name); !camera.empty())
+        value.sections.push_back(camera);
     const bool isWord = part == Part::Model;
     if (isWord ? value.word.empty() : value.numbers.empty())
         return;
+    if (isWord && value.name.ends_with("type") && !isLens(value.word))
+        return; // "camera_type": "rgb"
     if (part == Part::Quaternion && count != 4) {
         m_others.push_back(std::move(value));
         return;
     }
     if (part == Part::Intrinsics)
         value.numbers = withoutBorder(value.numbers);
+    // "T_cam_imu: {R: …, t: …}", "depth_to_color: {rotation: …}"
+    const bool isOfPose = part == Part::Rotation || part == Part::Quaternion || part == Part::Translation;
+    for (const std::string &section : value.sections) {
+        if (isOfPose && isBetweenCameras(section)) {
+            m_others.push_back(std::move(value));
+            return;
+        }
+        const std::optional<Role> around = isOfPose ? cameras::roleOf(section, 16) : std::nullopt;
+        if (around && around->part == Part::Pose && around->direction && !value.role.isDirectionStated) {
+            value.role = *around;
+            value.role.part = part;
+            value.role.w = role->w;
+        }
+    }
     if (part == Part::Quaternion && role->w < 4) {
         if (role->w == 0)
             std::rotate(value.numbers.begin(), value.numbers.begin() + 1, value.numbers.end());
@@ -190,7 +281,8 @@ void CameraValues::addPoses(CameraValue value)
 
 /// Adds ROS's transforms and poses: "translation: {x: 1, y: 2, z: 3}",
 /// "orientation: {x: 0, y: 0, z: 0, w: 1}".
-void CameraValues::addComponents(const NamedValues &named, const std::string &file)
+void CameraValues::addComponents(const NamedValues &named, const std::string &file,
+                                 const std::function<std::vector<std::string>(std::size_t at)> &sectionsAt)
 {
     const std::vector<NamedValue> &values = named.all();
     const auto addOf = [&](Part part, std::span<const std::string_view> names,
@@ -208,7 +300,12 @@ void CameraValues::addComponents(const NamedValues &named, const std::string &fi
             }
             if (numbers.size() != components.size())
                 continue;
-            of(part).push_back({parent, {}, std::move(numbers), values[i].line, file});
+            CameraValue &added = of(part).emplace_back();
+            added.name = parent;
+            added.numbers = std::move(numbers);
+            added.line = values[i].line;
+            added.file = file;
+            added.sections = sectionsAt(values[i].at);
             i += components.size() - 1;
         }
     };
@@ -234,15 +331,15 @@ std::optional<double> CameraValues::number(std::initializer_list<std::string_vie
 const NamedValue *CameraValues::find(std::string_view name) const
 {
     const auto found = std::find_if(m_numbers.begin(), m_numbers.end(),
-                                    [name](const auto &number) { return number.first.isNamed(name); });
-    return found == m_numbers.end() ? nullptr : &found->first;
+                                    [name](const auto &number) { return number.value.isNamed(name); });
+    return found == m_numbers.end() ? nullptr : &found->value;
 }
 
 bool CameraValues::differ(std::string_view name) const
 {
     const NamedValue *first = find(name);
     return std::any_of(m_numbers.begin(), m_numbers.end(), [&](const auto &number) {
-        return number.first.isNamed(name) && number.first.numbers != first->numbers;
+        return number.value.isNamed(name) && number.value.numbers != first->numbers;
     });
 }
 
@@ -252,9 +349,9 @@ bool CameraValues::hasAny(const std::string &file) const
     return std::any_of(m_parts.begin(), m_parts.end(),
                        [&](const auto &values) { return std::any_of(values.begin(), values.end(), isOfFile); })
            || std::any_of(m_numbers.begin(), m_numbers.end(), [&](const auto &number) {
-                  return number.second == file
+                  return number.file == file
                          && std::any_of(kScalars.begin(), kScalars.end(),
-                                        [&](std::string_view name) { return number.first.isNamed(name); });
+                                        [&](std::string_view name) { return number.value.isNamed(name); });
               });
 }
 

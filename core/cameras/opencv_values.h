@@ -4,12 +4,12 @@
 #include "core/cameras/roles.h"
 
 #include <array>
+#include <functional>
 #include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace unprojector::cameras {
@@ -23,6 +23,7 @@ struct CameraValue {
     std::string file;
     std::string arithmetic{}; ///< as in NamedValue
     Role role{};
+    std::vector<std::string> sections{}; ///< the names of the parts of the text that it stands in
 };
 
 /// The parts that some texts have: printed text, JSON, and the YAML and XML of cv::FileStorage and
@@ -42,24 +43,37 @@ public:
     /// Returns whether several numbers under a name differ: they are of several cameras.
     bool differ(std::string_view name) const;
     /// Returns whether a text is ROS's camera_info: its R is the rectification.
-    bool isCameraInfo() const { return m_isCameraInfo; }
+    bool isCameraInfo() const;
     /// The values that look like a camera's, but whose name says no part.
     const std::vector<CameraValue> &others() const { return m_others; }
     /// Returns whether a file has any part, or a number with a name.
     bool hasAny(const std::string &file) const;
+    /// The names of the parts of a text that have a lens each: "cam0", "cam1". Empty: one camera, or
+    /// several that no names tell apart.
+    const std::vector<std::string> &cameras() const { return m_cameras; }
+    /// Drops the values of all cameras but one of cameras().
+    void keepCamera(const std::string &name);
 
 private:
     void add(CameraValue value);
     void addUnnamed(CameraValue value);
     void addPoses(CameraValue value);
-    void addComponents(const NamedValues &named, const std::string &file);
+    void addComponents(const NamedValues &named, const std::string &file,
+                       const std::function<std::vector<std::string>(std::size_t at)> &sectionsAt);
     std::vector<CameraValue> &of(Part part) { return m_parts[std::size_t(part)]; }
 
     std::array<std::vector<CameraValue>, kParts> m_parts;
     std::array<std::optional<CameraValue>, kParts> m_unfit;
     std::vector<CameraValue> m_others;
-    std::vector<std::pair<NamedValue, std::string>> m_numbers; ///< values of one number, and their files
-    bool m_isCameraInfo = false;
+    struct Number {
+        NamedValue value;
+        std::string file;
+        std::vector<std::string> sections;
+    };
+    void findCameras();
+
+    std::vector<Number> m_numbers; ///< values of one number
+    std::vector<std::string> m_cameras;
 };
 
 } // namespace unprojector::cameras

@@ -78,7 +78,7 @@ constexpr std::array kVocabulary{
     WordsOfKind{Word::Size, " size resolution "},
     WordsOfKind{Word::Shape, " shape hw "},
     WordsOfKind{Word::Image, " image img frame "},
-    WordsOfKind{Word::Model, " model "},
+    WordsOfKind{Word::Model, " model type "},
     WordsOfKind{Word::Filler,
                 " vector vec params param parameters parameter data value values new est gt opt optimal "
                 "is of the my raw array np list point points length lengths pinhole final current xyzw wxyz "},
@@ -257,7 +257,8 @@ struct NameOfProgram {
 constexpr std::array kNamesOfPrograms{
     NameOfProgram{"extrinsicRotation", PoseDirection::CameraToWorld, "imu"}, // VINS-Mono
     NameOfProgram{"extrinsicTranslation", PoseDirection::CameraToWorld, "imu"},
-    NameOfProgram{"CameraExtrinsicMat", std::nullopt, "lidar"}}; // Autoware, and others the other way
+    NameOfProgram{"T_cn_cnm1", PoseDirection::WorldToCamera, "camera before"}, // Kalibr
+    NameOfProgram{"CameraExtrinsicMat", std::nullopt, "lidar"}};               // Autoware, and others the other way
 
 /// The part by the words that are not frames.
 std::optional<Part> partOf(const Name &name, std::size_t count)
@@ -265,7 +266,8 @@ std::optional<Part> partOf(const Name &name, std::size_t count)
     const bool isMatrix = name.has(Word::Matrix), isTransform = name.has(Word::Transform);
     const bool hasFrames = framesOf(name).from || framesOf(name).to;
     if (name.has(Word::Model) && !name.has(Word::View))
-        return name.isOnly({Word::Model, Word::Distortion}) ? std::optional(Part::Model) : std::nullopt;
+        return name.isOnly({Word::Model, Word::Distortion}) && name.words.front() != "type" ? std::optional(Part::Model)
+                                                                                            : std::nullopt;
     if (name.has(Word::Size) || name.has(Word::Shape))
         return name.isOnly({Word::Size, Word::Shape, Word::Image}) ? std::optional(Part::Size) : std::nullopt;
     if ((name.has(Word::Distortion) || name.has(Word::Coefficients))
@@ -388,6 +390,24 @@ std::optional<Role> roleOf(std::string_view text, std::size_t count)
     setCustom(name, role);
     role.w = name.hasWord("xyzw") ? 3 : name.hasWord("wxyz") || name.hasWord("qvec") ? 0 : 4;
     return role;
+}
+
+bool isBetweenCameras(std::string_view text)
+{
+    Role role;
+    return !setFrames(Name(text), role);
+}
+
+std::string cameraOf(std::string_view text)
+{
+    const std::size_t digits = text.find_last_not_of("0123456789") + 1;
+    if (digits > 0 && digits < text.size() && text.size() - digits <= 3)
+        return std::string(text.substr(digits));
+    for (const std::string &word : wordsOf(text)) {
+        if (kindOf(word) == Word::Side && word != "rect")
+            return word;
+    }
+    return {};
 }
 
 bool hasPartWord(std::string_view text)

@@ -56,4 +56,10 @@ std::optional<Role> roleOf(std::string_view name, std::size_t count);
 /// Returns whether a name has a word of a camera's parts, whatever else it says.
 bool hasPartWord(std::string_view name);
 
+/// Returns whether a name is of a transform between two cameras: "depth_to_color".
+bool isBetweenCameras(std::string_view name);
+
+/// Which of several cameras a name is of: "02" of K_02, "left" of K_left; empty: it does not say.
+std::string cameraOf(std::string_view name);
+
 } // namespace unprojector::cameras

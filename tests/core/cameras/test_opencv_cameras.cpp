@@ -589,11 +589,10 @@ projection_matrix:
         newRow("fx alone") << "fx = 800\nfy = 800\n"
                            << "fx and fy are given without cx and cy; give all four @0";
         newRow("two K, one R") << "{\"left\": {\"K\": [500, 0, 320, 0, 500, 240, 0, 0, 1]},\n\"right\": {\"K\": [600, "
-                                  "0, 320, 0, 600, 240, 0, 0, 1], \"R\": [1, 0, 0, 0, 1, 0, 0, 0, 1], \"T\": [0.1, 0, "
-                                  "0]}}\n"
+                                  "0, 320, 0, 600, 240, 0, 0, 1]}, \"R\": [1, 0, 0, 0, 1, 0, 0, 0, 1], \"T\": [0.1, 0, "
+                                  "0]}\n"
                                << "R: the text has 2 camera matrices, but 1 of this. Give the text of one camera @2";
-        newRow("two fx") << "\"left\": {\"fx\": 500, \"fy\": 500, \"cx\": 320, \"cy\": 240},\n\"right\": {\"fx\": 600, "
-                            "\"fy\": 500, \"cx\": 320, \"cy\": 240}\n"
+        newRow("two fx") << "fx: 500\nfy: 500\ncx: 320\ncy: 240\nfx: 600\n"
                          << "fx has several values. Give the text of one camera @1";
         newRow("a quaternion without names") << "K = 800 0 320 0 800 240 0 0 1\nq = [0, 0, 0, 1]\nt = 0 0 5\n"
                                              << "q: the order of a quaternion's four numbers is not known; name "

@@ -284,6 +284,75 @@ private slots:
         QVERIFY2(named && missOf(*named) < 1e-12, qPrintable(reasonOf(named)));
     }
 
+    void camerasHaveTheNamesOfTheirSections_data()
+    {
+        addColumn<QString>("text");
+        addColumn<QString>("image");
+        const QString pose = QString("[%1]").arg(kToCamera);
+        newRow("YAML") << "cam0:\n  intrinsics: [500, 500, 320, 240]\n  T_cam_imu: [0.1]\ncam1:\n  intrinsics: [600, "
+                          "600, 320, 240]\n  T_cam_imu: "
+                              + pose
+                       << "cam1";
+        newRow("YAML's items")
+            << "cameras:\n- name: left\n  K: [500, 0, 320, 0, 500, 240, 0, 0, 1]\n- name: right\n  K: "
+               "[600, 0, 320, 0, 600, 240, 0, 0, 1]\n  T_cam_world: "
+                   + pose
+            << "right";
+        newRow("JSON") << "{\"a\": {\"fx\": 500, \"fy\": 500, \"cx\": 320, \"cy\": 240}, \"b\": {\"fx\": 600, \"fy\": "
+                          "600, \"cx\": 320, \"cy\": 240, \"extrinsic\": "
+                              + pose + "}}"
+                       << "b";
+        newRow("JSON's items")
+            << "[{\"id\": \"0a\", \"K\": [500, 0, 320, 0, 500, 240, 0, 0, 1]}, {\"id\": \"0b\", \"K\": "
+               "[600, 0, 320, 0, 600, 240, 0, 0, 1], \"extrinsic\": "
+                   + pose + "}]"
+            << "0b";
+        newRow("sections") << "[LEFT]\nfx=500\nfy=500\ncx=320\ncy=240\n[RIGHT]\nfx=600\nfy=600\ncx=320\ncy=240\nRT = "
+                                  + pose
+                           << "RIGHT";
+        newRow("numbers behind the names") << "K_00: 500 0 320 0 500 240 0 0 1\nRT_00: 1 0 0 0 0 1 0 0 0 0 1 0\n"
+                                              "K_02: 600 0 320 0 600 240 0 0 1\nRT_02: "
+                                                  + QString(kToCamera)
+                                           << "02";
+        newRow("the name of K") << "K_left: 500 0 320 0 500 240 0 0 1\nK_right: 600 0 320 0 600 240 0 0 1\nRT_right: "
+                                       + QString(kToCamera)
+                                << "K_right";
+    }
+
+    void camerasHaveTheNamesOfTheirSections()
+    {
+        QFETCH(QString, text);
+        QFETCH(QString, image);
+        CameraChoices choices;
+        choices.image = image.toStdString();
+        const auto scene = read(text.toStdString() + '\n', choices);
+        QVERIFY2(scene, qPrintable(reasonOf(scene)));
+        QCOMPARE(scene->intrinsics->fx, 600.0);
+        QVERIFY2(missOf(*scene) < 1e-12, qPrintable(assumedIn(*scene)));
+        const auto first = read(text.toStdString() + '\n');
+        QVERIFY2(!first || assumedIn(*first).contains("The first of 2 images is read, "),
+                 qPrintable(assumedIn(*first)));
+    }
+
+    /// R and t beside two cameras may lead from one to the other.
+    void stereoPairsAreRefused()
+    {
+        const auto scene = read("K_left: 500 0 320 0 500 240 0 0 1\nK_right: 600 0 320 0 600 240 0 0 1\n"
+                                "R: 1 0 0 0 1 0 0 0 1\nT: 0.1 0 0\n");
+        QVERIFY2(reasonOf(scene).contains("the text has 2 camera matrices, but 1 of this"),
+                 qPrintable(reasonOf(scene)));
+    }
+
+    void transformsOfSensorsAreNoPose()
+    {
+        const auto scene =
+            read("color: {fx: 600, fy: 600, cx: 320, cy: 240}\ndepth_to_color: {rotation: [1, 0, 0, 0, 1, 0, "
+                 "0, 0, 1], translation: [0.1, 0, 0]}\n");
+        QVERIFY2(scene, qPrintable(reasonOf(scene)));
+        QVERIFY2(assumedIn(*scene).contains("Not used: rotation (9 numbers), translation (3 numbers).\n"),
+                 qPrintable(assumedIn(*scene)));
+    }
+
     /// P of a rectified image has K; the pose stands beside it.
     void aRectifiedPGivesK()
     {
