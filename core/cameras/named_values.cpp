@@ -9,13 +9,9 @@ namespace {
 std::vector<std::string> wordsOf(std::string_view name)
 {
     std::vector<std::string> words;
-    const auto isOfWord = [](char c) {
-        return !plain({&c, 1}).empty() || c == '_' || c == '.' || c == ':' || c == '>';
-    };
-    for (auto at = name.begin(); at != name.end();) {
-        const auto begin = std::find_if(at, name.end(), isOfWord);
-        at = std::find_if_not(begin, name.end(), isOfWord);
-        if (std::string word = plain(lastPart({begin, at})); !word.empty())
+    for (std::size_t at = 0, end = 0; at < name.size(); at = end + 1) {
+        end = std::min(name.find_first_of(" -*/+@|", at), name.size());
+        if (std::string word = plain(lastPart(name.substr(at, end - at))); !word.empty())
             words.push_back(std::move(word));
     }
     return words;
@@ -37,26 +33,27 @@ NamedValues::NamedValues(std::string_view text)
 {
     std::string parent;
     for (Group &group : scan(text)) {
+        const bool isEmpty = !m_values.empty() && m_values.back().numbers.empty() && m_values.back().word.empty();
         if (group.kind == GroupKind::Name) {
-            const bool isHeading = !m_values.empty() && m_values.back().numbers.empty() && m_values.back().word.empty();
-            if (isHeading)
-                parent = m_values.back().words.back();
-            NamedValue value;
-            value.written = group.name;
-            value.words = wordsOf(group.name);
-            if (value.words.size() > 1 && value.words.back().size() == 1) { // "Location X=1 Y=2 Z=3"
-                parent = value.words[value.words.size() - 2];
+            NamedValue value{wordsOf(group.name),
+                             std::string(group.name),
+                             isEmpty ? m_values.back().words.back() : parent,
+                             {},
+                             {},
+                             group.line,
+                             group.name.empty() ? 0 : std::size_t(group.name.data() - text.data()),
+                             std::move(group.arithmetic)};
+            const std::size_t count = value.words.size();
+            if (count > 1 && value.words.back().size() == 1) { // "Location X=1 Y=2 Z=3"
+                value.parent = value.words[count - 2];
                 value.words = {value.words.back()};
-                value.written = value.written.substr(value.written.find_last_of(" \t") + 1);
+                value.written.erase(0, value.written.find_last_of(" \t") + 1);
             }
-            if (value.words.empty())
+            if (count == 0)
                 value.words.emplace_back();
-            value.parent = parent;
-            value.line = group.line;
-            value.at = group.name.empty() ? 0 : std::size_t(group.name.data() - text.data());
-            value.arithmetic = std::move(group.arithmetic);
+            parent = value.parent;
             m_values.push_back(std::move(value));
-        } else if (group.kind == GroupKind::Word && m_values.back().numbers.empty() && m_values.back().word.empty()) {
+        } else if (group.kind == GroupKind::Word && isEmpty) {
             m_values.back().word = group.name;
         }
         for (const ScannedNumber &number : group.numbers)
@@ -64,44 +61,34 @@ NamedValues::NamedValues(std::string_view text)
     }
 }
 
-const NamedValue *NamedValues::find(std::initializer_list<std::string_view> names) const
+const NamedValue *NamedValues::find(Names names, std::size_t fewest) const
 {
     for (const std::string_view name : names) {
-        const auto found = std::find_if(m_values.begin(), m_values.end(),
-                                        [name](const NamedValue &value) { return value.isNamed(name); });
-        if (found != m_values.end())
-            return &*found;
+        for (const NamedValue &value : m_values) {
+            if (value.isNamed(name) && value.numbers.size() >= fewest)
+                return &value;
+        }
     }
     return nullptr;
 }
 
-std::optional<double> NamedValues::number(std::initializer_list<std::string_view> names) const
+std::optional<double> NamedValues::number(Names names) const
 {
-    for (const std::string_view name : names) {
-        for (const NamedValue &value : m_values) {
-            if (value.isNamed(name) && !value.numbers.empty())
-                return value.numbers.front();
-        }
-    }
-    return std::nullopt;
+    const NamedValue *value = find(names, 1);
+    return value ? std::optional(value->numbers.front()) : std::nullopt;
 }
 
 bool NamedValues::isTrue(std::string_view name) const
 {
     const NamedValue *value = find({name});
-    return value
-           && (value->word == "True" || value->word == "true"
-               || (!value->numbers.empty() && value->numbers.front() != 0.0));
+    return value && (plain(value->word) == "true" || (!value->numbers.empty() && value->numbers.front() != 0.0));
 }
 
-std::vector<double> NamedValues::numbers(std::initializer_list<std::string_view> names, std::size_t count,
-                                         std::initializer_list<std::string_view> components) const
+std::vector<double> NamedValues::numbers(Names names, std::size_t count, Names components) const
 {
     for (const std::string_view name : names) {
-        for (const NamedValue &value : m_values) {
-            if (value.isNamed(name) && value.numbers.size() >= count)
-                return value.numbers;
-        }
+        if (const NamedValue *value = find({name}, count))
+            return value->numbers;
         std::vector<double> found;
         for (const std::string_view component : components) {
             const auto one = std::find_if(m_values.begin(), m_values.end(), [&](const NamedValue &value) {

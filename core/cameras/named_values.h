@@ -30,18 +30,19 @@ struct NamedValue {
 /// position.
 class NamedValues {
 public:
+    using Names = std::initializer_list<std::string_view>;
     explicit NamedValues(std::string_view text);
 
     /// The first value under a name, the names tried in order; null if there is none. Names are
     /// letters and digits in lower case: "nearclipplane" finds near_clip_plane too.
-    const NamedValue *find(std::initializer_list<std::string_view> names) const;
-    bool has(std::initializer_list<std::string_view> names) const { return find(names) != nullptr; }
+    /// @param fewest  numbers that the value has
+    const NamedValue *find(Names names, std::size_t fewest = 0) const;
+    bool has(Names names) const { return find(names) != nullptr; }
     /// A value that is one number.
-    std::optional<double> number(std::initializer_list<std::string_view> names) const;
+    std::optional<double> number(Names names) const;
     /// A value of at least `count` numbers under a name, or one number under each component of the
     /// name: "position: {x: 1, y: 2, z: 3}". Empty if there is neither.
-    std::vector<double> numbers(std::initializer_list<std::string_view> names, std::size_t count,
-                                std::initializer_list<std::string_view> components = {}) const;
+    std::vector<double> numbers(Names names, std::size_t count, Names components = {}) const;
 
     /// Returns whether the first value under a name is True, true or a number other than 0.
     bool isTrue(std::string_view name) const;

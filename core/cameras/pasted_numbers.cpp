@@ -12,24 +12,24 @@ using namespace geometry;
 
 namespace {
 
+constexpr double kMatrixSide = 4.0; ///< "size 4x4" is a matrix's
+
 class Reader {
 public:
-    explicit Reader(std::string_view text) : m_text(text) {}
-
-    Result<PastedNumbers, PasteError> read()
+    Result<PastedNumbers, PasteError> read(std::string_view text)
     {
-        for (const Group &group : scan(m_text)) {
+        for (const Group &group : scan(text)) {
             addName(group);
             for (const ScannedNumber &number : group.numbers) {
                 tell();
-                const bool isOnLine = number.line == m_nameLine;
-                const bool isOfSize = m_named.part == PastedPart::Viewport || (isOnLine && m_sides.size() == 2);
-                if (number.isInWord && !isOfSize)
+                const bool isOnLine = number.line == m_nameLine,
+                           isOfSize = isOnLine && m_last.isWidth && m_last.isHeight;
+                if (number.isInWord && !isOfSize && m_part.part != PastedPart::Viewport)
                     continue;
                 if (!std::isfinite(number.value))
                     return PasteError{
-                        base::tr("\"%1\" is not a finite number", std::string(m_text.substr(number.at, number.length))),
-                        number.line, number.at - m_text.rfind('\n', number.at)};
+                        base::tr("\"%1\" is not a finite number", std::string(text.substr(number.at, number.length))),
+                        number.line, number.at - text.rfind('\n', number.at)};
                 if (!isOnLine || !takeAside(number.value))
                     add(number);
             }
@@ -41,15 +41,12 @@ public:
 private:
     void addName(const Group &group)
     {
-        const std::string letters = lettersOf(group.name);
-        if (letters.empty())
+        if (plain(group.name).find_first_not_of("0123456789") == std::string::npos)
             return;
-        if (m_isInverse) // "inverse(view)"
-            m_names.back() += ' ';
-        else
+        if (!m_isInverse) // "inverse(view)" is one name
             m_names.emplace_back();
-        m_names.back() += group.name;
-        m_isInverse = group.kind == GroupKind::Other && (letters.ends_with("inverse") || letters.ends_with("inv"));
+        m_names.back() += (m_isInverse ? " " : "") + std::string(group.name);
+        m_isInverse = group.kind == GroupKind::Other && (group.name.ends_with("nverse") || group.name.ends_with("inv"));
         m_nameLine = group.line;
     }
 
@@ -59,30 +56,25 @@ private:
     {
         m_isInverse = false;
         NamedPart found;
-        for (std::size_t i = m_names.size(); i > m_told && !found.part; --i) {
+        for (auto i = m_names.size(); i > m_told && !found.part; --i) {
             // Adjacent words form one name: "model view", "projection * view". Names are short. Prose,
             // as one name, would be searched again at each of its words.
             constexpr std::size_t kLongestName = 80;
-            std::string name, letters;
+            std::string name;
+            NamedPart last;
             base::TextScanner words(m_names[i - 1]);
-            for (std::string_view word = words.nextWord(); !word.empty(); word = words.nextWord()) {
-                name = name.empty() || name.size() >= kLongestName ? std::string(word) : name + ' ' + std::string(word);
-                letters = lettersOf(name);
-                const auto named = isAside(letters) || isSize(letters) ? std::nullopt : namedBy(name);
-                found = named.value_or(found);
+            for (auto word = words.nextWord(); !word.empty(); word = words.nextWord()) {
+                name = name.empty() || name.size() >= kLongestName ? word : name + ' ' + std::string(word);
+                last = namedBy(name);
+                found = last.part ? last : found;
             }
-            if (i < m_names.size())
-                continue;
-            m_aside = isAside(letters) ? name : "";
-            m_sizeName = name;
-            m_sides.clear();
-            m_sizeNumbers = 0;
-            if (letters == "width" || isSize(letters))
-                m_sides.push_back(&m_width);
-            if (letters == "height" || isSize(letters))
-                m_sides.push_back(&m_height);
+            if (i == m_names.size()) {
+                m_last = last;
+                m_lastName = name;
+            }
         }
-        m_named = found.part ? found : m_named;
+        m_sides = m_told < m_names.size() ? 0 : m_sides;
+        m_part = found.part ? found : m_part;
         m_told = m_names.size();
     }
 
@@ -90,23 +82,18 @@ private:
     /// height are used; a name that repeats them with other numbers is reported.
     bool takeAside(double value)
     {
-        if (m_sizeNumbers < m_sides.size()) {
-            std::optional<double> &side = *m_sides[m_sizeNumbers++];
-            if (!side || *side <= kMatrixSide)
-                side = value;
-            else if (*side != value)
-                nameAside(m_sizeName);
-            return true;
+        const std::size_t sides = std::size_t(m_last.isWidth) + m_last.isHeight;
+        if (!m_last.isAside && m_sides == sides)
+            return false;
+        bool isUsed = false;
+        if (m_sides < sides) {
+            std::optional<double> &side = m_sides++ == 0 && m_last.isWidth ? m_width : m_height;
+            isUsed = !side || *side <= kMatrixSide || *side == value;
+            side = isUsed ? value : side;
         }
-        if (!m_aside.empty())
-            nameAside(m_aside);
-        return !m_aside.empty();
-    }
-
-    void nameAside(const std::string &name)
-    {
-        if (m_read.aside.empty() || m_read.aside.back() != name)
-            m_read.aside.push_back(name);
+        if (!isUsed && (m_read.aside.empty() || m_read.aside.back() != m_lastName))
+            m_read.aside.push_back(m_lastName);
+        return true;
     }
 
     /// The viewport of a width and a height, 0 0 width height, if the text names no other.
@@ -115,22 +102,22 @@ private:
         const bool hasViewport =
             std::any_of(m_read.numbers.begin(), m_read.numbers.end(),
                         [](const PastedNumber &number) { return number.part == PastedPart::Viewport; });
-        const bool isOfMatrix = m_width && m_height && *m_width <= kMatrixSide && *m_height <= kMatrixSide;
-        if (m_read.numbers.empty() || hasViewport || !m_width || !m_height || isOfMatrix) {
-            if (m_width)
-                m_read.aside.emplace_back("width");
-            if (m_height)
-                m_read.aside.emplace_back("height");
+        const bool isImage = m_width && m_height && std::max(*m_width, *m_height) > kMatrixSide;
+        if (isImage && !hasViewport && !m_read.numbers.empty()) {
+            m_part = {PastedPart::Viewport};
+            for (const double value : {0.0, 0.0, *m_width, *m_height})
+                add({value});
             return;
         }
-        m_named = {PastedPart::Viewport};
-        for (const double value : {0.0, 0.0, *m_width, *m_height})
-            add({value});
+        if (m_width)
+            m_read.aside.emplace_back("width");
+        if (m_height)
+            m_read.aside.emplace_back("height");
     }
 
     void add(const ScannedNumber &number)
     {
-        PastedNumber pasted{number, {}, m_named.part, m_named.isInverse};
+        PastedNumber pasted{number, {}, m_part.part, m_part.isInverse};
         for (const std::string &name : m_names)
             pasted.words.push_back(base::lowerCase(name));
         m_read.numbers.push_back(std::move(pasted));
@@ -138,17 +125,13 @@ private:
         m_told = 0;
     }
 
-    static constexpr double kMatrixSide = 4.0; ///< "size 4x4" is a matrix's
-
-    std::string_view m_text;
     std::vector<std::string> m_names; ///< since the last number of a matrix
     std::size_t m_told = 0;           ///< how many of them were searched
     bool m_isInverse = false;         ///< the last one is "inverse("
     std::size_t m_nameLine = 0;
-    NamedPart m_named;
-    std::string m_aside, m_sizeName; ///< names of numbers of this line that belong to no matrix
-    std::vector<std::optional<double> *> m_sides;
-    std::size_t m_sizeNumbers = 0; ///< read after the size's name
+    NamedPart m_part, m_last; ///< what the last name of a part tells, and the last of all
+    std::string m_lastName;
+    std::size_t m_sides = 0; ///< of a size, read after its name
     std::optional<double> m_width, m_height;
     PastedNumbers m_read;
 };
@@ -157,7 +140,7 @@ private:
 
 Result<PastedNumbers, PasteError> pastedNumbers(std::string_view text)
 {
-    return Reader(text).read();
+    return Reader().read(text);
 }
 
 } // namespace unprojector::cameras

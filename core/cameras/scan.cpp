@@ -17,33 +17,36 @@ using base::isLetter;
 
 namespace {
 
+using enum GroupKind;
+
 constexpr std::string_view kDigits = "0123456789";
 constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
 constexpr std::string_view kOfNumber = "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_.+-#";
 constexpr std::string_view kOfName = kOfNumber.substr(0, kOfNumber.size() - 3);
 
-/// A code of patterns, for some of these characters, or of all others.
+constexpr std::size_t kAny = std::string_view::npos;
+/// What a code of patterns stands for: these characters, or all others, and how many of them.
 struct Code {
-    char code;
     std::string_view characters;
-    std::size_t fewest = 0, most = std::string_view::npos;
+    std::size_t fewest = 1, most = kAny;
     bool areOthers = false;
 };
-constexpr std::array kCodes{
-    Code{'9', kDigits, 1},
-    Code{'~', kDigits, 1, 1},
-    Code{'%', "1234", 1, 1}, // the side of a matrix
-    Code{'@', kLetters, 1, 1},
-    Code{'&', kOfName.substr(0, kOfName.size() - 1), 1},
-    Code{'^', "0123456789abcdefABCDEF", 6},
-    Code{'+', "+-.0123456789", 1},
-    Code{'T', "0123456789:.TZ"},
-    Code{'_', " \t\r"},
-    Code{'L', "\n", 0, std::string_view::npos, true},
-    Code{'X', "[],. \n", 1, std::string_view::npos, true},
-    Code{'!', ",})\n", 0, std::string_view::npos, true},
-    Code{'|', " \t\r\n|─│┌┬┐├┼┤└┴┘", 1}, // between the cells of a table
-    Code{'W', " \t\r\n|─│┌┬┐├┼┤└┴┘", 1, std::string_view::npos, true},
+constexpr std::string_view kBetweenCells = " \t\r\n|─│┌┬┐├┼┤└┴┘", kCodeNames = "9~%@&^+T_LX!|W";
+constexpr Code kCodes[]{
+    {kDigits},
+    {kDigits, 1, 1},
+    {"1234", 1, 1}, // the side of a matrix
+    {kLetters, 1, 1},
+    {kOfName.substr(0, kOfName.size() - 1)},
+    {"0123456789abcdefABCDEF", 6},
+    {"+-.0123456789"},
+    {"0123456789:.TZ", 0},
+    {" \t\r", 0},
+    {"\n", 0, kAny, true},
+    {"[],. \n", 1, kAny, true},
+    {",})\n", 0, kAny, true},
+    {kBetweenCells},
+    {kBetweenCells, 1, kAny, true},
 };
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view kApart = " \t\n({,[=:;@"; ///< characters before an A
@@ -118,7 +121,7 @@ std::string withPlainNumbers(std::string_view given)
     std::string text(given);
     const bool hasCommas = hasDecimalCommas(text);
     for (std::size_t i = 0; i < text.size(); ++i) {
-        const std::string_view rest = std::string_view(text).substr(i);
+        const auto rest = std::string_view(text).substr(i);
         if (rest.starts_with("\xe2\x88\x92")) // U+2212
             text.replace(i, 3, "  -");
         if (i == 0 || !isAmong(text[i - 1], "0123456789."))
@@ -126,12 +129,12 @@ std::string withPlainNumbers(std::string_view given)
         if (hasCommas && text[i] == ',' && rest.size() > 1 && isDigit(rest[1]))
             text[i] = '.';
         for (const std::string_view power : {"*^", " \\cdot 10^{", "D", "d"}) {
-            const std::size_t begin = i + power.size(),
-                              end = std::min(text.find_first_not_of("-+0123456789", begin), text.size());
-            if (!rest.starts_with(power) || end == begin || (power.size() == 1 && isDigit(text[begin])))
+            const auto begin = i + power.size();
+            if (!rest.starts_with(power) || (power.size() == 1 && begin < text.size() && isDigit(text[begin])))
                 continue;
-            const std::string exponent = 'e' + text.substr(begin, end - begin);
-            text.replace(i, end - i, exponent + std::string(end - i - exponent.size(), ' '));
+            const auto length = std::min(text.find_first_not_of("-+0123456789", begin), text.size()) - begin;
+            text.replace(i, power.size() + length,
+                         'e' + text.substr(begin, length) + std::string(power.size() - 1, ' '));
         }
     }
     return text;
@@ -161,12 +164,12 @@ public:
 
     std::vector<Group> scan()
     {
-        const std::size_t begin = m_text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+        const auto begin = m_text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
         m_isXml = at(begin) == '<' && m_text.find("</") != m_text.npos;
         m_groups.emplace_back();
         while (m_at < m_text.size())
             readOne();
-        endName(GroupKind::Word);
+        endName(Word);
         return std::move(m_groups);
     }
 
@@ -185,13 +188,12 @@ private:
         std::size_t end = m_at, length = 0;
         m_found.clear();
         for (const char one : pattern) {
-            const auto code =
-                std::find_if(kCodes.begin(), kCodes.end(), [one](const Code &known) { return known.code == one; });
-            if (code != kCodes.end()) {
-                const std::size_t stop = code->areOthers ? m_text.find_first_of(code->characters, end)
-                                                         : m_text.find_first_not_of(code->characters, end);
-                const std::size_t count = std::min({stop - end, m_text.size() - end, code->most});
-                if (count < code->fewest)
+            if (const auto code = kCodeNames.find(one); code != kCodeNames.npos) {
+                const auto &[characters, fewest, most, areOthers] = kCodes[code];
+                const auto stop =
+                    areOthers ? m_text.find_first_of(characters, end) : m_text.find_first_not_of(characters, end);
+                const auto count = std::min({stop - end, m_text.size() - end, most});
+                if (count < fewest)
                     return 0;
                 end += count;
             } else if (one == '`') {
@@ -217,11 +219,11 @@ private:
     {
         const char c = m_text[m_at];
         if (m_at >= m_commentEnd && m_commentEnd > 0) {
-            endName(GroupKind::Other);
+            endName(Other);
             m_commentEnd = 0;
         }
         const std::size_t i = m_at + std::size_t(isAmong(c, "+-"));
-        const std::string_view word = m_text.substr(std::min(i, m_text.size()), 3);
+        const auto word = m_text.substr(std::min(i, m_text.size()), 3);
         const bool isNumber =
             isDigit(at(i)) || (at(i) == '.' && isDigit(at(i + 1))) || (i > m_at && (word == "inf" || word == "nan"));
         if (c == '\n') {
@@ -249,13 +251,13 @@ private:
     bool readMark()
     {
         for (const std::string_view mark : kMarks) {
-            const std::size_t length = lengthOf(mark);
+            const auto length = lengthOf(mark);
             if (length == 0)
                 continue;
             if (!m_found.empty())
                 m_labels = m_found;
             if (isLetter(m_text[m_at]))
-                add(GroupKind::Other, m_at, m_at + length);
+                add(Other, m_at, m_at + length);
             m_at += length;
             m_isLineBlank = false;
             return true;
@@ -274,18 +276,18 @@ private:
         });
         if (signs == std::end(kComments) || (m_text[m_at] == '#' && isDigit(at(m_at + 1))))
             return false;
-        const std::size_t end = std::min(m_text.find(signs->end, m_at), m_text.size());
+        const auto end = std::min(m_text.find(signs->end, m_at), m_text.size());
         if (signs->end == "\n")
             endLine(end);
-        endName(GroupKind::Word);
+        endName(Word);
         // `unproject matrices` names numbers so: "# K: pixels from eye"
-        if (const std::size_t length = lengthOf("# '&':`L\n+"); length > 0 && m_isLineBlank && m_open.empty())
-            add(GroupKind::Name, m_found[0], m_found[1]);
+        if (const auto length = lengthOf("# '&':`L\n+"); length > 0 && m_isLineBlank && m_open.empty())
+            add(Name, m_found[0], m_found[1]);
         m_at += signs->begin.size();
         if (signs->end == ">") {
-            const std::size_t nameEnd = behind(m_at, kOfName);
+            const auto nameEnd = behind(m_at, kOfName);
             if (nameEnd > m_at)
-                add(GroupKind::Name, m_at, nameEnd);
+                add(Name, m_at, nameEnd);
             m_at = nameEnd;
         }
         m_commentEnd = std::max(end + (signs->end == "\n" ? 0 : signs->end.size()), m_at);
@@ -298,22 +300,22 @@ private:
         const char c = m_text[m_at];
         if (m_at < m_quoteEnd || (c != '"' && (c != '\'' || isAmong(before(), kOfName) || isAmong(before(), "])"))))
             return false;
-        const std::size_t end = m_text.find_first_of(c == '"' ? "\"\n" : "'\n", m_at + 1);
+        const auto end = m_text.find_first_of(c == '"' ? "\"\n" : "'\n", m_at + 1);
         if (at(end) != c)
             return false;
-        const std::string_view quoted = m_text.substr(m_at + 1, end - m_at - 1);
-        const std::size_t next = behind(end + 1, " \t\r");
+        const auto quoted = m_text.substr(m_at + 1, end - m_at - 1);
+        const auto next = behind(end + 1, " \t\r");
         const bool isKey = isAmong(at(next), ":=");
         constexpr std::size_t kList = 8;
         std::size_t numbers = 0;
         for (std::size_t i = m_at + 1; i < end; ++i)
             numbers += std::size_t(isDigit(m_text[i]) && isAmong(m_text[i - 1], " ,;([=-"));
         const auto index = base::numberIn<int>(quoted);
-        endName(isKey ? GroupKind::Word : GroupKind::Name);
+        endName(isKey ? Word : Name);
         if (isKey && index)
             m_subscripts = {*index}; // "3": 0.5
         else
-            add(isKey ? GroupKind::Name : GroupKind::Word, m_at + 1, end);
+            add(isKey ? Name : Word, m_at + 1, end);
         if (!isKey && (quoted.find_first_not_of("0123456789+-.eE,;()[] \t") == quoted.npos || numbers >= kList)) {
             m_quoteEnd = end + 1;
             ++m_at;
@@ -329,7 +331,7 @@ private:
     void endLine(std::size_t end)
     {
         const char next = m_name.empty() || !m_isNameFirst ? '\n' : at(m_text.find_first_not_of(" \t\r\n", end));
-        endName(isAmong(next, "0123456789-+.[(<") ? GroupKind::Name : GroupKind::Word);
+        endName(isAmong(next, "0123456789-+.[(<") ? Name : Word);
     }
 
     /// Reads a word that begins like a number.
@@ -337,9 +339,8 @@ private:
     {
         const std::size_t start = m_at;
         m_at = behind(start + 1, kOfNumber);
-        const std::string_view word = m_text.substr(start, m_at - start);
-        const std::size_t cross = std::min(word.find('x'), word.size() - 1),
-                          unit = word.find_last_of("0123456789.") + 1;
+        const auto word = m_text.substr(start, m_at - start);
+        const auto cross = std::min(word.find('x'), word.size() - 1), unit = word.find_last_of("0123456789.") + 1;
         const auto value = numberOf(word), width = numberOf(word.substr(0, cross)),
                    height = numberOf(word.substr(cross + 1)), whole = numberOf(word.substr(0, unit));
         if (m_commentEnd > 0)
@@ -361,7 +362,7 @@ private:
 
     void addNumber(double value, std::size_t start, bool isInWord = false)
     {
-        endName(GroupKind::Name);
+        endName(Name);
         start -= std::size_t(m_given[start] == m_text[start] ? 0 : 2); // U+2212
         m_groups.back().numbers.push_back({value * m_factor * std::exchange(m_unit, 1.0), isInWord, m_isBehindSemicolon,
                                            start, m_at - start, m_line, m_open.empty() ? 0 : m_open.back(),
@@ -377,8 +378,8 @@ private:
         while ((m_at = behind(m_at, kOfName)),
                isHere("->") || isHere("::") || (at(m_at) == '-' && isAmong(at(m_at + 1), kOfName)))
             m_at += 2;
-        const std::size_t end = m_text.find_last_not_of('.', m_at - 1) + 1;
-        const std::string_view name = m_text.substr(start, end - start);
+        const auto end = m_text.find_last_not_of('.', m_at - 1) + 1;
+        const auto name = m_text.substr(start, end - start);
         const std::string word = plain(lastPart(name)),
                           type = plain(lastPart(m_name.substr(m_name.find_last_of(' ') + 1)));
         if (m_commentEnd > 0)
@@ -391,17 +392,16 @@ private:
             return; // 800 x 600
         addWord(start, end);
         m_at += lengthOf(":9`:"); // main.cpp:123:
-        if (const std::size_t size = lengthOf("(9)");
-            size > 0 && (name.ends_with("Array") || name.ends_with("Buffer"))) {
+        if (const auto size = lengthOf("(9)"); size > 0 && (name.ends_with("Array") || name.ends_with("Buffer"))) {
             m_at += size;
-            return endName(GroupKind::Other);
+            return endName(Other);
         }
         readSubscripts(word);
         if (at(m_at) != '(')
             return;
         if (type.starts_with("mat") || type.starts_with("vec") || type.starts_with("point3")) // Vec3d t(0, 0, 5)
-            return endName(GroupKind::Name);
-        endName(GroupKind::Other);
+            return endName(Name);
+        endName(Other);
         if ((word == "inv" || word == "inverse" || word == "transpose") && (!m_hasNumbers || m_operandLine == m_line))
             setArithmetic(word);
         if (word == "radians" || word == "deg2rad" || word == "degtorad")
@@ -412,7 +412,7 @@ private:
     bool readPi(std::size_t start)
     {
         constexpr std::size_t kMost = 80;
-        const std::string_view rest = m_text.substr(start, kMost), text = rest.substr(0, rest.find_first_of(",;)\n"));
+        const auto rest = m_text.substr(start, kMost), text = rest.substr(0, rest.find_first_of(",;)\n"));
         const auto value = base::evaluate(text, [](std::string_view name) {
             return lastPart(name) == "pi" ? std::optional(geometry::kPi) : std::nullopt;
         });
@@ -450,7 +450,7 @@ private:
             && (word[n - 3] == 'm' || (word[n - 3] == 'e' && n == 3)))
             m_subscripts = {word[n - 2] - '0', word[n - 1] - '0'};
         for (const char *pattern : {"[_'9_][_'9_]", "[_'9_]", "[_'9_,_'9_]", "(_'~_,_'~_)"}) {
-            const std::size_t length = lengthOf(pattern);
+            const auto length = lengthOf(pattern);
             if (length == 0)
                 continue;
             m_subscripts.clear();
@@ -470,9 +470,9 @@ private:
             return;
         ++m_at;
         if (isAmong(c, ",;)]}"))
-            endName(GroupKind::Word);
+            endName(Word);
         else if (isAmong(c, "([{<:") || (c == '=' && at(m_at) != '='))
-            endName(GroupKind::Name);
+            endName(Name);
         if (m_commentEnd > 0)
             return;
         m_isBehindEquals = isAmong(c, "=:");
@@ -495,8 +495,8 @@ private:
         if (!isAmong(c, "*/@+-'."))
             return false;
         constexpr std::size_t kMost = 40;
-        const std::string_view line = m_text.substr(m_at + 1, kMost),
-                               rest = base::trimmed(line.substr(0, line.find_first_of("\r\n;#")));
+        const auto line = m_text.substr(m_at + 1, kMost),
+                   rest = base::trimmed(line.substr(0, line.find_first_of("\r\n;#")));
         const bool isBehindOperand = m_hasNumbers && m_operandLine == m_line && m_name.empty(),
                    isProduct = isAmong(c, "*/@");
         const bool isSum =
@@ -510,8 +510,8 @@ private:
         else if (isBehindOperand && (isTransposed || isProduct || isSum))
             setArithmetic(isTransposed ? ".T" : std::string{c, ' '} + std::string(rest));
         // Skipping a sign would negate the number.
-        const std::size_t last = m_at > 0 ? m_text.find_last_not_of(" \t", m_at - 1) : m_text.npos;
-        const bool isApart = isSum && isAmong(at(last), "0123456789[({,;.");
+        const auto last = m_at > 0 ? m_text.find_last_not_of(" \t", m_at - 1) : m_text.npos;
+        const bool isApart = isSum && c == '-' && isAmong(at(last), "0123456789[({,;.");
         if (!isFirst && !isApart && !(isBehindOperand && (isTransposed || isProduct)))
             return false;
         m_at += 1 + std::size_t(c == '.');
@@ -540,14 +540,14 @@ private:
     void endName(GroupKind kind)
     {
         if (!m_name.empty())
-            add(m_commentEnd > 0 ? GroupKind::Other : kind, m_nameBegin, m_nameBegin + m_name.size());
+            add(m_commentEnd > 0 ? Other : kind, m_nameBegin, m_nameBegin + m_name.size());
         m_name = {};
     }
 
     void add(GroupKind kind, std::size_t begin, std::size_t end)
     {
         m_groups.push_back({m_given.substr(begin, end - begin), kind, m_line});
-        if (kind != GroupKind::Name)
+        if (kind != Name)
             return;
         m_value = m_groups.size() - 1;
         m_factor = 1.0;
