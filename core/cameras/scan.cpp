@@ -31,7 +31,7 @@ struct Code {
     std::size_t fewest = 1, most = kAny;
     bool areOthers = false;
 };
-constexpr std::string_view kBetweenCells = " \t\r\n|─│┌┬┐├┼┤└┴┘", kCodeNames = "9~%@&^+T_LX!|W";
+constexpr std::string_view kBetweenCells = " \t\r\n|─│┌┬┐├┼┤└┴┘", kCodeNames = "9~%@&H+T_LX!|W";
 constexpr Code kCodes[]{
     {kDigits},
     {kDigits, 1, 1},
@@ -49,29 +49,33 @@ constexpr Code kCodes[]{
     {kBetweenCells, 1, kAny, true},
 };
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr std::string_view kApart = " \t\n({,[=:;@"; ///< characters before an A
+constexpr std::string_view kApart = " \t\n({,[=:;@"; ///< characters before a {
 
-/// What printing adds to numbers. An A stands behind blanks or brackets, a ? is the end of a word,
+/// What printing adds to numbers. A { stands behind blanks or brackets, a ? is the end of a word,
 /// what follows a ` is no part of the mark, and a ' is the place of a label.
 constexpr std::string_view kMarks[]{
     "~~~~-~~-~~T",
     "~~:~~:~~,9",
     "~~:~~:~~T",
-    "A(9)_`[",
+    "{(9)_`[",
     "%\xc3\x97%", // 4×4
     "% x %?",
     "%x%?",
     "Matrix 4x4",
     "Columns 9 through 9",
+    "Array(9)",
+    "Float32Array(9)",
+    "Float64Array(9)",
+    "ArrayBuffer(9)",
     "Mat&<&>(9,_9)_<<", // OpenCV
     "cv::Mat&<&>(9,_9)_<<",
     "[,9]", // R
     "[9,]",
-    "A[9,_9]`(", // ublas
-    "A[9]`@",    // Go
-    "A[9]`)",    // lldb
-    "A[9]` =",   // PHP
-    "A[9]`:",    // IPython
+    "{[9,_9]`(", // ublas
+    "{[9]`@",    // Go
+    "{[9]`)",    // lldb
+    "{[9]` =",   // PHP
+    "{[9]`:",    // IPython
     "[f32; 9]",  // Rust
     "[f64; 9]",
     ", r = !, s = !", // GLM in a debugger
@@ -79,15 +83,20 @@ constexpr std::string_view kMarks[]{
     ", b = !, p = !",
     ", a = !, q = !",
     "$9 =",
-    "A0x^?",
-    "A0|1|2|3`|'0|W|W|W|W|'1|W|W|W|W|'2|W|W|W|W|'3|W|W|W|W",        // pandas
+    "{0xH?",
+    "{0|1|2|3`|'0|W|W|W|W|'1|W|W|W|W|'2|W|W|W|W|'3|W|W|W|W",        // pandas
     "(index)|0|1|2|3`|'0|W|W|W|W|'1|W|W|W|W|'2|W|W|W|W|'3|W|W|W|W", // console.table
 };
 
-struct CommentSigns {
-    std::string_view begin, end;
-};
-constexpr CommentSigns kComments[]{{"/*", "*/"}, {"//", "\n"}, {"#", "\n"}, {"%", "\n"}, {"<!--", "-->"}, {"<", ">"}};
+/// Signs in numbers, and the same as C++ writes them: of typeset text, Mathematica and Fortran.
+constexpr std::string_view kSigns[][2]{{"\xe2\x88\x92", "  -"},
+                                       {"*^-", "e-0"},
+                                       {"*^", "e0"},
+                                       {"D-", "e-"},
+                                       {"D+", "e+"},
+                                       {"d-", "e-"},
+                                       {"d+", "e+"},
+                                       {",", "."}};
 
 bool isAmong(char c, std::string_view some)
 {
@@ -114,27 +123,17 @@ bool hasDecimalCommas(std::string_view text)
     return count >= kFewest;
 }
 
-/// A text of the same length with numbers as C++ writes them: 0.5 of "0,5", -1 of "−1", and 1.5e-3
-/// of "1.5D-03", "1.5*^-3" and "1.5 \cdot 10^{-3}".
+/// A text of the same length with numbers as C++ writes them.
 std::string withPlainNumbers(std::string_view given)
 {
     std::string text(given);
     const bool hasCommas = hasDecimalCommas(text);
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto rest = std::string_view(text).substr(i);
-        if (rest.starts_with("\xe2\x88\x92")) // U+2212
-            text.replace(i, 3, "  -");
-        if (i == 0 || !isAmong(text[i - 1], "0123456789."))
-            continue;
-        if (hasCommas && text[i] == ',' && rest.size() > 1 && isDigit(rest[1]))
-            text[i] = '.';
-        for (const std::string_view power : {"*^", " \\cdot 10^{", "D", "d"}) {
-            const auto begin = i + power.size();
-            if (!rest.starts_with(power) || (power.size() == 1 && begin < text.size() && isDigit(text[begin])))
-                continue;
-            const auto length = std::min(text.find_first_not_of("-+0123456789", begin), text.size()) - begin;
-            text.replace(i, power.size() + length,
-                         'e' + text.substr(begin, length) + std::string(power.size() - 1, ' '));
+    for (const auto &[sign, plainSign] : kSigns) {
+        for (auto i = text.find(sign); i != text.npos; i = text.find(sign, i + 1)) {
+            const bool isInNumber = i > 0 && isAmong(text[i - 1], "0123456789.")
+                                    && (sign != "," || (hasCommas && isDigit(given[i + 1 < text.size() ? i + 1 : i])));
+            if (isInNumber || plainSign.starts_with(' '))
+                text.replace(i, sign.size(), plainSign);
         }
     }
     return text;
@@ -200,7 +199,7 @@ private:
                 length = end - m_at;
             } else if (one == '\'') {
                 m_found.push_back(end);
-            } else if (one == 'A'   ? !isAmong(before(), kApart)
+            } else if (one == '{'   ? !isAmong(before(), kApart)
                        : one == '?' ? isAmong(at(end), kOfName)
                                     : at(end++) != one) {
                 return 0;
@@ -223,9 +222,8 @@ private:
             m_commentEnd = 0;
         }
         const std::size_t i = m_at + std::size_t(isAmong(c, "+-"));
-        const auto word = m_text.substr(std::min(i, m_text.size()), 3);
         const bool isNumber =
-            isDigit(at(i)) || (at(i) == '.' && isDigit(at(i + 1))) || (i > m_at && (word == "inf" || word == "nan"));
+            isDigit(at(i)) || (at(i) == '.' && isDigit(at(i + 1))) || lengthOf("+inf") > 0 || lengthOf("+nan") > 0;
         if (c == '\n') {
             endLine(m_at++);
             ++m_line;
@@ -265,32 +263,24 @@ private:
         return false;
     }
 
-    /// Begins a comment, or an XML tag: its name is read, its attributes are a comment.
+    /// Begins a comment, or an XML tag: its name is read, the rest of it is a comment.
     bool readComment()
     {
-        const auto signs = std::find_if(std::begin(kComments), std::end(kComments), [this](const auto &one) {
-            return isHere(one.begin)
-                   && (one.begin.front() == '<' ? m_isXml
-                       : one.begin == "%"       ? m_isLineBlank
-                                                : isAmong(before(), kApart));
-        });
-        if (signs == std::end(kComments) || (m_text[m_at] == '#' && isDigit(at(m_at + 1))))
+        const bool isTag = m_isXml && m_text[m_at] == '<', isBlock = isHere("/*");
+        const bool isLine =
+            (lengthOf("{#") > 0 && !isDigit(at(m_at + 1))) || lengthOf("{//") > 0 || (isHere("%") && m_isLineBlank);
+        if (!isTag && !isBlock && !isLine)
             return false;
-        const auto end = std::min(m_text.find(signs->end, m_at), m_text.size());
-        if (signs->end == "\n")
+        const std::string_view last = isBlock ? "*/" : !isTag ? "\n" : isHere("<!--") ? "-->" : ">";
+        const auto end = std::min(m_text.find(last, m_at), m_text.size());
+        if (isLine)
             endLine(end);
         endName(Word);
         // `unproject matrices` names numbers so: "# K: pixels from eye"
-        if (const auto length = lengthOf("# '&':`L\n+"); length > 0 && m_isLineBlank && m_open.empty())
+        if ((isTag && lengthOf("<'&'") > 0) || (m_isLineBlank && m_open.empty() && lengthOf("# '&':`L\n+") > 0))
             add(Name, m_found[0], m_found[1]);
-        m_at += signs->begin.size();
-        if (signs->end == ">") {
-            const auto nameEnd = behind(m_at, kOfName);
-            if (nameEnd > m_at)
-                add(Name, m_at, nameEnd);
-            m_at = nameEnd;
-        }
-        m_commentEnd = std::max(end + (signs->end == "\n" ? 0 : signs->end.size()), m_at);
+        m_commentEnd = end + (isLine ? 0 : last.size());
+        ++m_at;
         return true;
     }
 
@@ -306,17 +296,14 @@ private:
         const auto quoted = m_text.substr(m_at + 1, end - m_at - 1);
         const auto next = behind(end + 1, " \t\r");
         const bool isKey = isAmong(at(next), ":=");
-        constexpr std::size_t kList = 8;
-        std::size_t numbers = 0;
-        for (std::size_t i = m_at + 1; i < end; ++i)
-            numbers += std::size_t(isDigit(m_text[i]) && isAmong(m_text[i - 1], " ,;([=-"));
         const auto index = base::numberIn<int>(quoted);
         endName(isKey ? Word : Name);
         if (isKey && index)
             m_subscripts = {*index}; // "3": 0.5
         else
             add(isKey ? Name : Word, m_at + 1, end);
-        if (!isKey && (quoted.find_first_not_of("0123456789+-.eE,;()[] \t") == quoted.npos || numbers >= kList)) {
+        if (!isKey
+            && (isAmong(at(m_at + 1), "0123456789-[(") || quoted.find("0 0") < end || quoted.find("0, 0") < end)) {
             m_quoteEnd = end + 1;
             ++m_at;
         } else {
@@ -339,7 +326,11 @@ private:
     {
         const std::size_t start = m_at;
         m_at = behind(start + 1, kOfNumber);
-        const auto word = m_text.substr(start, m_at - start);
+        std::string word(m_text.substr(start, m_at - start));
+        if (const auto length = lengthOf("_\\cdot 10^{'+'}"); length > 0) { // LaTeX
+            word += 'e' + m_plain.substr(m_found[0], m_found[1] - m_found[0]);
+            m_at += length;
+        }
         const auto cross = std::min(word.find('x'), word.size() - 1), unit = word.find_last_of("0123456789.") + 1;
         const auto value = numberOf(word), width = numberOf(word.substr(0, cross)),
                    height = numberOf(word.substr(cross + 1)), whole = numberOf(word.substr(0, unit));
@@ -392,10 +383,6 @@ private:
             return; // 800 x 600
         addWord(start, end);
         m_at += lengthOf(":9`:"); // main.cpp:123:
-        if (const auto size = lengthOf("(9)"); size > 0 && (name.ends_with("Array") || name.ends_with("Buffer"))) {
-            m_at += size;
-            return endName(Other);
-        }
         readSubscripts(word);
         if (at(m_at) != '(')
             return;
@@ -445,10 +432,9 @@ private:
     void readSubscripts(const std::string &word)
     {
         m_subscripts.clear();
-        const std::size_t n = word.size();
-        if (n >= 3 && isDigit(word[n - 1]) && isDigit(word[n - 2])
-            && (word[n - 3] == 'm' || (word[n - 3] == 'e' && n == 3)))
-            m_subscripts = {word[n - 2] - '0', word[n - 1] - '0'};
+        if (const auto pair = base::numberIn<int>(std::string_view(word).substr(!word.empty()));
+            pair && word.size() == 3 && isAmong(word[0], "me"))
+            m_subscripts = {*pair / 10, *pair % 10}; // Unity's e00
         for (const char *pattern : {"[_'9_][_'9_]", "[_'9_]", "[_'9_,_'9_]", "(_'~_,_'~_)"}) {
             const auto length = lengthOf(pattern);
             if (length == 0)
@@ -499,8 +485,7 @@ private:
                    rest = base::trimmed(line.substr(0, line.find_first_of("\r\n;#")));
         const bool isBehindOperand = m_hasNumbers && m_operandLine == m_line && m_name.empty(),
                    isProduct = isAmong(c, "*/@");
-        const bool isSum =
-            isAmong(c, "+-") && line.starts_with(' ') && !rest.empty() && isAmong(rest.front(), "0123456789.[");
+        const bool isSum = lengthOf("+ _`+") > 0 || lengthOf("+ _[") > 0;
         const bool isTransposed = isAmong(before(), "])") && (c == '\'' || isHere(".T"));
         // "scale * np.array(…)", "-np.array(…)"
         const bool isFirst =
