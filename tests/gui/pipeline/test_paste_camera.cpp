@@ -374,14 +374,11 @@ private slots:
         auto *image = pasting.named<QComboBox>("Image");
         if (image && !wanted.isEmpty()) {
             bool isNumber = false;
-            wanted.toInt(&isNumber);
-            int at = 0; // of the name, else the wanted index
-            while (at < image->count() && image->itemText(at) != wanted
-                   && (isNumber || !image->itemText(at).contains(wanted)))
-                ++at;
-            if (at == image->count())
-                at = wanted.toInt();
-            QVERIFY2(at < image->count(), example.image.c_str());
+            const int number = wanted.toInt(&isNumber);
+            int at = image->findText(wanted, Qt::MatchExactly); // its name, else its index, else a part of its name
+            if (at < 0)
+                at = isNumber && number < image->count() ? number : image->findText(wanted, Qt::MatchContains);
+            QVERIFY2(at >= 0, example.image.c_str());
             pasting.choose("Image", at);
         }
         if (QCheckBox *undistorted = pasting.check("My pixels are of the undistorted image"))
