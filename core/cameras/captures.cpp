@@ -53,13 +53,29 @@ void beginArKit(Reading &reading, const char *program)
 
 } // namespace
 
+/// Returns whether an object is an image's record of BOP, or several by their ids. Others have cam_K, too.
+bool isBops(const Json &json)
+{
+    constexpr std::array<std::string_view, 10> kKeys{"cam_K", "cam_R_w2c", "cam_t_w2c", "depth_scale", "view_level",
+                                                     "width", "height",    "elev",      "azimuth",     "mode"};
+    if (!json.is_object() || json.empty())
+        return false;
+    for (auto item = json.begin(); item != json.end(); ++item) {
+        const bool isKnown = memberOf(json, "cam_K") ? std::find(kKeys.begin(), kKeys.end(), item.key()) != kKeys.end()
+                                                     : memberOf(*item, "cam_K") && isBops(*item);
+        if (!isKnown)
+            return false;
+    }
+    return true;
+}
+
 // Source: bop_toolkit, docs/bop_datasets_format.md: numbers by rows, OpenCV's axes, millimetres.
 std::optional<ForeignCamera> readBop(std::span<const NamedText> texts, const CameraChoices &choices)
 {
     const NamedText *of = nullptr, *ofSize = nullptr, *ofObjects = nullptr;
     Json file, lens;
     for (const NamedText &text : texts) {
-        if (Json found = documentWith(text, {"cam_K"}); found.is_object() && !found.empty()) {
+        if (Json found = documentWith(text, {"cam_K"}); isBops(found)) {
             of = &text;
             file = std::move(found);
         } else if (found = documentWith(text, {"depth_scale", "fx"}); found.is_object() && found.size() == 7) {

@@ -295,7 +295,7 @@ std::optional<Part> partOf(const Name &name, std::size_t count)
     const bool isPose = name.has(Word::Pose) || name.has(Word::Extrinsics) || name.has(Word::View) || isTransform
                         || hasFrames || (isMatrix && name.has(Word::World));
     if (isPose)
-        return isTransform && count != 12 && count != 16 ? Part::Translation : Part::Pose;
+        return isTransform && count <= 6 ? Part::Translation : Part::Pose; // t, or its vectors
     if (isMatrix && name.isOnly({Word::Matrix}))
         return name.has(Word::Camera) || name.hasWord("mtx") ? std::optional(Part::Intrinsics) : std::nullopt;
     return std::nullopt;
