@@ -55,8 +55,9 @@ constexpr Rule kRules[]{
 NamedPart namedByLetters(std::string_view letters)
 {
     for (const Rule &rule : kRules) {
-        base::TextScanner names(rule.names);
-        for (auto name = names.nextWord(); !name.empty(); name = names.nextWord()) {
+        for (std::size_t at = 0, end = 0; at < rule.names.size(); at = end + 1) {
+            end = std::min(rule.names.find(' ', at), rule.names.size());
+            const auto name = rule.names.substr(at, end - at);
             bool fits = name.front() == '*' || name == letters;
             for (auto i = name.find('*'); fits && i < name.size(); i = name.find('+', i + 1))
                 fits = letters.find(name.substr(i + 1, name.find('+', i + 1) - i - 1)) != letters.npos;
@@ -120,7 +121,8 @@ NamedPart namedBy(std::string_view names)
 {
     constexpr std::size_t kShort = 2; // the p of "ray.p" is no projection
     const std::string_view last = lastPart(names);
-    if (names.find(' ') == names.npos && last.size() > kShort && !base::lowerCase(last).starts_with("matrix")) {
+    if (last.size() < names.size() && names.find(' ') == names.npos && last.size() > kShort
+        && !base::lowerCase(last).starts_with("matrix")) {
         const NamedPart named = namedByAll(last);
         if (named.part || named.isAside || named.isWidth || named.isHeight)
             return named;

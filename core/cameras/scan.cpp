@@ -49,15 +49,15 @@ constexpr Code kCodes[]{
     {kBetweenCells, 1, kAny, true},
 };
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr std::string_view kApart = " \t\n({,[=:;@"; ///< characters before a {
+constexpr std::string_view kApart = " \t\n({,[=:;@"; ///< characters before a Q
 
-/// What printing adds to numbers. A { stands behind blanks or brackets, a ? is the end of a word,
+/// What printing adds to numbers. A Q stands behind blanks or brackets, a ? is the end of a word,
 /// what follows a ` is no part of the mark, and a ' is the place of a label.
 constexpr std::string_view kMarks[]{
     "~~~~-~~-~~T",
     "~~:~~:~~,9",
     "~~:~~:~~T",
-    "{(9)_`[",
+    "Q(9)_`[",
     "%\xc3\x97%", // 4×4
     "% x %?",
     "%x%?",
@@ -71,11 +71,11 @@ constexpr std::string_view kMarks[]{
     "cv::Mat&<&>(9,_9)_<<",
     "[,9]", // R
     "[9,]",
-    "{[9,_9]`(", // ublas
-    "{[9]`@",    // Go
-    "{[9]`)",    // lldb
-    "{[9]` =",   // PHP
-    "{[9]`:",    // IPython
+    "Q[9,_9]`(", // ublas
+    "Q[9]`@",    // Go
+    "Q[9]`)",    // lldb
+    "Q[9]` =",   // PHP
+    "Q[9]`:",    // IPython
     "[f32; 9]",  // Rust
     "[f64; 9]",
     ", r = !, s = !", // GLM in a debugger
@@ -83,8 +83,8 @@ constexpr std::string_view kMarks[]{
     ", b = !, p = !",
     ", a = !, q = !",
     "$9 =",
-    "{0xH?",
-    "{0|1|2|3`|'0|W|W|W|W|'1|W|W|W|W|'2|W|W|W|W|'3|W|W|W|W",        // pandas
+    "Q0xH?",
+    "Q0|1|2|3`|'0|W|W|W|W|'1|W|W|W|W|'2|W|W|W|W|'3|W|W|W|W",        // pandas
     "(index)|0|1|2|3`|'0|W|W|W|W|'1|W|W|W|W|'2|W|W|W|W|'3|W|W|W|W", // console.table
 };
 
@@ -199,7 +199,7 @@ private:
                 length = end - m_at;
             } else if (one == '\'') {
                 m_found.push_back(end);
-            } else if (one == '{'   ? !isAmong(before(), kApart)
+            } else if (one == 'Q'   ? !isAmong(before(), kApart)
                        : one == '?' ? isAmong(at(end), kOfName)
                                     : at(end++) != one) {
                 return 0;
@@ -268,7 +268,7 @@ private:
     {
         const bool isTag = m_isXml && m_text[m_at] == '<', isBlock = isHere("/*");
         const bool isLine =
-            (lengthOf("{#") > 0 && !isDigit(at(m_at + 1))) || lengthOf("{//") > 0 || (isHere("%") && m_isLineBlank);
+            (lengthOf("Q#") > 0 && !isDigit(at(m_at + 1))) || lengthOf("Q//") > 0 || (isHere("%") && m_isLineBlank);
         if (!isTag && !isBlock && !isLine)
             return false;
         const std::string_view last = isBlock ? "*/" : !isTag ? "\n" : isHere("<!--") ? "-->" : ">";
@@ -481,22 +481,23 @@ private:
         if (!isAmong(c, "*/@+-'."))
             return false;
         constexpr std::size_t kMost = 40;
-        const auto line = m_text.substr(m_at + 1, kMost),
-                   rest = base::trimmed(line.substr(0, line.find_first_of("\r\n;#")));
+        const auto line = m_text.substr(m_at + 1, kMost);
         const bool isBehindOperand = m_hasNumbers && m_operandLine == m_line && m_name.empty(),
                    isProduct = isAmong(c, "*/@");
         const bool isSum = lengthOf("+ _`+") > 0 || lengthOf("+ _[") > 0;
         const bool isTransposed = isAmong(before(), "])") && (c == '\'' || isHere(".T"));
         // "scale * np.array(…)", "-np.array(…)"
-        const bool isFirst =
-            !m_hasNumbers && m_isBehindEquals && (m_name.empty() ? c == '-' && isLetter(at(m_at + 1)) : isProduct);
+        const bool isFirst = !m_hasNumbers && m_isBehindEquals && (m_name.empty() ? lengthOf("-@") > 0 : isProduct);
         if (isFirst)
             setArithmetic(std::string(m_name) + (m_name.empty() ? "-" : std::string{' ', c}));
-        else if (isBehindOperand && (isTransposed || isProduct || isSum))
-            setArithmetic(isTransposed ? ".T" : std::string{c, ' '} + std::string(rest));
+        else if (isBehindOperand && isTransposed)
+            setArithmetic(".T");
+        else if (isBehindOperand && (isProduct || isSum))
+            setArithmetic(std::string{c, ' '}
+                          + std::string(base::trimmed(line.substr(0, line.find_first_of("\r\n;#")))));
         // Skipping a sign would negate the number.
-        const auto last = m_at > 0 ? m_text.find_last_not_of(" \t", m_at - 1) : m_text.npos;
-        const bool isApart = isSum && c == '-' && isAmong(at(last), "0123456789[({,;.");
+        const auto last = m_text.find_last_not_of(" \t", m_at - 1);
+        const bool isApart = isSum && c == '-' && m_at > 0 && isAmong(at(last), "0123456789[({,;.");
         if (!isFirst && !isApart && !(isBehindOperand && (isTransposed || isProduct)))
             return false;
         m_at += 1 + std::size_t(c == '.');
