@@ -410,21 +410,24 @@ private:
         return true;
     }
 
-    /// Reads the numbers of NumPy's eye(3) and zeros((3, 1)). Returns whether it is one.
+    /// Reads the numbers of eye(3), zeros((3, 1)) and OpenCV's zeros(3, 1, CV_64F). Returns whether it is one.
     bool readFilled(const std::string &word, std::size_t start)
     {
         const bool isIdentity = word == "eye" || word == "identity";
         if (!isIdentity && word != "zeros")
             return false;
-        std::size_t length = lengthOf("('~)");
-        length = length > 0 ? length : lengthOf("(('~,_'~))");
-        if (length == 0)
-            return false;
-        m_at += length;
-        const int side = foundAt(0), count = isIdentity ? side : m_found.size() > 1 ? foundAt(1) : 1;
-        for (int i = 0; i < side * count; ++i)
-            addNumber(isIdentity && i % (side + 1) == 0 ? 1.0 : 0.0, start);
-        return true;
+        for (const char *pattern : {"('~)", "(('~,_'~))", "('~,_'~,_&)"}) {
+            const auto length = lengthOf(pattern);
+            m_at += length;
+            const int side = length > 0 ? foundAt(0) : 0, count = isIdentity           ? side
+                                                                  : m_found.size() > 1 ? foundAt(1)
+                                                                                       : 1;
+            for (int i = 0; i < side * count; ++i)
+                addNumber(isIdentity && i % (side + 1) == 0 ? 1.0 : 0.0, start);
+            if (length > 0)
+                return true;
+        }
+        return false;
     }
 
     /// Reads the one or two integers of m[3], m[1][2], m(0, 1) and m01, and skips other subscripts,
@@ -533,11 +536,9 @@ private:
     void add(GroupKind kind, std::size_t begin, std::size_t end)
     {
         m_groups.push_back({m_given.substr(begin, end - begin), kind, m_line});
-        if (kind != Name)
-            return;
-        m_value = m_groups.size() - 1;
-        m_factor = 1.0;
-        m_hasNumbers = false;
+        m_factor = kind == Other ? m_factor : 1.0;
+        m_value = kind == Name ? m_groups.size() - 1 : m_value;
+        m_hasNumbers = m_hasNumbers && kind != Name;
     }
 
     std::string_view m_given;

@@ -677,6 +677,43 @@ private slots:
         QCOMPARE(values.find({"lens"})->line, std::size_t(8));
     }
 
+    void namesAreFoundInAnyText_data()
+    {
+        addColumn<QByteArray>("text");
+        addColumn<QVector<double>>("numbers");
+        const QVector<double> k{800, 0, 320, 0, 801, 240, 0, 0, 1};
+        newRow("R") << QByteArray(
+            "K:\n     [,1] [,2] [,3]\n[1,]  800    0  320\n[2,]    0  801  240\n[3,]    0    0    1\n")
+                    << k;
+        newRow("XML") << QByteArray(
+            "<?xml version=\"1.0\"?>\n<a><!-- <K>1</K> -->\n<K t=\"3\">800 0 320\n0 801 240 0 0 1</K></a>")
+                      << k;
+        newRow("C++") << QByteArray("cv::Matx33d K(800, 0, 320, 0, 801, 240, 0, 0, 1); // 3x3\n") << k;
+        newRow("Mathematica") << QByteArray("K = {{8.*^2, 0, 320.}, {0, 801., 2.4*^2}, {0, 0, 1}}") << k;
+        newRow("decimal commas, U+2212") << QByteArray("K: 0,5 \xe2\x88\x92"
+                                                       "1,5 2,5 3,5 4,5 5,5")
+                                         << QVector<double>{0.5, -1.5, 2.5, 3.5, 4.5, 5.5};
+        newRow("MATLAB's factor") << QByteArray("K =\n\n   1.0e+03 *\n\n   0.5   0.25\n") << QVector<double>{500, 250};
+        newRow("a comment") << QByteArray("# K: pixels from eye\n1 2 3 # 4\n") << QVector<double>{1, 2, 3};
+        newRow("zeros") << QByteArray("K = cv::Mat::zeros(3, 1, CV_64F);") << QVector<double>{0, 0, 0};
+        newRow("keys") << QByteArray("{\"K\": {\"0\": 5, \"1\": 6}}") << QVector<double>{5, 6};
+    }
+
+    void namesAreFoundInAnyText()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QVector<double>, numbers);
+        const std::vector<double> found = NamedValues(text.toStdString()).numbers({"k"}, 1);
+        QCOMPARE(QVector<double>(found.begin(), found.end()), numbers);
+    }
+
+    void wordsStayWhole()
+    {
+        const NamedValues values("distortion_model: radial-tangential\nmodel = Inverse Brown Conrady\n");
+        QCOMPARE(QByteArray::fromStdString(values.find({"distortionmodel"})->word), QByteArray("radial-tangential"));
+        QCOMPARE(QByteArray::fromStdString(values.all().back().word), QByteArray("Inverse Brown Conrady"));
+    }
+
     /// Parts of the texts are cut out, doubled, or replaced. Any answer is right, if there is one.
     void damagedTextsAreAnswered()
     {
