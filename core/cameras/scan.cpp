@@ -25,7 +25,7 @@ constexpr std::string_view kOfNumber = "0123456789abcdefghijklmnopqrstuvwxyzABCD
 constexpr std::string_view kOfName = kOfNumber.substr(0, kOfNumber.size() - 3);
 
 constexpr std::size_t kAny = std::string_view::npos;
-/// What a code of patterns stands for: these characters, or all others, and how many of them.
+/// What a letter of a pattern stands for: these characters, or all others, and how many of them.
 struct Code {
     std::string_view characters;
     std::size_t fewest = 1, most = kAny;
@@ -33,20 +33,20 @@ struct Code {
 };
 constexpr std::string_view kBetweenCells = " \t\r\n|─│┌┬┐├┼┤└┴┘", kCodeNames = "9~%@&H+T_LX!|W";
 constexpr Code kCodes[]{
-    {kDigits},
-    {kDigits, 1, 1},
-    {"1234", 1, 1}, // the side of a matrix
-    {kLetters, 1, 1},
-    {kOfName.substr(0, kOfName.size() - 1)},
-    {"0123456789abcdefABCDEF", 6},
-    {"+-.0123456789"},
-    {"0123456789:.TZ", 0},
-    {" \t\r", 0},
-    {"\n", 0, kAny, true},
-    {"[],. \n", 1, kAny, true},
-    {",})\n", 0, kAny, true},
-    {kBetweenCells},
-    {kBetweenCells, 1, kAny, true},
+    {kDigits},                               // 9
+    {kDigits, 1, 1},                         // ~
+    {"1234", 1, 1},                          // %: a side of a matrix
+    {kLetters, 1, 1},                        // @
+    {kOfName.substr(0, kOfName.size() - 1)}, // &
+    {"0123456789abcdefABCDEF", 6},           // H: an address
+    {"+-.0123456789"},                       // +
+    {"0123456789:.TZ", 0},                   // T: the rest of a time
+    {" \t\r", 0},                            // _
+    {"\n", 0, kAny, true},                   // L: the rest of a line
+    {"[],. \n", 1, kAny, true},              // X: a subscript
+    {",})\n", 0, kAny, true},                // !: the value of a component
+    {kBetweenCells},                         // |
+    {kBetweenCells, 1, kAny, true},          // W: a cell of a table
 };
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view kApart = " \t\n({,[=:;@"; ///< characters before a Q
@@ -248,6 +248,8 @@ private:
 
     bool readMark()
     {
+        if (!isAmong(m_text[m_at], "0123456789([,$MCcAF")) // the first characters of all
+            return false;
         for (const std::string_view mark : kMarks) {
             const auto length = lengthOf(mark);
             if (length == 0)
