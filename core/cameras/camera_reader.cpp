@@ -48,7 +48,7 @@ constexpr std::array kReaders{CameraReader{"COLMAP", nullptr, readColmap},
                               CameraReader{"pyrender", readPyrender},
                               CameraReader{"Gaussian splatting", readSplatting},
                               CameraReader{"SAPIEN", readSapien},
-                              CameraReader{"OpenCV", nullptr, readOpenCv}};
+                              CameraReader{"OpenCV", nullptr, readNamedParts}};
 
 /// The reader that recognises the texts, with what it reads.
 std::pair<const CameraReader *, CameraRead> firstRead(std::span<const NamedText> texts, const CameraChoices &choices)

@@ -12,7 +12,7 @@ namespace unprojector::cameras {
 
 /// K, R, t and distortion coefficients: text, JSON, the YAML and XML of cv::FileStorage, ROS's
 /// camera_info.
-std::optional<ForeignCamera> readOpenCv(std::span<const NamedText> texts, const CameraChoices &choices);
+std::optional<ForeignCamera> readNamedParts(std::span<const NamedText> texts, const CameraChoices &choices);
 /// cameras.txt and images.txt.
 std::optional<ForeignCamera> readColmap(std::span<const NamedText> texts, const CameraChoices &choices);
 /// transforms.json of NeRF, Instant-NGP and Nerfstudio; one frame of it too.

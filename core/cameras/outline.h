@@ -25,6 +25,7 @@ public:
     /// The innermost node at a place in the text; 0 is the whole text.
     std::size_t nodeAt(std::size_t at) const;
     const Node &node(std::size_t index) const { return m_nodes[index]; }
+    std::size_t size() const { return m_nodes.size(); } ///< parents stand before their children
     /// The nodes from the root to a node.
     std::vector<std::size_t> pathTo(std::size_t index) const;
     /// What to call a node: its label, its heading, or its index in its list.

@@ -5,8 +5,8 @@
 #include "core/base/translation.h"
 #include "core/cameras/camera_matrices.h"
 #include "core/cameras/camera_reader.h"
+#include "core/cameras/camera_values.h"
 #include "core/cameras/lens.h"
-#include "core/cameras/opencv_values.h"
 #include "core/pipeline/printed_digits.h"
 
 #include <glm/geometric.hpp>
@@ -262,8 +262,7 @@ private:
         const std::vector<std::string> &cameras = m_values.cameras();
         for (const Part part : {Part::Rotation, Part::Translation}) {
             for (const CameraValue &value : m_values.all(part)) {
-                if (std::find_first_of(value.sections.begin(), value.sections.end(), cameras.begin(), cameras.end())
-                    == value.sections.end())
+                if (!m_values.isOfCamera(value))
                     fail(value, tr("the text has %1 camera matrices, but %2 of this. Give the text of one camera",
                                    cameras.size(), m_values.all(part).size()));
             }
@@ -714,7 +713,7 @@ void refuseStereo(std::span<const NamedText> texts, const CameraChoices &choices
 
 } // namespace
 
-std::optional<ForeignCamera> readOpenCv(std::span<const NamedText> texts, const CameraChoices &choices)
+std::optional<ForeignCamera> readNamedParts(std::span<const NamedText> texts, const CameraChoices &choices)
 {
     Reader reader(texts, choices);
     if (!reader.isRecognised())

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/cameras/named_values.h"
+#include "core/cameras/outline.h"
 #include "core/cameras/roles.h"
 
 #include <array>
-#include <functional>
 #include <initializer_list>
 #include <optional>
 #include <span>
@@ -23,7 +23,8 @@ struct CameraValue {
     std::string file;
     std::string arithmetic{}; ///< as in NamedValue
     Role role{};
-    std::vector<std::string> sections{}; ///< the names of the parts of the text that it stands in
+    std::size_t text = 0, node = 0; ///< its text, and its place in the outline of that
+    std::string camera{};           ///< which of several cameras its name says
 };
 
 /// The parts that some texts have: printed text, JSON, and the YAML and XML of cv::FileStorage and
@@ -53,13 +54,16 @@ public:
     const std::vector<std::string> &cameras() const { return m_cameras; }
     /// Drops the values of all cameras but one of cameras().
     void keepCamera(const std::string &name);
+    /// Returns whether a value is of one of cameras().
+    bool isOfCamera(const CameraValue &value) const;
 
 private:
     void add(CameraValue value);
     void addUnnamed(CameraValue value);
     void addPoses(CameraValue value);
-    void addComponents(const NamedValues &named, const std::string &file,
-                       const std::function<std::vector<std::string>(std::size_t at)> &sectionsAt);
+    void addComponents(const NamedValues &named);
+    CameraValue valueOf(const NamedValue &value) const;
+    std::vector<std::string> sectionsOf(std::size_t text, std::size_t node) const;
     std::vector<CameraValue> &of(Part part) { return m_parts[std::size_t(part)]; }
 
     std::array<std::vector<CameraValue>, kParts> m_parts;
@@ -67,13 +71,14 @@ private:
     std::vector<CameraValue> m_others;
     struct Number {
         NamedValue value;
-        std::string file;
-        std::vector<std::string> sections;
+        std::size_t text, node;
     };
     void findCameras();
 
     std::vector<Number> m_numbers; ///< values of one number
     std::vector<std::string> m_cameras;
+    std::vector<std::string> m_files; ///< of the texts
+    std::vector<Outline> m_outlines;
 };
 
 } // namespace unprojector::cameras

@@ -1,8 +1,7 @@
-#include "core/cameras/opencv_values.h"
-
-#include "core/cameras/outline.h"
+#include "core/cameras/camera_values.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace unprojector::cameras {
@@ -90,13 +89,8 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
         };
         std::vector<Owned> values;
         const NamedValues named(text.text);
-        const Outline outline(text.text);
-        const auto sectionsAt = [&outline](std::size_t at) {
-            std::vector<std::string> names;
-            for (const std::size_t node : outline.pathTo(outline.nodeAt(at)))
-                names.push_back(outline.nameOf(node));
-            return names;
-        };
+        m_files.push_back(text.name);
+        const Outline &outline = m_outlines.emplace_back(text.text);
         for (const NamedValue &value : named.all()) {
             const auto member = std::find_if(kMembers.begin(), kMembers.end(),
                                              [&](std::string_view name) { return value.isNamed(name); });
@@ -108,17 +102,10 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
                 continue;
             }
             if (value.numbers.size() == 1)
-                m_numbers.push_back({value, text.name, sectionsAt(value.at)});
-            CameraValue &added = values.emplace_back().value;
-            added.name = nameOf(value);
-            added.word = value.word;
-            added.numbers = value.numbers;
-            added.line = value.line;
-            added.file = text.name;
-            added.arithmetic = value.arithmetic;
-            added.sections = sectionsAt(value.at);
+                m_numbers.push_back({value, m_files.size() - 1, outline.nodeAt(value.at)});
+            values.push_back({valueOf(value)});
         }
-        addComponents(named, text.name, sectionsAt);
+        addComponents(named);
         for (Owned &owned : values) {
             const bool isPoses = owned.isTable && owned.value.numbers.size() % 6 == 0;
             if (const auto role = roleOf(owned.value); role && role->part == Part::Pose && isPoses)
@@ -132,25 +119,53 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
     findCameras();
 }
 
+/// A value of the last text.
+CameraValue CameraValues::valueOf(const NamedValue &named) const
+{
+    CameraValue value;
+    value.name = nameOf(named);
+    value.word = named.word;
+    value.numbers = named.numbers;
+    value.line = named.line;
+    value.file = m_files.back();
+    value.arithmetic = named.arithmetic;
+    value.text = m_files.size() - 1;
+    value.node = m_outlines.back().nodeAt(named.at);
+    return value;
+}
+
+/// The names of the parts of a text around a place, the outermost first.
+std::vector<std::string> CameraValues::sectionsOf(std::size_t text, std::size_t node) const
+{
+    std::vector<std::string> names;
+    for (const std::size_t around : m_outlines[text].pathTo(node))
+        names.push_back(m_outlines[text].nameOf(around));
+    return names;
+}
+
 /// Finds the parts of the text that have a lens each: where the sections of the lenses part.
 void CameraValues::findCameras()
 {
-    std::vector<const std::vector<std::string> *> lenses;
+    std::vector<std::vector<std::string>> lenses;
     for (const Part part : {Part::Intrinsics, Part::CameraMatrix, Part::Focal}) {
-        for (const CameraValue &value : all(part))
-            lenses.push_back(&value.sections);
+        for (const CameraValue &value : all(part)) {
+            lenses.push_back(sectionsOf(value.text, value.node));
+            if (!value.camera.empty())
+                lenses.back().push_back(value.camera);
+        }
     }
     for (const Number &number : m_numbers) {
         if (number.value.isNamed("fx"))
-            lenses.push_back(&number.sections);
+            lenses.push_back(sectionsOf(number.text, number.node));
     }
     for (std::size_t depth = 0; !lenses.empty(); ++depth) {
+        std::set<std::string> seen;
         std::vector<std::string> names;
-        for (const std::vector<std::string> *sections : lenses) {
-            if (sections->size() <= depth)
+        for (const std::vector<std::string> &sections : lenses) {
+            if (sections.size() <= depth)
                 return; // a lens of all
-            if (std::find(names.begin(), names.end(), (*sections)[depth]) == names.end())
-                names.push_back((*sections)[depth]);
+            if (seen.insert(sections[depth]).second)
+                names.push_back(sections[depth]);
         }
         if (names.size() > 1) {
             m_cameras = std::move(names);
@@ -161,20 +176,32 @@ void CameraValues::findCameras()
 
 void CameraValues::keepCamera(const std::string &name)
 {
-    const auto isOfOther = [&](const std::vector<std::string> &sections) {
-        return std::any_of(sections.begin(), sections.end(), [&](const std::string &section) {
-            return section != name && std::find(m_cameras.begin(), m_cameras.end(), section) != m_cameras.end();
-        });
+    const std::set<std::string> cameras(m_cameras.begin(), m_cameras.end());
+    const auto isOther = [&](const std::string &section) { return section != name && cameras.contains(section); };
+    std::vector<std::vector<bool>> others; // by text and node: it is of another camera
+    for (const Outline &outline : m_outlines) {
+        std::vector<bool> &ofText = others.emplace_back();
+        for (std::size_t i = 0; i < outline.size(); ++i)
+            ofText.push_back((i > 0 && ofText[outline.node(i).parent]) || isOther(outline.nameOf(i)));
+    }
+    const auto isOfOther = [&](const CameraValue &value) {
+        return others[value.text][value.node] || isOther(value.camera);
     };
-    const auto isValueOfOther = [&](const CameraValue &value) { return isOfOther(value.sections); };
     for (std::vector<CameraValue> &values : m_parts)
-        std::erase_if(values, isValueOfOther);
+        std::erase_if(values, isOfOther);
     for (std::optional<CameraValue> &value : m_unfit) {
-        if (value && isValueOfOther(*value))
+        if (value && isOfOther(*value))
             value.reset();
     }
-    std::erase_if(m_others, isValueOfOther);
-    std::erase_if(m_numbers, [&](const Number &number) { return isOfOther(number.sections); });
+    std::erase_if(m_others, isOfOther);
+    std::erase_if(m_numbers, [&](const Number &number) { return others[number.text][number.node]; });
+}
+
+bool CameraValues::isOfCamera(const CameraValue &value) const
+{
+    std::vector<std::string> sections = sectionsOf(value.text, value.node);
+    sections.push_back(value.camera);
+    return std::find_first_of(sections.begin(), sections.end(), m_cameras.begin(), m_cameras.end()) != sections.end();
 }
 
 /// Both ROS's messages and its calibration files have a model, K and P; R is then the rectification.
@@ -194,8 +221,7 @@ void CameraValues::add(CameraValue value)
     }
     value.role = *role;
     const Part part = role->part;
-    if (const std::string camera = cameraOf(value.name); !camera.empty())
-        value.sections.push_back(camera);
+    value.camera = cameraOf(value.name);
     const bool isWord = part == Part::Model;
     if (isWord ? value.word.empty() : value.numbers.empty())
         return;
@@ -209,7 +235,7 @@ void CameraValues::add(CameraValue value)
         value.numbers = withoutBorder(value.numbers);
     // "T_cam_imu: {R: …, t: …}", "depth_to_color: {rotation: …}"
     const bool isOfPose = part == Part::Rotation || part == Part::Quaternion || part == Part::Translation;
-    for (const std::string &section : value.sections) {
+    for (const std::string &section : isOfPose ? sectionsOf(value.text, value.node) : std::vector<std::string>()) {
         if (isOfPose && isBetweenCameras(section)) {
             m_others.push_back(std::move(value));
             return;
@@ -281,8 +307,7 @@ void CameraValues::addPoses(CameraValue value)
 
 /// Adds ROS's transforms and poses: "translation: {x: 1, y: 2, z: 3}",
 /// "orientation: {x: 0, y: 0, z: 0, w: 1}".
-void CameraValues::addComponents(const NamedValues &named, const std::string &file,
-                                 const std::function<std::vector<std::string>(std::size_t at)> &sectionsAt)
+void CameraValues::addComponents(const NamedValues &named)
 {
     const std::vector<NamedValue> &values = named.all();
     const auto addOf = [&](Part part, std::span<const std::string_view> names,
@@ -300,12 +325,9 @@ void CameraValues::addComponents(const NamedValues &named, const std::string &fi
             }
             if (numbers.size() != components.size())
                 continue;
-            CameraValue &added = of(part).emplace_back();
+            CameraValue &added = of(part).emplace_back(valueOf(values[i]));
             added.name = parent;
             added.numbers = std::move(numbers);
-            added.line = values[i].line;
-            added.file = file;
-            added.sections = sectionsAt(values[i].at);
             i += components.size() - 1;
         }
     };
@@ -349,7 +371,7 @@ bool CameraValues::hasAny(const std::string &file) const
     return std::any_of(m_parts.begin(), m_parts.end(),
                        [&](const auto &values) { return std::any_of(values.begin(), values.end(), isOfFile); })
            || std::any_of(m_numbers.begin(), m_numbers.end(), [&](const auto &number) {
-                  return number.file == file
+                  return m_files[number.text] == file
                          && std::any_of(kScalars.begin(), kScalars.end(),
                                         [&](std::string_view name) { return number.value.isNamed(name); });
               });
