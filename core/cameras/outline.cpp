@@ -173,9 +173,9 @@ private:
                 pop();
             m_name = {};
         } else if (c == ':' || c == '=') {
-            const std::size_t end = std::min(m_text.find('\n', m_at), m_text.size());
+            constexpr std::size_t kLongest = 80; // of a label
             if (isInBrackets())
-                noteLabel(m_name, trimmed(m_text.substr(m_at, end - m_at)));
+                noteLabel(m_name, trimmed(m_text.substr(m_at, kLongest)));
         } else if (c == ',' || c == ';' || c == '\n' || base::isDigit(c)) {
             m_name = c == '\n' ? m_name : std::string_view();
         }

@@ -189,9 +189,9 @@ private:
         for (const char one : pattern) {
             if (const auto code = kCodeNames.find(one); code != kCodeNames.npos) {
                 const auto &[characters, fewest, most, areOthers] = kCodes[code];
-                const auto stop =
-                    areOthers ? m_text.find_first_of(characters, end) : m_text.find_first_not_of(characters, end);
-                const auto count = std::min({stop - end, m_text.size() - end, most});
+                const std::string_view rest = m_text.substr(std::min(end, m_text.size()), most);
+                const auto stop = areOthers ? rest.find_first_of(characters) : rest.find_first_not_of(characters);
+                const auto count = std::min(stop, rest.size());
                 if (count < fewest)
                     return 0;
                 end += count;
