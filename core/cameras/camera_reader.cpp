@@ -27,6 +27,12 @@ struct CameraReader {
 
 /// The first that recognises the texts reads them: the most particular form is first.
 constexpr std::array kReaders{CameraReader{"COLMAP", nullptr, readColmap},
+                              CameraReader{"Metashape", readMetashape},
+                              CameraReader{"MeshLab", readMeshLab},
+                              CameraReader{"RealityCapture", readRealityCapture},
+                              CameraReader{"Gazebo", readGazebo},
+                              CameraReader{"MuJoCo", readMjcf},
+                              CameraReader{"Mitsuba", readMitsuba},
                               CameraReader{"OpenMVG", readOpenMvg},
                               CameraReader{"AliceVision", readAliceVision},
                               CameraReader{"OpenSfM", readOpenSfm},

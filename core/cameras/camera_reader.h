@@ -58,5 +58,17 @@ bool readRecord3d(Reading &reading);
 bool readThree(Reading &reading);
 /// extrinsic_cv or cam2world_gl with intrinsic_cv, as ManiSkill prints them.
 bool readSapien(Reading &reading);
+/// cameras.xml of Metashape and PhotoScan.
+bool readMetashape(Reading &reading);
+/// A view or project of MeshLab.
+bool readMeshLab(Reading &reading);
+/// XMP beside an image.
+bool readRealityCapture(Reading &reading);
+/// A camera of SDF.
+bool readGazebo(Reading &reading);
+/// A camera of MJCF.
+bool readMjcf(Reading &reading);
+/// A perspective sensor of a scene.
+bool readMitsuba(Reading &reading);
 
 } // namespace unprojector::cameras

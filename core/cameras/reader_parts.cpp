@@ -154,6 +154,21 @@ void Reading::setProjection(const geometry::Projection &projection, std::size_t 
     camera.projection = geometry::MatrixProjection{*clip, geometry::NdcDepth::MinusOneToOne};
 }
 
+void setDistortion(Reading &reading, const std::string &model, std::optional<std::vector<double>> coefficients)
+{
+    if (!coefficients) {
+        if (!reading.choices.isUndistorted)
+            reading.fail(tr("the camera model %1 is not read: it is no pinhole with the distortion of Brown "
+                            "and Conrady. Undistort the images first, then give --undistorted",
+                            model));
+        return;
+    }
+    coefficients->resize(5, 0.0);
+    const std::vector<double> &c = *coefficients;
+    if (const Distortion distortion{c[0], c[1], c[3], c[4], c[2]}; !distortion.isNone())
+        reading.camera.distortion = distortion;
+}
+
 std::optional<ImageSize> sizeOf(std::optional<double> width, std::optional<double> height)
 {
     constexpr double kMost = 1e6;

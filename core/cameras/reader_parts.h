@@ -65,6 +65,10 @@ private:
     std::optional<NamedValues> m_values;
 };
 
+/// Sets coefficients that are those of Brown and Conrady; refuses other models.
+/// @param coefficients  k1, k2, k3, p1, p2, or the first of them; nothing: of another model
+void setDistortion(Reading &reading, const std::string &model, std::optional<std::vector<double>> coefficients);
+
 /// The size that two numbers give; nothing for anything but whole numbers above 0.
 std::optional<ImageSize> sizeOf(std::optional<double> width, std::optional<double> height);
 /// The size among named values: width and height, resolution, viewport.

@@ -31,23 +31,6 @@ ImageSize lensSize(Reading &reading, const Json &lens)
     return reading.camera.size ? *reading.camera.size : reading.neededSize();
 }
 
-/// Sets coefficients that are those of Brown and Conrady; refuses other models.
-/// @param coefficients  k1, k2, k3, p1, p2, or the first of them; nothing: of another model
-void setDistortion(Reading &reading, const std::string &model, std::optional<std::vector<double>> coefficients)
-{
-    if (!coefficients) {
-        if (!reading.choices.isUndistorted)
-            reading.fail(tr("the camera model %1 is not read: it is no pinhole with the distortion of Brown "
-                            "and Conrady. Undistort the images first, then give --undistorted",
-                            model));
-        return;
-    }
-    coefficients->resize(5, 0.0);
-    const std::vector<double> &c = *coefficients;
-    if (const Distortion distortion{c[0], c[1], c[3], c[4], c[2]}; !distortion.isNone())
-        reading.camera.distortion = distortion;
-}
-
 /// A view of a reconstruction, with the keys of its parts.
 struct View {
     std::string name, id, lens, pose;

@@ -285,6 +285,38 @@ private slots:
             "rotation_euler = Euler((1, 2, 3), 'ZXY')\nlocation = 1, 2, 3\nm",
             "Euler angles in the order ZXY are not read");
         row("a node in itself", "glTF", "\"children\":[0,2]", "\"children\":[0,1]", "is its own parent");
+        row("an end of an element", "Metashape", "</cameras>", "", "the XML is damaged: \"</cameras>\" is missing");
+        row("a quote", "Metashape", "label=\"P1\"", "label=P1", "the XML is damaged: \"\"\" is missing");
+        row("a comment's end", "Metashape", " -->", "", "the XML is damaged: \"-->\" is missing");
+        row("no calibration", "Metashape", "sensor_id=\"1\" component_id=\"0\" label=\"DJI",
+            "sensor_id=\"0\" label=\"DJI", "11 50.jpg has no intrinsics in the file");
+        row("no focal length", "Metashape", "<f>3268.3</f>", "", "f needs 1 numbers; it has 0");
+        row("a fisheye", "Metashape", "<calibration type=\"frame\" class=\"adjusted\">",
+            "<calibration type=\"fisheye\" class=\"adjusted\">", "the camera model fisheye is not read");
+        row("k4", "Metashape", "<k1>", "<k4>0.1</k4><k1>", "the camera model frame (k4, p3, p4) is not read");
+        row("no rotation", "Metashape", "<rotation locked", "<turn locked", "damaged");
+        row("a lens of MeshLab", "MeshLab", "LensDistortion=\"0 0\" ViewportPx=\"1853",
+            "LensDistortion=\"0.1 0\" ViewportPx=\"1853", "the distortion of MeshLab is not read");
+        row("binary data", "MeshLab", "<VCGCamera CameraType=\"0\" TranslationVector=\"-",
+            "<VCGCamera BinaryData=\"1\" TranslationVector=\"-", "BinaryData 1 is not read");
+        row("no position", "RealityCapture", "<xcr:Position>", "<xcr:Position>1 ",
+            "Position needs 3 numbers; it has 4");
+        row("a lens", "RealityCapture", "Coeficients=\"0", "Coeficients=\"0.1",
+            "the distortion of RealityCapture (brown3) is not read");
+        row("skew", "RealityCapture", "Skew=\"0", "Skew=\"0.5", "Skew 0.5 is not read");
+        row("another frame", "Gazebo", "<pose degrees", "<pose relative_to=\"arm\" degrees", "relative_to arm is not");
+        row("a lens of Gazebo", "Gazebo", "<k1>0", "<k1>0.1", "the distortion of Gazebo is not read");
+        row("a short pose", "Gazebo", "<pose>14.0 ", "<pose>", "pose needs 6 numbers; it has 5");
+        row("a target", "MuJoCo, MJCF", "name=\"closeup\"", "name=\"closeup\" mode=\"targetbody\"",
+            "mode targetbody is not read");
+        row("a sensor", "MuJoCo, MJCF", "name=\"closeup\"", "name=\"closeup\" sensorsize=\"1 1\"",
+            "sensorsize 1 1 is not read");
+        row("another sensor", "Mitsuba", "type=\"perspective\"", "type=\"orthographic\"",
+            "sensor orthographic is not read");
+        row("no angle of Mitsuba", "Mitsuba", "name=\"fov\"", "name=\"f\"", "fov is missing");
+        row("a crop", "Mitsuba", "<integer name=\"width\"",
+            "<integer name=\"crop_width\" value=\"8\"/><integer name=\"w\"", "crop_width 8 is not read");
+        row("no up", "Mitsuba", "up=", "u=", "up needs 3 numbers; it has 0");
         row("no yfov", "pyrender", "np.pi / 3.0", "fov", "yfov has no number");
     }
 
@@ -318,6 +350,12 @@ private slots:
                                  << "(x, -y, z) here, in centimetres";
         newRow("Unreal's angle") << "Unreal, BugItGo"
                                  << "assumed to be 90 degrees";
+        newRow("a chunk's transform") << "Metashape"
+                                      << "The chunk's transform is applied";
+        newRow("a body of MJCF") << "MuJoCo, MJCF"
+                                 << "its pose is that with all joints at 0";
+        newRow("MuJoCo's angle") << "MuJoCo, MJCF with zaxis"
+                                 << "fovy is 45 degrees";
         newRow("pixels not square") << "trimesh"
                                     << "pixels are not square";
     }
@@ -558,6 +596,39 @@ private slots:
         const auto ofRig = changed("AliceVision", R"("frameId": "1120")", R"("rigId": "3", "isPoseIndependant": "0")");
         QVERIFY2(reasonOf(ofRig, {}).contains("the pose of /sequence/1120.exr is that of its rig"),
                  qPrintable(reasonOf(ofRig, {})));
+    }
+
+    /// Metashape's p1 is OpenCV's p2. A label or an id chooses; a camera without a transform is left out.
+    void camerasOfMetashapeAreChosen()
+    {
+        const std::vector<NamedText> texts = textsOf(exampleOf("Metashape"));
+        CameraChoices choices;
+        for (const char *image : {"7", "DJI 12-12-2019, 11 50.jpg", "1"}) {
+            choices.image = image;
+            const ForeignCamera camera = readCamera(texts, choices)->value();
+            QCOMPARE(camera.image, std::size_t(1));
+            QCOMPARE(coefficientsText(*camera.distortion),
+                     std::string("k1 = -0.0446, k2 = 0.0207, p1 = 0.0023, p2 = -0.0012, k3 = -0.0912"));
+        }
+        choices.image = "IMG_0002";
+        QVERIFY(reasonOf(texts, choices).contains("there is no image \"IMG_0002\" among 2 (IMG_0001, DJI"));
+        const NamedText none{"cameras.xml",
+                             "<document><chunk><sensors/><cameras><camera id='0'/></cameras></chunk>"
+                             "<!DOCTYPE a [<!ENTITY b 'c'>]><![CDATA[</document>]]><sensor/></document>"};
+        QVERIFY2(reasonOf({none}, {}).contains("no camera has a transform"), qPrintable(reasonOf({none}, {})));
+    }
+
+    /// Readers recurse, and look for each name among all of an element.
+    void xmlIsLimited()
+    {
+        std::string deep = "<mujoco>", wide = "<mujoco><camera";
+        for (int i = 0; i < 100'000; ++i) {
+            deep += "<body>";
+            wide += " a" + std::to_string(i) + "=''";
+        }
+        for (const std::string &text : {deep, wide + "/></mujoco>"})
+            QVERIFY2(reasonOf({{"scene.xml", text}}, {}).contains("more than 256 levels"),
+                     qPrintable(reasonOf({{"scene.xml", text}}, {})));
     }
 
     void partsOfCapturesAreToldApart()
