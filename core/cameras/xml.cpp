@@ -190,8 +190,6 @@ std::size_t offsetOf(const Json &element)
     return offset && offset->is_number_unsigned() ? offset->get<std::size_t>() : 0;
 }
 
-} // namespace
-
 Json parsedXml(const NamedText &text)
 {
     if (text.text.size() > kMostBytes)
@@ -199,6 +197,8 @@ Json parsedXml(const NamedText &text)
                           .file = text.name};
     return XmlReader(text).document();
 }
+
+} // namespace
 
 Json xmlWith(const NamedText &text, JsonKeys words)
 {

@@ -12,11 +12,9 @@ namespace unprojector::cameras {
 // XML of other programs, as JSON. An element is an object: its attributes are texts, "" is its own text,
 // "@" the offset of its '<', and each tag has the list of its children. Prefixes of names are dropped.
 
-/// The elements of an XML text, under an object that stands for the document; a part of a file may have
-/// several roots. Throws a base::Error with the line of a mistake.
-nlohmann::ordered_json parsedXml(const NamedText &text);
-
-/// The elements of an XML text that has all these words; null for another text.
+/// The elements of an XML text that has all these words, under an object that stands for the document; a
+/// part of a file may have several roots. Null for another text. Throws a base::Error with the line of a
+/// mistake.
 nlohmann::ordered_json xmlWith(const NamedText &text, JsonKeys words);
 
 /// The first child along a path of tags; null where one is missing.

@@ -51,23 +51,45 @@ void refuseDistortion(Reading &reading, const std::string &name)
         reading.fail(tr("the distortion of %1 is not read. Undistort the images first, then give --undistorted", name));
 }
 
-/// The camera's size in the file, which its numbers count in; else the chosen one.
-ImageSize fileSize(Reading &reading, double width, double height)
-{
-    reading.camera.size = sizeOf(width, height);
-    return reading.camera.size ? *reading.camera.size : reading.neededSize();
-}
-
-double neededAngle(const Reading &reading, const Json &element, const char *key)
+double neededXmlNumber(const Reading &reading, const Json &element, const char *key)
 {
     return neededXml(reading, element, key, 1)[0];
 }
 
 } // namespace
 
-// Source: Metashape's user manual, Camera models: u = w/2 + cx + x' (f + B1) + y' B2, v = h/2 + cy + y' f;
-// P1 goes with r^2 + 2x^2, which is OpenCV's p2 (nerfstudio, issue 3714). Transforms are those of nerfstudio,
-// metashape_utils.py: from the camera to the chunk, and the chunk's s R x + t.
+namespace {
+
+/// Source: Metashape's user manual, Camera models: u = w/2 + cx + x' (f + B1) + y' B2, v = h/2 + cy + y' f;
+/// P1 goes with r^2 + 2x^2, which is OpenCV's p2 (nerfstudio, issue 3714).
+void setMetashapeLens(Reading &reading, const Json &sensor)
+{
+    ForeignCamera &camera = reading.camera;
+    const Json &adjusted = entryOf(children(sensor, "calibration"), "class", "adjusted"),
+               &lens = adjusted.is_object() ? adjusted : child(sensor, {"calibration"});
+    if (!lens.is_object())
+        reading.fail(tr("%1 has no intrinsics in the file; give a file that has them", camera.images[camera.image]));
+    const auto of = [&lens](const char *key) { return xmlNumber(lens, key, 0.0); };
+    const std::string type = xmlText(lens, "type");
+    if (anyIsNot0({of("k4"), of("p3"), of("p4")}))
+        setDistortion(reading, type + " (k4, p3, p4)", {});
+    else if (type != "frame" && !type.empty())
+        setDistortion(reading, type, {});
+    else
+        setDistortion(reading, type, std::vector{of("k1"), of("k2"), of("k3"), of("p2"), of("p1")});
+    const Json &own = child(lens, {"resolution"}), &resolution = own.is_object() ? own : child(sensor, {"resolution"});
+    camera.size = sizeOf(spelledNumber(resolution, "width"), spelledNumber(resolution, "height"));
+    const ImageSize size = camera.size ? *camera.size : reading.neededSize();
+    const double f = neededXmlNumber(reading, lens, "f");
+    camera.intrinsics =
+        Intrinsics{f + of("b1"),           f,   size.width / 2.0 + of("cx"), size.height / 2.0 + of("cy"), of("b2"),
+                   PixelCentres::AtHalves, true};
+}
+
+} // namespace
+
+// Source: nerfstudio, metashape_utils.py, for the transforms: from the camera to the chunk, and the chunk's
+// or its component's, s R x + t.
 bool readMetashape(Reading &reading)
 {
     const Json file = xmlWith(reading.text, {"<chunk", "<sensor"});
@@ -92,32 +114,14 @@ bool readMetashape(Reading &reading)
     if (posed.empty())
         reading.fail(tr("no camera has a transform: give the cameras of aligned photographs"));
     reading.chooseImage(ids);
-    const Json &one = *posed[camera.image],
-               &sensor = entryOf(children(child(chunk, {"sensors"}), "sensor"), "id", xmlText(one, "sensor_id")),
-               &adjusted = entryOf(children(sensor, "calibration"), "class", "adjusted"),
-               &lens = adjusted.is_object() ? adjusted : child(sensor, {"calibration"});
-    if (!lens.is_object())
-        reading.fail(tr("%1 has no intrinsics in the file; give a file that has them", camera.images[camera.image]));
-    const auto of = [&lens](const char *key) { return xmlNumber(lens, key, 0.0); };
-    const std::string type = xmlText(lens, "type");
-    if (anyIsNot0({of("k4"), of("p3"), of("p4")}))
-        setDistortion(reading, type + " (k4, p3, p4)", {});
-    else if (type != "frame" && !type.empty())
-        setDistortion(reading, type, {});
-    else
-        setDistortion(reading, type, std::vector{of("k1"), of("k2"), of("k3"), of("p2"), of("p1")});
-    const Json &ofLens = child(lens, {"resolution"}),
-               &resolution = ofLens.is_object() ? ofLens : child(sensor, {"resolution"});
-    const ImageSize size = fileSize(reading, xmlNumber(resolution, "width", 0.0), xmlNumber(resolution, "height", 0.0));
-    const double f = neededXml(reading, lens, "f", 1)[0];
-    camera.intrinsics =
-        Intrinsics{f + of("b1"),           f,   size.width / 2.0 + of("cx"), size.height / 2.0 + of("cy"), of("b2"),
-                   PixelCentres::AtHalves, true};
+    const Json &one = *posed[camera.image];
+    const auto entry = [&](const char *parts, const char *part, const char *id) -> const Json & {
+        return entryOf(children(child(chunk, {parts}), part), "id", xmlText(one, id));
+    };
+    setMetashapeLens(reading, entry("sensors", "sensor", "sensor_id"));
     camera.pose = matrixByRows(neededXml(reading, one, "transform", 16));
-    const Json &component =
-                   entryOf(children(child(chunk, {"components"}), "component"), "id", xmlText(one, "component_id")),
-               &ofComponent = child(component, {"transform"}),
-               &placed = ofComponent.is_object() ? ofComponent : child(chunk, {"transform"});
+    const Json &own = child(entry("components", "component", "component_id"), {"transform"}),
+               &placed = own.is_object() ? own : child(chunk, {"transform"});
     if (placed.is_object()) {
         const glm::dmat3 turn(*matrixByRows(neededXml(reading, placed, "rotation", 9)));
         const glm::dvec3 centre = xmlNumber(placed, "scale", 1.0) * (turn * glm::dvec3((*camera.pose)[3]));
@@ -147,7 +151,7 @@ bool readMeshLab(Reading &reading)
         refuseDistortion(reading, "MeshLab");
     const auto pair = [&](const char *key) { return neededXml(reading, one, key, 2); };
     const std::vector<double> viewport = pair("ViewportPx"), centre = pair("CenterPx"), pixel = pair("PixelSizeMm");
-    const double focal = neededXml(reading, one, "FocalMm", 1)[0];
+    const double focal = neededXmlNumber(reading, one, "FocalMm");
     camera.size = sizeOf(viewport[0], viewport[1]);
     camera.intrinsics = Intrinsics{
         focal / pixel[0], focal / pixel[1], centre[0], viewport[1] - centre[1], 0.0, PixelCentres::AtHalves, true};
@@ -174,7 +178,7 @@ bool readRealityCapture(Reading &reading)
     }
     if (anyIsNot0(xmlNumbers(one, "DistortionCoeficients")))
         refuseDistortion(reading, "RealityCapture (" + xmlText(one, "DistortionModel") + ')');
-    const double focal = neededXml(reading, one, "FocalLength35mm", 1)[0];
+    const double focal = neededXmlNumber(reading, one, "FocalLength35mm");
     camera.pose = matrixByRows(neededXml(reading, one, "Rotation", 9));
     camera.center = neededXmlVector(reading, one, "Position");
     const ImageSize size = reading.neededSize();
@@ -238,10 +242,10 @@ bool readGazebo(Reading &reading)
         camera.nearDistance = n;
         camera.farDistance = f;
     }
-    reading.setHorizontalAngle(neededAngle(reading, one, "horizontal_fov"));
+    reading.setHorizontalAngle(neededXmlNumber(reading, one, "horizontal_fov"));
     if (!k.is_object())
         return true;
-    const auto number = [&](const char *key) { return neededXml(reading, k, key, 1)[0]; };
+    const auto number = [&](const char *key) { return neededXmlNumber(reading, k, key); };
     camera.intrinsics = Intrinsics{number("fx"), number("fy"),           number("cx"),
                                    number("cy"), xmlNumber(k, "s", 0.0), PixelCentres::AtHalves};
     camera.assumed.push_back(tr("Pixel centres are assumed at halves; --pixel-centers integer says otherwise."));
@@ -284,9 +288,31 @@ glm::dmat4 mjcfPose(const Reading &reading, const Json &element, const Json &com
     return rigid(turn, p.empty() ? glm::dvec3(0.0) : glm::dvec3(p[0], p[1], p[2]));
 }
 
+/// Source: MuJoCo's XML reference, body/camera, visual/map, statistic
+void setMjcfLens(Reading &reading, const Json &one, const Json &model)
+{
+    ForeignCamera &camera = reading.camera;
+    for (const char *key : {"sensorsize", "orthographic", "projection"}) {
+        if (const std::string word = xmlText(one, key); !word.empty() && word != "false" && word != "perspective")
+            reading.fail(tr("%1 %2 is not read", key, word));
+    }
+    if (const std::vector<double> resolution = xmlNumbers(one, "resolution"); resolution.size() == 2)
+        camera.size = sizeOf(resolution[0], resolution[1]);
+    // The planes are given as shares of the model's extent.
+    if (const double extent = xmlNumber(child(model, {"statistic"}), "extent", 0.0); extent > 0.0) {
+        const Json &map = child(model, {"visual", "map"});
+        camera.nearDistance = extent * xmlNumber(map, "znear", 0.01);
+        camera.farDistance = extent * xmlNumber(map, "zfar", 50.0);
+    }
+    const bool hasAngle = memberOf(one, "fovy") != nullptr;
+    if (!hasAngle)
+        camera.assumed.push_back(tr("fovy is 45 degrees, MuJoCo's default."));
+    reading.setVerticalAngle(radiansFromDegrees(hasAngle ? neededXmlNumber(reading, one, "fovy") : 45.0));
+}
+
 } // namespace
 
-// Source: MuJoCo's XML reference, body/camera, compiler, visual/map, statistic: looks along -z, with y up.
+// Source: MuJoCo's XML reference, body/camera, compiler: a camera looks along -z, with y up.
 bool readMjcf(Reading &reading)
 {
     const bool isModel = reading.text.text.find("<mujoco") != std::string::npos;
@@ -305,15 +331,11 @@ bool readMjcf(Reading &reading)
     reading.begin("MuJoCo", PoseDirection::CameraToWorld, EyeAxes::RightUpBack);
     const XmlPath &path = chosen(reading, paths, "name");
     const Json &model = child(file, {"mujoco"}), &defaults = child(model, {"default", "camera"}),
-               &map = child(model, {"visual", "map"}), &compiler = child(model, {"compiler"});
+               &compiler = child(model, {"compiler"});
     Json one = defaults.is_object() ? defaults : Json::object();
     one.update(*path.back().element);
     if (const std::string mode = xmlText(one, "mode"); mode.starts_with("targetbody"))
         reading.fail(tr("%1 %2 is not read", "mode", mode));
-    for (const char *key : {"sensorsize", "orthographic", "projection"}) {
-        if (const std::string word = xmlText(one, key); !word.empty() && word != "false" && word != "perspective")
-            reading.fail(tr("%1 %2 is not read", key, word));
-    }
     camera.pose = glm::dmat4(1.0);
     bool isOnBody = path.front().tag == "camera", hasClass = false;
     for (const XmlStep &step : path) {
@@ -328,19 +350,7 @@ bool readMjcf(Reading &reading)
                                     "cam_xmat tell another."));
     if (hasClass)
         camera.assumed.push_back(tr("Defaults of classes are not read; cam_fovy, cam_xpos and cam_xmat have them."));
-    const std::vector<double> resolution = xmlNumbers(one, "resolution");
-    if (resolution.size() == 2)
-        camera.size = sizeOf(resolution[0], resolution[1]);
-    // The planes are given as shares of the model's extent.
-    if (const double extent = xmlNumber(child(model, {"statistic"}), "extent", 0.0); extent > 0.0) {
-        camera.nearDistance = extent * xmlNumber(map, "znear", 0.01);
-        camera.farDistance = extent * xmlNumber(map, "zfar", 50.0);
-    }
-    if (!memberOf(one, "fovy")) {
-        one["fovy"] = "45";
-        camera.assumed.push_back(tr("fovy is 45 degrees, MuJoCo's default."));
-    }
-    reading.setVerticalAngle(radiansFromDegrees(neededAngle(reading, one, "fovy")));
+    setMjcfLens(reading, one, model);
     return true;
 }
 
@@ -396,16 +406,33 @@ glm::dmat4 mitsubaStep(const Reading &reading, std::string_view tag, const Json 
     } else if (tag == "translate") {
         m[3] = glm::dvec4(mitsubaVector(step, 0.0), 1.0);
     } else if (tag == "rotate") {
-        const double angle = radiansFromDegrees(neededAngle(reading, step, "angle"));
+        const double angle = radiansFromDegrees(neededXmlNumber(reading, step, "angle"));
         m = glm::dmat4(rotationOf(angle * glm::normalize(mitsubaVector(step, 0.0))));
-    } else if (tag == "scale") {
+    } else { // scale
         const glm::dvec3 factor = mitsubaVector(step, 1.0);
         for (int i = 0; i < 3; ++i)
             m[i] *= factor[i];
-    } else {
-        reading.fail(tr("%1 %2 is not read", "transform", tag));
     }
     return m;
+}
+
+/// The steps of a transform, one after the other, with the columns right, up, back.
+glm::dmat4 mitsubaPose(const Reading &reading, const Json &transform)
+{
+    std::vector<XmlPath> steps;
+    for (const char *tag : {"lookat", "look_at", "matrix", "translate", "rotate", "scale"}) {
+        for (const XmlPath &path : pathsTo(transform, tag))
+            steps.push_back(path);
+    }
+    std::sort(steps.begin(), steps.end(), [](const XmlPath &a, const XmlPath &b) {
+        return inside(*a[0].element, {"@"}) < inside(*b[0].element, {"@"});
+    });
+    glm::dmat4 pose(1.0);
+    for (const XmlPath &step : steps)
+        pose = mitsubaStep(reading, step[0].tag, *step[0].element) * pose;
+    pose[0] = -pose[0];
+    pose[2] = -pose[2];
+    return pose;
 }
 
 } // namespace
@@ -432,21 +459,7 @@ bool readMitsuba(Reading &reading)
     camera.nearDistance = number(one, "near_clip");
     camera.farDistance = number(one, "far_clip");
 
-    std::vector<XmlPath> steps;
-    const Json &transform = child(one, {"transform"});
-    for (const char *tag : {"lookat", "look_at", "matrix", "translate", "rotate", "scale"}) {
-        for (const XmlPath &path : pathsTo(transform, tag))
-            steps.push_back(path);
-    }
-    std::sort(steps.begin(), steps.end(), [](const XmlPath &a, const XmlPath &b) {
-        return inside(*a[0].element, {"@"}) < inside(*b[0].element, {"@"});
-    });
-    camera.pose = glm::dmat4(1.0);
-    for (const XmlPath &step : steps)
-        camera.pose = mitsubaStep(reading, step[0].tag, *step[0].element) * *camera.pose;
-    for (const int leftOrAhead : {0, 2})
-        (*camera.pose)[leftOrAhead] *= -1.0;
-
+    camera.pose = mitsubaPose(reading, child(one, {"transform"}));
     const ImageSize size = reading.neededSize();
     const double aspect = double(size.width) / size.height;
     std::string axis = property(one, "fov_axis");

@@ -629,6 +629,10 @@ private slots:
         for (const std::string &text : {deep, wide + "/></mujoco>"})
             QVERIFY2(reasonOf({{"scene.xml", text}}, {}).contains("more than 256 levels"),
                      qPrintable(reasonOf({{"scene.xml", text}}, {})));
+        const NamedText open{"scene.xml", "<mujoco>\n<worldbody>\n<camera pos='0 0 1'/>\n</mujoco>"};
+        QCOMPARE(readCamera({&open, 1}, {})->error().line, 4);
+        const NamedText shortPose{"scene.xml", "<mujoco>\n<camera pos='0 1'/>\n</mujoco>"};
+        QCOMPARE(readCamera({&shortPose, 1}, {})->error().line, 2);
     }
 
     void partsOfCapturesAreToldApart()
