@@ -67,16 +67,16 @@ void setMetashapeLens(Reading &reading, const Json &sensor)
     ForeignCamera &camera = reading.camera;
     const Json &adjusted = entryOf(children(sensor, "calibration"), "class", "adjusted"),
                &lens = adjusted.is_object() ? adjusted : child(sensor, {"calibration"});
-    if (!lens.is_object())
-        reading.fail(tr("%1 has no intrinsics in the file; give a file that has them", camera.images[camera.image]));
     const auto of = [&lens](const char *key) { return xmlNumber(lens, key, 0.0); };
-    const std::string type = xmlText(lens, "type");
+    const std::string type = xmlText(lens.is_object() ? lens : sensor, "type"); // a sphere has no calibration
     if (anyIsNot0({of("k4"), of("p3"), of("p4")}))
         setDistortion(reading, type + " (k4, p3, p4)", {});
     else if (type != "frame" && !type.empty())
         setDistortion(reading, type, {});
     else
         setDistortion(reading, type, std::vector{of("k1"), of("k2"), of("k3"), of("p2"), of("p1")});
+    if (!lens.is_object())
+        reading.fail(tr("%1 has no intrinsics in the file; give a file that has them", camera.images[camera.image]));
     const Json &own = child(lens, {"resolution"}), &resolution = own.is_object() ? own : child(sensor, {"resolution"});
     camera.size = sizeOf(spelledNumber(resolution, "width"), spelledNumber(resolution, "height"));
     const ImageSize size = camera.size ? *camera.size : reading.neededSize();

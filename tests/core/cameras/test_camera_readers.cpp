@@ -288,8 +288,9 @@ private slots:
         row("an end of an element", "Metashape", "</cameras>", "", "the XML is damaged: \"</cameras>\" is missing");
         row("a quote", "Metashape", "label=\"P1\"", "label=P1", "the XML is damaged: \"\"\" is missing");
         row("a comment's end", "Metashape", " -->", "", "the XML is damaged: \"-->\" is missing");
-        row("no calibration", "Metashape", "sensor_id=\"1\" component_id=\"0\" label=\"DJI",
-            "sensor_id=\"0\" label=\"DJI", "11 50.jpg has no intrinsics in the file");
+        const char *posed = "sensor_id=\"1\" component_id=\"0\" label=\"DJI";
+        row("a sphere", "Metashape", posed, "sensor_id=\"0\" label=\"DJI", "the camera model spherical is not read");
+        row("no sensor", "Metashape", posed, "sensor_id=\"5\" label=\"DJI", "11 50.jpg has no intrinsics in the file");
         row("no focal length", "Metashape", "<f>3268.3</f>", "", "f needs 1 numbers; it has 0");
         row("a fisheye", "Metashape", "<calibration type=\"frame\" class=\"adjusted\">",
             "<calibration type=\"fisheye\" class=\"adjusted\">", "the camera model fisheye is not read");
