@@ -143,35 +143,47 @@ std::vector<std::string> CameraValues::sectionsOf(std::size_t text, std::size_t 
     return names;
 }
 
-/// Finds the parts of the text that have a lens each: where the sections of the lenses part.
+/// Finds the cameras of the text: where the sections of the lenses part, else the ends of the names
+/// of the lenses.
 void CameraValues::findCameras()
 {
     std::vector<std::vector<std::string>> lenses;
+    std::vector<std::string> ends;
     for (const Part part : {Part::Intrinsics, Part::CameraMatrix, Part::Focal}) {
         for (const CameraValue &value : all(part)) {
             lenses.push_back(sectionsOf(value.text, value.node));
-            if (!value.camera.empty())
-                lenses.back().push_back(value.camera);
+            ends.push_back(value.camera);
         }
     }
     for (const Number &number : m_numbers) {
-        if (number.value.isNamed("fx"))
+        if (number.value.isNamed("fx")) {
             lenses.push_back(sectionsOf(number.text, number.node));
+            ends.emplace_back();
+        }
     }
-    for (std::size_t depth = 0; !lenses.empty(); ++depth) {
+    const auto setCameras = [this](const std::vector<std::string> &names) {
         std::set<std::string> seen;
+        for (const std::string &name : names) {
+            if (seen.insert(name).second)
+                m_cameras.push_back(name);
+        }
+        if (m_cameras.size() < 2)
+            m_cameras.clear();
+        return !m_cameras.empty();
+    };
+    const auto isLong = [](std::size_t depth) {
+        return [depth](const std::vector<std::string> &sections) { return sections.size() > depth; };
+    };
+    for (m_depth = 1; !lenses.empty() && std::all_of(lenses.begin(), lenses.end(), isLong(m_depth)); ++m_depth) {
         std::vector<std::string> names;
-        for (const std::vector<std::string> &sections : lenses) {
-            if (sections.size() <= depth)
-                return; // a lens of all
-            if (seen.insert(sections[depth]).second)
-                names.push_back(sections[depth]);
-        }
-        if (names.size() > 1) {
-            m_cameras = std::move(names);
+        for (const std::vector<std::string> &sections : lenses)
+            names.push_back(sections[m_depth]);
+        if (setCameras(names))
             return;
-        }
     }
+    m_depth = 0;
+    if (std::none_of(ends.begin(), ends.end(), [](const std::string &end) { return end.empty(); }))
+        setCameras(ends);
 }
 
 void CameraValues::keepCamera(const std::string &name)
@@ -181,11 +193,16 @@ void CameraValues::keepCamera(const std::string &name)
     std::vector<std::vector<bool>> others; // by text and node: it is of another camera
     for (const Outline &outline : m_outlines) {
         std::vector<bool> &ofText = others.emplace_back();
-        for (std::size_t i = 0; i < outline.size(); ++i)
-            ofText.push_back((i > 0 && ofText[outline.node(i).parent]) || isOther(outline.nameOf(i)));
+        std::vector<std::size_t> depths;
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            const std::size_t parent = outline.node(i).parent;
+            depths.push_back(i == 0 ? 0 : depths[parent] + 1);
+            ofText.push_back((i > 0 && ofText[parent])
+                             || (m_depth > 0 && depths[i] == m_depth && isOther(outline.nameOf(i))));
+        }
     }
     const auto isOfOther = [&](const CameraValue &value) {
-        return others[value.text][value.node] || isOther(value.camera);
+        return others[value.text][value.node] || (m_depth == 0 && isOther(value.camera));
     };
     for (std::vector<CameraValue> &values : m_parts)
         std::erase_if(values, isOfOther);
@@ -197,17 +214,45 @@ void CameraValues::keepCamera(const std::string &name)
     std::erase_if(m_numbers, [&](const Number &number) { return others[number.text][number.node]; });
 }
 
+/// The name of the camera that a value may be of.
+std::string CameraValues::cameraOf(const CameraValue &value) const
+{
+    if (m_depth == 0)
+        return value.camera;
+    const std::vector<std::string> sections = sectionsOf(value.text, value.node);
+    return m_depth < sections.size() ? sections[m_depth] : std::string();
+}
+
 bool CameraValues::isOfCamera(const CameraValue &value) const
 {
-    std::vector<std::string> sections = sectionsOf(value.text, value.node);
-    sections.push_back(value.camera);
-    return std::find_first_of(sections.begin(), sections.end(), m_cameras.begin(), m_cameras.end()) != sections.end();
+    return std::find(m_cameras.begin(), m_cameras.end(), cameraOf(value)) != m_cameras.end();
 }
 
 /// Both ROS's messages and its calibration files have a model, K and P; R is then the rectification.
 bool CameraValues::isCameraInfo() const
 {
     return !all(Part::Model).empty() && !all(Part::CameraMatrix).empty() && !all(Part::Intrinsics).empty();
+}
+
+/// Sets the direction that the name around R or t states: "T_cam_imu: {R: …, t: …}".
+/// @return false for a part of a transform between two cameras: "depth_to_color: {rotation: …}"
+bool CameraValues::setDirectionAround(CameraValue &value) const
+{
+    const Part part = value.role.part;
+    if (part != Part::Rotation && part != Part::Quaternion && part != Part::Translation)
+        return true;
+    for (const std::string &section : sectionsOf(value.text, value.node)) {
+        if (isBetweenCameras(section))
+            return false;
+        const std::optional<Role> around = cameras::roleOf(section, 16);
+        if (around && around->part == Part::Pose && around->direction && !value.role.isDirectionStated) {
+            const std::size_t w = value.role.w;
+            value.role = *around;
+            value.role.part = part;
+            value.role.w = w;
+        }
+    }
+    return true;
 }
 
 void CameraValues::add(CameraValue value)
@@ -221,7 +266,7 @@ void CameraValues::add(CameraValue value)
     }
     value.role = *role;
     const Part part = role->part;
-    value.camera = cameraOf(value.name);
+    value.camera = cameras::cameraOf(value.name);
     const bool isWord = part == Part::Model;
     if (isWord ? value.word.empty() : value.numbers.empty())
         return;
@@ -233,19 +278,9 @@ void CameraValues::add(CameraValue value)
     }
     if (part == Part::Intrinsics)
         value.numbers = withoutBorder(value.numbers);
-    // "T_cam_imu: {R: …, t: …}", "depth_to_color: {rotation: …}"
-    const bool isOfPose = part == Part::Rotation || part == Part::Quaternion || part == Part::Translation;
-    for (const std::string &section : isOfPose ? sectionsOf(value.text, value.node) : std::vector<std::string>()) {
-        if (isOfPose && isBetweenCameras(section)) {
-            m_others.push_back(std::move(value));
-            return;
-        }
-        const std::optional<Role> around = isOfPose ? cameras::roleOf(section, 16) : std::nullopt;
-        if (around && around->part == Part::Pose && around->direction && !value.role.isDirectionStated) {
-            value.role = *around;
-            value.role.part = part;
-            value.role.w = role->w;
-        }
+    if (!setDirectionAround(value)) {
+        m_others.push_back(std::move(value));
+        return;
     }
     if (part == Part::Quaternion && role->w < 4) {
         if (role->w == 0)
@@ -254,7 +289,7 @@ void CameraValues::add(CameraValue value)
     }
     // The vectors of several images: rvecs, tvecs.
     const bool isVectors = (part == Part::Rotation || part == Part::Translation) && count > 3 && count % 3 == 0
-                           && (count != 9 || value.name.ends_with("vecs"));
+                           && value.name.find("vec") != value.name.npos && (count != 9 || value.name.ends_with("vecs"));
     if (isVectors) {
         const std::vector<double> numbers = std::move(value.numbers);
         for (std::size_t i = 0; i + 3 <= count; i += 3) {
@@ -274,7 +309,12 @@ void CameraValues::add(CameraValue value)
 /// the poses of several images.
 void CameraValues::addUnnamed(CameraValue value)
 {
-    const std::size_t count = value.numbers.size(), entries = count % 16 == 0 ? 16 : 12;
+    const std::size_t count = value.numbers.size();
+    const auto isLastRow = [&](std::size_t i) { return i % 16 < 12 || value.numbers[i] == (i % 16 == 15 ? 1.0 : 0.0); };
+    bool are16 = count % 16 == 0;
+    for (std::size_t i = 0; i < count && are16 && count > 16; ++i)
+        are16 = isLastRow(i);
+    const std::size_t entries = are16 ? 16 : 12;
     if (count < 9 || (count != 9 && count % entries != 0))
         return;
     value.name = stemOf(value.file);
@@ -325,9 +365,11 @@ void CameraValues::addComponents(const NamedValues &named)
             }
             if (numbers.size() != components.size())
                 continue;
-            CameraValue &added = of(part).emplace_back(valueOf(values[i]));
+            CameraValue added = valueOf(values[i]);
             added.name = parent;
             added.numbers = std::move(numbers);
+            added.role.part = part;
+            (setDirectionAround(added) ? of(part) : m_others).push_back(std::move(added));
             i += components.size() - 1;
         }
     };

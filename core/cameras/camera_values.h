@@ -64,6 +64,8 @@ private:
     void addComponents(const NamedValues &named);
     CameraValue valueOf(const NamedValue &value) const;
     std::vector<std::string> sectionsOf(std::size_t text, std::size_t node) const;
+    std::string cameraOf(const CameraValue &value) const;
+    bool setDirectionAround(CameraValue &value) const;
     std::vector<CameraValue> &of(Part part) { return m_parts[std::size_t(part)]; }
 
     std::array<std::vector<CameraValue>, kParts> m_parts;
@@ -77,6 +79,7 @@ private:
 
     std::vector<Number> m_numbers; ///< values of one number
     std::vector<std::string> m_cameras;
+    std::size_t m_depth = 0;          ///< of their sections in the outline; 0: the ends of names tell them apart
     std::vector<std::string> m_files; ///< of the texts
     std::vector<Outline> m_outlines;
 };

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace unprojector::cameras {
@@ -125,53 +126,70 @@ public:
         readPose();
         readDistortion();
         readClipDistances();
-        sayUnused();
+        reportUnused();
+        for (const CameraValue *value : m_used) {
+            if (std::find(m_camera.files.begin(), m_camera.files.end(), value->file) == m_camera.files.end())
+                m_camera.files.push_back(value->file);
+        }
         return std::move(m_camera);
     }
 
 private:
-    /// The value of the chosen image, or the one that all images share; null if there is none. Its
-    /// part counts as used.
+    /// The value of the chosen image, or the one that all images share; null if there is none. It
+    /// counts as used, and so do those of the other images.
     const CameraValue *valueOf(Part part)
     {
         const std::vector<CameraValue> &values = m_values.all(part);
-        setUsed({part});
         if (values.empty())
             return nullptr;
-        const std::size_t image = m_values.cameras().empty() ? m_camera.image : 0;
-        const CameraValue &value = values[std::min(image, values.size() - 1)];
+        const std::size_t images = m_values.cameras().empty() ? m_camera.images.size() : 0;
+        const bool isOfImage = images > 1 && values.size() == images;
+        const bool isOfPose = part == Part::Rotation || part == Part::Quaternion || part == Part::Translation
+                              || part == Part::Center || part == Part::Pose;
+        if (isOfPose && images > 1 && values.size() > 1 && !isOfImage)
+            fail(values.front(),
+                 tr("the text has %1 of this, but %2 images; nothing tells which belong together. Give the text of one "
+                    "camera",
+                    values.size(), images));
+        const CameraValue &value = values[isOfImage ? m_camera.image : 0];
         refuseComputed(part, value);
+        if (isOfImage)
+            setUsed({part});
+        m_used.insert(&value);
         return &value;
     }
 
     void setUsed(std::initializer_list<Part> parts)
     {
-        for (const Part part : parts)
-            m_isUsed[std::size_t(part)] = true;
+        for (const Part part : parts) {
+            for (const CameraValue &value : m_values.all(part))
+                m_used.insert(&value);
+        }
     }
 
     /// Names what looks like a part of a camera and was not used.
-    void sayUnused()
+    void reportUnused()
     {
-        std::vector<const CameraValue *> unused;
+        constexpr std::size_t kMost = 5;
+        std::vector<std::string> names;
+        const auto report = [&](const CameraValue &value) {
+            if (value.numbers.size() < 2 || m_used.contains(&value))
+                return;
+            std::string name = tr("%1 (%2 numbers)", value.name, value.numbers.size());
+            if (std::find(names.begin(), names.end(), name) == names.end() && names.size() <= kMost)
+                names.push_back(std::move(name));
+        };
         for (std::size_t i = 0; i < kParts; ++i) {
-            if (m_isUsed[i])
-                continue;
             for (const CameraValue &value : m_values.all(Part(i)))
-                unused.push_back(&value);
+                report(value);
             if (const auto &unfit = m_values.unfit(Part(i)))
-                unused.push_back(&*unfit);
+                report(*unfit);
         }
-        for (const CameraValue &value : m_values.others()) {
-            if (&value != m_other)
-                unused.push_back(&value);
-        }
+        for (const CameraValue &value : m_values.others())
+            report(value);
         std::string list;
-        for (const CameraValue *value : unused) {
-            const std::string one = tr("%1 (%2 numbers)", value->name, value->numbers.size());
-            if (value->numbers.size() > 1 && list.find(one) == list.npos)
-                list += (list.empty() ? "" : ", ") + one;
-        }
+        for (std::size_t i = 0; i < names.size(); ++i)
+            list += (i > 0 ? ", " : "") + (i < kMost ? names[i] : "…");
         if (!list.empty())
             m_camera.assumed.push_back(tr("Not used: %1.", list));
     }
@@ -297,8 +315,8 @@ private:
     {
         const CameraValue *given = valueOf(Part::Size);
         if (!given) {
-            m_camera.size = sizeOf(m_values.number({"imagewidth", "imgwidth", "width", "w"}),
-                                   m_values.number({"imageheight", "imgheight", "height", "h"}));
+            m_camera.size = sizeOf(checked({"imagewidth", "imgwidth", "width", "w"}),
+                                   checked({"imageheight", "imgheight", "height", "h"}));
             return;
         }
         const double first = given->numbers[0], second = given->numbers[1];
@@ -316,6 +334,9 @@ private:
                 areRowsFirst = true;
         }
         m_camera.size = areRowsFirst ? sizeOf(second, first) : sizeOf(first, second);
+        if (!m_camera.size && !m_reading.choices.size)
+            fail(*given, tr("%1 and %2 are no size of an image; they must be whole numbers from 1 to 1000000",
+                            shortestText(first), shortestText(second)));
         if (areRowsFirst && m_camera.size && first != second)
             m_camera.assumed.push_back(
                 tr("%1 is read as height, width: the image is %2.", given->name, sizeText(*m_camera.size)));
@@ -361,6 +382,26 @@ private:
                shortestText(m_camera.intrinsics->cx), shortestText(m_camera.intrinsics->cy)));
     }
 
+    /// The number under the first of some names. Fails where the text computes with it.
+    std::optional<double> checked(std::initializer_list<std::string_view> names) const
+    {
+        for (const std::string_view name : names) {
+            if (const NamedValue *value = m_values.find(name)) {
+                refuseComputed(*value, name);
+                return value->numbers[0];
+            }
+        }
+        return std::nullopt;
+    }
+
+    void refuseComputed(const NamedValue &value, std::string_view name) const
+    {
+        if (!value.arithmetic.empty())
+            m_reading.fail(tr("%1: the text computes with it (%2), and only numbers are read; write the result", name,
+                              value.arithmetic),
+                           value.line);
+    }
+
     /// The number under the first of some names. Fails where the text has others under it, or
     /// computes with it.
     std::optional<double> scalar(std::span<const std::string_view> names) const
@@ -371,10 +412,7 @@ private:
                 continue;
             if (m_values.differ(name))
                 m_reading.fail(tr("%1 has several values. Give the text of one camera", name), value->line);
-            if (!value->arithmetic.empty())
-                m_reading.fail(tr("%1: the text computes with it (%2), and only numbers are read; write the result",
-                                  name, value->arithmetic),
-                               value->line);
+            refuseComputed(*value, name);
             return value->numbers[0];
         }
         return std::nullopt;
@@ -413,9 +451,10 @@ private:
         }
         if (!found)
             return;
+        refuseComputed(Part::Pose, *found);
         readPoseMatrix(*found);
         m_camera.isDirectionOpen = true;
-        m_other = found;
+        m_used.insert(found);
     }
 
     void readPoseOrParts()
@@ -529,7 +568,6 @@ private:
             m_camera.direction = PoseDirection::CameraToWorld;
             m_camera.isDirectionCertain = false;
             rotation = quaternion;
-            translation = translation ? translation : center;
         } else if (!rotation) {
             m_camera.assumed.push_back(tr("There is no rotation beside %1: none is assumed.", translation->name));
         } else if (rotation->numbers.size() == 3) {
@@ -562,7 +600,9 @@ private:
     /// Sets the direction that the names of R and of t or C state. Fails where they state two.
     void setDirectionOfParts(const CameraValue *rotation, const CameraValue *shift)
     {
-        const auto stated = [](const CameraValue *value) { return value && value->role.isDirectionStated; };
+        const auto stated = [](const CameraValue *value) { // a position has no direction
+            return value && value->role.isDirectionStated && value->role.part != Part::Center;
+        };
         if (stated(rotation) && stated(shift) && rotation->role.direction != shift->role.direction)
             fail(*shift, tr("its direction is not that of %1 beside it; give both in one direction", rotation->name));
         if (stated(rotation) || stated(shift))
@@ -635,7 +675,11 @@ private:
         CameraValue named{{}, {}, {}, 0, m_reading.text.name};
         for (const char *name : {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"}) {
             const NamedValue *value = m_values.find(name);
+            if (value)
+                refuseComputed(*value, name);
             named.numbers.push_back(value ? value->numbers[0] : 0.0);
+            if (value && !std::isfinite(value->numbers[0]))
+                m_reading.fail(tr("%1: a number is not finite", name), value->line);
             if (value && (named.line == 0 || value->numbers[0] != 0.0)) {
                 named.name = name;
                 named.line = value->line;
@@ -688,28 +732,8 @@ private:
     Reading m_reading;
     ForeignCamera &m_camera = m_reading.camera;
     bool m_isTransposed = false; ///< K is MATLAB's, so R is
-    std::array<bool, kParts> m_isUsed{};
-    const CameraValue *m_other = nullptr; ///< of the values without a part, the one taken as the pose
+    std::set<const CameraValue *> m_used;
 };
-
-/// Fails for a text with the two camera matrices of a stereo pair and no other.
-void refuseStereo(std::span<const NamedText> texts, const CameraChoices &choices)
-{
-    for (const NamedText &text : texts) {
-        Reading reading(text, choices);
-        const auto isMatrix = [&](const char *name) {
-            const NamedValue *value = reading.values().find({name});
-            return value && value->numbers.size() == 9;
-        };
-        for (const auto &[first, second] : {std::pair("k1", "k2"), std::pair("cameramatrix1", "cameramatrix2"),
-                                            std::pair("mtx1", "mtx2"), std::pair("m1", "m2")}) {
-            if (isMatrix(first) && isMatrix(second) && choices.image.empty())
-                reading.fail(
-                    tr("%1 and %2 are of a stereo pair; give one camera, or choose one with --image %1", first, second),
-                    reading.values().find({first})->line);
-        }
-    }
-}
 
 } // namespace
 
@@ -718,7 +742,6 @@ std::optional<ForeignCamera> readNamedParts(std::span<const NamedText> texts, co
     Reader reader(texts, choices);
     if (!reader.isRecognised())
         return std::nullopt;
-    refuseStereo(texts, choices);
     return reader.read();
 }
 

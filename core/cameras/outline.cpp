@@ -38,7 +38,7 @@ public:
     OutlineReader(std::string_view text, Outline &outline) : m_text(text), m_outline(outline)
     {
         const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-        m_isXml = first != text.npos && text[first] == '<';
+        m_isXml = first != text.npos && text[first] == '<' && text.find("</") != text.npos;
     }
 
     void read()
@@ -68,10 +68,16 @@ private:
         std::size_t node = current();
         if (m_open.size() < kDeepest) {
             Outline::Node added{node, std::string(name)};
-            if (isItem)
-                added.item = m_outline.m_nodes[node].items++;
-            node = m_outline.m_nodes.size();
+            const std::size_t index = m_outline.m_nodes.size();
+            if (isItem) {
+                auto &[firstItem, count] = m_outline.m_items.try_emplace({node, added.name}, index, 0).first->second;
+                added.item = count++;
+                added.isOfSeveral = added.item > 0;
+                if (added.isOfSeveral)
+                    m_outline.m_nodes[firstItem].isOfSeveral = true;
+            }
             m_outline.m_nodes.push_back(std::move(added));
+            node = index;
         }
         m_open.push_back({kind, node, column});
         change();
@@ -92,7 +98,7 @@ private:
     /// Sections and YAML's indentation, outside of brackets.
     void readLineStart()
     {
-        if (isInBrackets() || m_isXml)
+        if (m_isXml || isInBrackets())
             return;
         const std::size_t end = std::min(m_text.find('\n', m_at), m_text.size());
         const std::string_view line = m_text.substr(m_at, end - m_at), content = trimmed(line);
@@ -144,6 +150,10 @@ private:
         const char c = m_text[m_at];
         if (m_isXml && c == '<')
             return readTag();
+        if (!m_isXml && (c == '#' || m_text.substr(m_at).starts_with("//"))) { // a comment
+            m_at = std::min(m_text.find('\n', m_at), m_text.size());
+            return;
+        }
         if (c == '"' || (c == '\'' && (m_at == 0 || !base::isLetter(m_text[m_at - 1])))) {
             const std::size_t end = m_text.find_first_of(c == '"' ? "\"\n" : "'\n", m_at + 1);
             if (end != m_text.npos && m_text[end] == c) {
@@ -242,8 +252,7 @@ std::string Outline::nameOf(std::size_t index) const
     const Node &node = m_nodes[index];
     if (!node.label.empty())
         return node.label;
-    const bool isItem = node.parent != index && m_nodes[node.parent].items > 1;
-    return isItem ? std::to_string(node.item) : node.name;
+    return node.isOfSeveral ? std::to_string(node.item) : node.name;
 }
 
 } // namespace unprojector::cameras

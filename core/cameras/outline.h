@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace unprojector::cameras {
@@ -13,11 +15,11 @@ class Outline {
 public:
     /// A part of a text that has a heading, or is an item of a list.
     struct Node {
-        std::size_t parent = 0; ///< the root is its own
-        std::string name{};     ///< of its heading; of an item, the list's
-        std::string label{};    ///< the name, label or id that it gives itself
-        std::size_t item = 0;   ///< its index among the items of its list, from 0
-        std::size_t items = 0;  ///< in it
+        std::size_t parent = 0;   ///< the root is its own
+        std::string name{};       ///< of its heading; of an item, the list's
+        std::string label{};      ///< the name, label or id that it gives itself
+        std::size_t item = 0;     ///< its index among the items of its list, or the elements of its name, from 0
+        bool isOfSeveral = false; ///< there are several such items
     };
 
     explicit Outline(std::string_view text);
@@ -37,6 +39,7 @@ private:
         std::size_t at, node;
     };
     std::vector<Node> m_nodes{Node{}};
+    std::map<std::pair<std::size_t, std::string>, std::pair<std::size_t, std::size_t>> m_items; ///< first and count
     std::vector<Change> m_changes{{0, 0}};
 };
 

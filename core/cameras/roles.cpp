@@ -84,7 +84,7 @@ constexpr std::array kVocabulary{
                 "is of the my raw array np list point points length lengths pinhole final current xyzw wxyz "},
     WordsOfKind{Word::Other, " std sigma cov covariance noise velocity speed error residual residuals jacobian inv "
                              "inverse inverted delta relative limits min max bounds weights stereo fundamental "
-                             "essential homography modelview mv mvp viewport projview "}};
+                             "essential homography mv mvp viewport "}};
 
 Word kindOf(std::string_view word)
 {
@@ -121,7 +121,9 @@ bool splitIntoKnown(std::string_view word, std::vector<std::string> &parts)
 {
     if (word.empty())
         return true;
-    constexpr std::size_t kLongest = 15;
+    constexpr std::size_t kLongest = 15, kMost = 6; // letters of a word, and words
+    if (parts.size() == kMost)
+        return false;
     for (std::size_t length = std::min(word.size(), kLongest); length >= 2; --length) {
         const std::string_view first = word.substr(0, length);
         const Word kind = kindOf(first);
@@ -167,9 +169,11 @@ bool isUpper(char c)
     return c >= 'A' && c <= 'Z';
 }
 
+constexpr std::size_t kLongestName = 80; // longer ones are prose
+
 /// The words of a name with what they mean, without its numbers.
 struct Name {
-    explicit Name(std::string_view name) : words(wordsOf(name))
+    explicit Name(std::string_view name) : words(wordsOf(name.substr(0, kLongestName)))
     {
         std::erase_if(words, [](const std::string &word) { return isDigit(word[0]); });
         for (const std::string &word : words)
@@ -361,9 +365,9 @@ std::vector<std::string> wordsOf(std::string_view name)
 
 std::optional<Role> roleOf(std::string_view text, std::size_t count)
 {
-    constexpr std::size_t kLongest = 80; // longer ones are prose
-    const Name name(text.substr(0, kLongest));
-    if (name.words.empty() || name.has(Word::Other) || text.size() > kLongest)
+    const Name name(text);
+    const bool isOfPipeline = name.has(Word::View) && (name.has(Word::Model) || name.has(Word::Projection));
+    if (name.words.empty() || name.has(Word::Other) || isOfPipeline || text.size() > kLongestName)
         return std::nullopt;
     const std::optional<Part> part = partOf(name, count);
     if (!part || (name.has(Word::Unknown) && !allowsUnknown(*part, count)))
@@ -403,7 +407,7 @@ std::string cameraOf(std::string_view text)
     const std::size_t digits = text.find_last_not_of("0123456789") + 1;
     if (digits > 0 && digits < text.size() && text.size() - digits <= 3)
         return std::string(text.substr(digits));
-    for (const std::string &word : wordsOf(text)) {
+    for (const std::string &word : Name(text).words) {
         if (kindOf(word) == Word::Side && word != "rect")
             return word;
     }

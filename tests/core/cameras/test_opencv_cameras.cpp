@@ -634,8 +634,6 @@ projection_matrix:
         newRow("normalized") << "K = 1.2 0 0.5 0 1.6 0.5 0 0 1\nsize = 640x480\n"
                              << "fx 1.2, fy 1.6, cx 0.5, cy 0.5 are no pixels; they look normalized. Multiply fx "
                                 "and cx by the image's width, fy and cy by its height @0";
-        newRow("a stereo pair") << "K1 = 800 0 320 0 800 240 0 0 1\nK2 = 800 0 320 0 800 240 0 0 1\n"
-                                << "k1 and k2 are of a stereo pair; give one camera, or choose one with --image k1 @1";
         newRow("focal length 0") << "fx = 0, fy = 800, cx = 320, cy = 240\n"
                                  << "the focal lengths are 0 and 800; they must be finite and not 0";
     }
