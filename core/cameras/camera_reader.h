@@ -70,5 +70,35 @@ bool readGazebo(Reading &reading);
 bool readMjcf(Reading &reading);
 /// A perspective sensor of a scene.
 bool readMitsuba(Reading &reading);
+/// A lens with poses in a file of numbers: TUM, KITTI, Replica, 7-Scenes, ScanNet; DSO's camera.txt.
+std::optional<ForeignCamera> readTables(std::span<const NamedText> texts, const CameraChoices &choices);
+/// A camera file with its line of depths.
+bool readMvsNet(Reading &reading);
+/// The KRT file of Multiface.
+bool readKrt(Reading &reading);
+/// calib.txt of a stereo pair.
+bool readMiddlebury(Reading &reading);
+/// bundle.out.
+bool readBundler(Reading &reading);
+/// A printed Camera and Rigid3d.
+bool readPycolmap(Reading &reading);
+/// The camera of VTK, ParaView and PyVista.
+bool readVtk(Reading &reading);
+/// Calib_Results.m of Bouguet's toolbox.
+bool readBouguet(Reading &reading);
+/// calibration.toml.
+bool readAnipose(Reading &reading);
+/// camera-parameters.json.
+bool readHuman36m(Reading &reading);
+/// A camera of a .usda file.
+bool readUsd(Reading &reading);
+/// A Camera3D of a scene, or its printed transform.
+bool readGodot(Reading &reading);
+/// Its JSON: cameraTransform and relativeFocalLength.
+bool readFspy(Reading &reading);
+/// camera_data of NVISII, as DOPE has it.
+bool readDope(Reading &reading);
+/// A camera of its sensors' JSON.
+bool readLgsvl(Reading &reading);
 
 } // namespace unprojector::cameras

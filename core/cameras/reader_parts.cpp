@@ -207,6 +207,13 @@ std::string noSizeText()
     return tr("the size of the image is not given; give it with --size 800x600");
 }
 
+std::string unknownDistortionText(const std::string &model)
+{
+    return tr("the distortion is %1; only k1, k2, p1, p2 and k3 of Brown and Conrady are known. Undistort the image "
+              "with its own program, then give --undistorted",
+              model);
+}
+
 std::optional<glm::dmat4> matrixByRows(std::span<const double> numbers)
 {
     const std::size_t count = numbers.size();

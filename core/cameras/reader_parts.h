@@ -78,6 +78,8 @@ std::optional<ImageSize> sizeIn(const NamedValues &values);
 std::string sizeText(const ImageSize &size);
 /// The reason against a size that neither the file nor the choices give.
 std::string noSizeText();
+/// The reason against a distortion that is not Brown and Conrady's.
+std::string unknownDistortionText(const std::string &model);
 
 /// A matrix of 9 (a rotation), 12 or 16 numbers by rows; nothing for another count.
 std::optional<glm::dmat4> matrixByRows(std::span<const double> numbers);

@@ -1,0 +1,383 @@
+#include "core/base/number_text.h"
+#include "core/base/text_scanner.h"
+#include "core/base/translation.h"
+#include "core/cameras/camera_matrices.h"
+#include "core/cameras/camera_reader.h"
+#include "core/cameras/lens.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <initializer_list>
+#include <utility>
+
+// Files of numbers whose places, not names, say what they are: lenses, poses and trajectories.
+
+namespace unprojector::cameras {
+using base::tr;
+
+namespace {
+
+struct Row {
+    std::string first; ///< its first word
+    std::vector<double> numbers;
+};
+
+/// The lines of a text that has only numbers, and comments behind #; empty for another text.
+std::vector<Row> rowsOf(std::string_view text)
+{
+    std::vector<Row> rows;
+    base::TextScanner scanner(text);
+    for (scanner.skipBlankLines(); !scanner.isAtEnd(); scanner.skipBlankLines()) {
+        Row row;
+        for (std::string_view word = scanner.nextWordInLine(); !word.empty(); word = scanner.nextWordInLine()) {
+            if (row.numbers.empty() && word.starts_with('#'))
+                break;
+            const auto number = base::doubleFromWord(word);
+            if (!number)
+                return {};
+            if (row.numbers.empty())
+                row.first = word;
+            row.numbers.push_back(*number);
+        }
+        scanner.skipLine();
+        if (!row.numbers.empty())
+            rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+/// Returns whether the rows from an index have these counts of numbers.
+bool haveCounts(const std::vector<Row> &rows, std::initializer_list<std::size_t> counts, std::size_t from = 0)
+{
+    return rows.size() >= from + counts.size()
+           && std::equal(counts.begin(), counts.end(), rows.begin() + std::ptrdiff_t(from),
+                         [](std::size_t count, const Row &row) { return row.numbers.size() == count; });
+}
+
+/// The numbers of some rows, one after the other.
+std::vector<double> joined(const std::vector<Row> &rows, std::size_t from, std::size_t count)
+{
+    std::vector<double> numbers;
+    for (std::size_t i = from; i < from + count; ++i)
+        numbers.insert(numbers.end(), rows[i].numbers.begin(), rows[i].numbers.end());
+    return numbers;
+}
+
+Intrinsics lensOf(std::span<const double> k, PixelCentres centres = PixelCentres::AtIntegers)
+{
+    return {k[0], k[4], k[2], k[5], k[1], centres};
+}
+
+/// Returns whether axes are perpendicular and of the length 1, as far as few printed digits tell.
+bool isRotation(const glm::dmat3 &axes)
+{
+    constexpr double kPrinted = 0.02;
+    const glm::dmat3 product = axes * glm::transpose(axes);
+    bool isIt = glm::determinant(axes) > 0.0;
+    for (int i = 0; i < 9; ++i)
+        isIt = isIt && std::abs(product[i / 3][i % 3] - (i % 4 == 0 ? 1.0 : 0.0)) < kPrinted;
+    return isIt;
+}
+
+std::string_view fileNameOf(const NamedText &text)
+{
+    const std::string_view name = text.name;
+    return name.substr(name.find_last_of("/\\") + 1);
+}
+
+/// Poses from the camera to the world.
+struct Poses {
+    const char *program = nullptr; ///< null: there are none
+    std::vector<std::string> names{};
+    std::vector<glm::dmat4> worldFromCamera{};
+    std::vector<std::string> files{};
+};
+
+/// The poses of a text, one a line: timestamp tx ty tz qx qy qz qw of TUM, [R t] of KITTI, 4 x 4 of
+/// Replica; or one in four lines, where the file's name tells 7-Scenes or ScanNet.
+/// Sources: "File Formats", RGB-D SLAM benchmark of TUM; KITTI odometry's devkit, readme.txt; NICE-SLAM,
+/// src/utils/datasets.py; 7-Scenes, readme.txt; ScanNet, README.md, "Data Organization"
+Poses posesOf(const NamedText &text)
+{
+    const std::vector<Row> rows = rowsOf(text.text);
+    const std::string_view name = fileNameOf(text);
+    const bool isNumbered = name.find_first_not_of("0123456789") == name.find('.');
+    Poses poses;
+    if (rows.size() == 4 && haveCounts(rows, {4, 4, 4, 4})) {
+        const glm::dmat4 pose = *matrixByRows(joined(rows, 0, 4));
+        const bool isSevenScenes = name.find(".pose") != name.npos;
+        if ((isSevenScenes || isNumbered) && isRotation(glm::dmat3(pose)))
+            poses = {isSevenScenes ? "7-Scenes" : "ScanNet", {text.name}, {pose}, {text.name}};
+        return poses;
+    }
+    const std::size_t count = rows.empty() ? 0 : rows.front().numbers.size();
+    const bool isNamed = name.find("traj") != name.npos || name.find("pose") != name.npos;
+    if ((count != 8 && count != 12 && count != 16) || (count != 8 && rows.size() == 1 && !isNamed))
+        return poses;
+    for (const Row &row : rows) {
+        const std::vector<double> &n = row.numbers;
+        if (n.size() != count)
+            return {};
+        std::optional<glm::dmat4> pose = matrixByRows(n);
+        constexpr double kUnit = 5e-3; // how far a quaternion printed with few digits may be from 1
+        if (count == 8 && std::abs(std::hypot(std::hypot(n[4], n[5]), std::hypot(n[6], n[7])) - 1.0) < kUnit)
+            pose = rigid(*rotationOf(n[7], n[4], n[5], n[6]), {n[1], n[2], n[3]});
+        if (!pose || !isRotation(glm::dmat3(*pose)))
+            return {};
+        poses.names.push_back(count == 8 ? row.first : std::to_string(poses.names.size()));
+        poses.worldFromCamera.push_back(*pose);
+    }
+    poses.program = count == 8 ? "TUM" : count == 12 ? "KITTI" : "Replica";
+    poses.files = {text.name};
+    return poses;
+}
+
+/// The name of the pose at a time: of the nearest one, as the images' times are other than the poses'.
+/// @param choice  a time, or a file with this name: 1305031102.175304.png
+std::optional<std::string> nearestTime(const std::vector<std::string> &names, const std::string &choice)
+{
+    constexpr double kMost = 0.02; // seconds, as TUM's associate.py
+    const std::size_t dot = choice.find_last_not_of("abcdefghijklmnopqrstuvwxyz");
+    std::string_view word = std::string_view(choice).substr(0, dot + 1);
+    word.remove_prefix(word.find_last_of("/\\") + 1);
+    while (word.ends_with('.'))
+        word.remove_suffix(1);
+    const auto time = base::doubleFromWord(word);
+    if (!time)
+        return std::nullopt;
+    const auto away = [&](const std::string &name) { return std::abs(*base::doubleFromWord(name) - *time); };
+    const auto nearest =
+        std::min_element(names.begin(), names.end(), [&](const auto &a, const auto &b) { return away(a) < away(b); });
+    return away(*nearest) <= kMost ? std::optional(*nearest) : std::nullopt;
+}
+
+/// A lens as named text for readOpenCv.
+struct NamedLens {
+    std::string text{};
+    bool isAlone = false; ///< it is a camera without a pose beside it, too
+    glm::dmat4 lensFromPose{1.0};
+};
+
+std::string namedText(std::initializer_list<const char *> names, std::span<const double> numbers)
+{
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        text += std::string(names.begin()[i]) + ": ";
+        base::appendNumber(text, numbers[i]);
+        text += '\n';
+    }
+    return text;
+}
+
+/// DSO's camera.txt: the model with its numbers, the image's size, then what DSO makes of it.
+/// Source: DSO, src/util/Undistort.cpp: relative numbers count from the image's corner
+NamedLens dsoLens(const NamedText &text, const CameraChoices &choices)
+{
+    base::TextScanner scanner(text.text);
+    std::string_view word = scanner.nextWord();
+    const std::string model(base::doubleFromWord(word) ? std::string_view() : word);
+    std::vector<double> n;
+    for (word = model.empty() ? word : scanner.nextWordInLine(); !word.empty(); word = scanner.nextWordInLine())
+        n.push_back(base::doubleFromWord(word).value_or(std::nan("")));
+    const auto width = base::doubleFromWord(scanner.nextWord()), height = base::doubleFromWord(scanner.nextWord());
+    const std::string_view output = scanner.nextWord();
+    const bool isRadTan = (model.empty() || model == "RadTan") && n.size() == 8,
+               isFov = (model.empty() || model == "FOV" || model == "Pinhole") && n.size() == 5;
+    const bool isOther = (model == "EquiDistant" || model == "KannalaBrandt") && n.size() == 8;
+    if ((!isRadTan && !isFov && !isOther) || !sizeOf(width, height)
+        || (output != "crop" && output != "full" && output != "none" && !base::doubleFromWord(output)))
+        return {};
+    const bool isRead = isRadTan || (isFov && n[4] == 0.0);
+    if (!isRead && !choices.isUndistorted)
+        throw base::Error{.text = unknownDistortionText(isOther ? model : "FOV"), .file = text.name, .line = 1};
+    if (n[2] < 1.0 && n[3] < 1.0)
+        n = {n[0] * *width,
+             n[1] * *height,
+             n[2] * *width - 0.5,
+             n[3] * *height - 0.5,
+             n[4],
+             n.size() > 5 ? n[5] : 0.0,
+             n.size() > 6 ? n[6] : 0.0,
+             n.size() > 7 ? n[7] : 0.0};
+    n.resize(isRead ? 8 : 4, 0.0);
+    n.resize(8, 0.0);
+    n.insert(n.end(), {*width, *height});
+    return {namedText({"fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2", "width", "height"}, n), true};
+}
+
+/// The lens of a file beside poses: K of 3 x 3 or ScanNet's 4 x 4, or KITTI's first camera matrix.
+NamedLens lensBeside(const NamedText &text)
+{
+    const std::vector<Row> rows = rowsOf(text.text);
+    const bool isWide = rows.size() == 4 && haveCounts(rows, {4, 4, 4, 4});
+    if (isWide || (rows.size() == 3 && haveCounts(rows, {3, 3, 3}))) {
+        const std::vector<double> &x = rows[0].numbers, &y = rows[1].numbers;
+        const bool isLens = x[0] > 1.0 && x[2] > 1.0 && y[0] == 0.0 && y[1] > 1.0 && rows[2].numbers[2] == 1.0;
+        const std::vector<double> k{x[0], y[1], x[2], y[2]};
+        return isLens ? NamedLens{namedText({"fx", "fy", "cx", "cy"}, k)} : NamedLens();
+    }
+    if (text.text.find("P0:") == text.text.npos && text.text.find("P2:") == text.text.npos)
+        return {};
+    const NamedValues values(text.text);
+    const std::vector<double> p = values.numbers({"p0", "p2", "p1", "p3"}, 12);
+    const auto parts = p.size() == 12 ? partsOf(p) : std::nullopt;
+    if (!parts)
+        return {};
+    const Intrinsics &k = parts->intrinsics;
+    const std::vector<double> numbers{k.fx, k.fy, k.cx, k.cy};
+    return {namedText({"fx", "fy", "cx", "cy"}, numbers), false, parts->cameraFromWorld};
+}
+
+} // namespace
+
+std::optional<ForeignCamera> readTables(std::span<const NamedText> texts, const CameraChoices &choices)
+{
+    Poses poses;
+    std::vector<const NamedText *> rest;
+    for (const NamedText &text : texts) {
+        Poses found = posesOf(text);
+        if (!found.program) {
+            rest.push_back(&text);
+        } else if (!poses.program) {
+            poses = std::move(found);
+        } else { // several frames of 7-Scenes or ScanNet
+            poses.names.insert(poses.names.end(), found.names.begin(), found.names.end());
+            poses.worldFromCamera.insert(poses.worldFromCamera.end(), found.worldFromCamera.begin(),
+                                         found.worldFromCamera.end());
+            poses.files.push_back(text.name);
+        }
+    }
+    std::vector<NamedLens> lenses;
+    bool hasDso = false;
+    for (const NamedText *text : rest) {
+        lenses.push_back(dsoLens(*text, choices));
+        hasDso = hasDso || lenses.back().isAlone;
+        if (poses.program && !lenses.back().isAlone)
+            lenses.back() = lensBeside(*text);
+    }
+    if (rest.empty() || (!poses.program && !hasDso))
+        return std::nullopt;
+    std::vector<NamedText> named;
+    glm::dmat4 lensFromPose(1.0);
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        named.push_back({rest[i]->name, lenses[i].text.empty() ? rest[i]->text : lenses[i].text});
+        lensFromPose = lenses[i].lensFromPose * lensFromPose;
+    }
+    CameraChoices ofLens = choices, ofPose = choices;
+    if (poses.program)
+        ofLens.image.clear();
+    std::optional<ForeignCamera> camera = readOpenCv(named, ofLens);
+    if (!camera || !camera->intrinsics || !poses.program || camera->pose) {
+        if (camera && !camera->pose)
+            camera->program = "DSO";
+        return hasDso && !poses.program ? std::move(camera) : std::nullopt;
+    }
+    const bool isTimed = std::string_view(poses.program) == "TUM";
+    if (const auto name = isTimed ? nearestTime(poses.names, choices.image) : std::nullopt)
+        ofPose.image = *name;
+    const NamedText ofPoses{poses.files.front(), {}};
+    Reading reading(ofPoses, ofPose);
+    reading.camera = *std::move(camera);
+    reading.begin(poses.program, PoseDirection::CameraToWorld, EyeAxes::RightDownAhead);
+    reading.camera.images = poses.names;
+    reading.chooseImage();
+    reading.camera.pose = poses.worldFromCamera[reading.camera.image] * glm::inverse(lensFromPose);
+    reading.camera.files.insert(reading.camera.files.end(), poses.files.begin(), poses.files.end());
+    reading.camera.assumed.push_back(tr("The poses are read from the camera to the world, with OpenCV's axes, as %1 "
+                                        "writes them; --pose and --axes say otherwise.",
+                                        poses.program));
+    return std::move(reading.camera);
+}
+
+// Source: MVSNet, README.md, "File Formats": the line below the intrinsics is of depths
+bool readMvsNet(Reading &reading)
+{
+    if (!reading.text.text.starts_with("extrinsic"))
+        return false;
+    const NamedValues &values = reading.values();
+    const std::vector<double> pose = values.numbers({"extrinsic"}, 16), k = values.numbers({"intrinsic"}, 11);
+    if (pose.size() != 16 || k.empty())
+        return false; // without depths, names tell all
+    reading.begin("MVSNet", PoseDirection::WorldToCamera, EyeAxes::RightDownAhead);
+    reading.camera.pose = matrixByRows(pose);
+    reading.camera.intrinsics = lensOf(k);
+    reading.camera.assumed.push_back(tr("The line of depths is not used."));
+    return true;
+}
+
+// Source: Multiface, README.md, "KRT": the camera's name, K, distortion and [R t] from the world
+bool readKrt(Reading &reading)
+{
+    constexpr std::size_t kLines = 8;
+    const std::vector<Row> rows = rowsOf(reading.text.text);
+    ForeignCamera &camera = reading.camera;
+    for (std::size_t i = 0; i < rows.size(); i += kLines) {
+        if (!haveCounts(rows, {1, 3, 3, 3, 5, 4, 4, 4}, i))
+            return false;
+        camera.images.push_back(rows[i].first);
+    }
+    if (rows.empty())
+        return false;
+    reading.begin("Multiface", PoseDirection::WorldToCamera, EyeAxes::RightDownAhead);
+    reading.chooseImage();
+    const std::size_t at = kLines * camera.image;
+    camera.intrinsics = lensOf(joined(rows, at + 1, 3));
+    if (const auto distortion = distortionOf(rows[at + 4].numbers); distortion && !distortion->isNone())
+        camera.distortion = *distortion;
+    camera.pose = matrixByRows(joined(rows, at + 5, 3));
+    return true;
+}
+
+// Source: vision.middlebury.edu/stereo/data/scenes2014: cam1 is to the right of cam0, in millimetres
+bool readMiddlebury(Reading &reading)
+{
+    const NamedValues &values = reading.values();
+    ForeignCamera &camera = reading.camera;
+    if (values.numbers({"cam0"}, 9).size() != 9 || !values.has({"doffs"}))
+        return false;
+    reading.begin("Middlebury", PoseDirection::WorldToCamera, EyeAxes::RightDownAhead);
+    camera.images = {"cam0"};
+    const auto baseline = values.number({"baseline"});
+    if (values.numbers({"cam1"}, 9).size() == 9 && baseline)
+        camera.images.emplace_back("cam1");
+    reading.chooseImage();
+    const bool isSecond = camera.image == 1;
+    camera.intrinsics = lensOf(values.numbers({isSecond ? "cam1" : "cam0"}, 9));
+    camera.size = sizeIn(values);
+    camera.pose = rigid(glm::dmat3(1.0), {isSecond ? -*baseline : 0.0, 0.0, 0.0});
+    camera.assumed.push_back(tr("The world is that of cam0, in millimetres."));
+    return true;
+}
+
+// Source: Bundler's User Manual, "Output format": -z is ahead, pixels count from the image's centre
+bool readBundler(Reading &reading)
+{
+    constexpr std::size_t kLines = 5;
+    const std::string &text = reading.text.text;
+    if (!text.starts_with("# Bundle file"))
+        return false;
+    const std::vector<Row> rows = rowsOf(text);
+    ForeignCamera &camera = reading.camera;
+    const double count = haveCounts(rows, {2}) ? rows[0].numbers[0] : 0.0;
+    for (std::size_t i = 1; double(i) < double(kLines) * count && haveCounts(rows, {3, 3, 3, 3, 3}, i); i += kLines)
+        camera.images.push_back(std::to_string(i / kLines));
+    if (camera.images.empty() || double(camera.images.size()) != count)
+        reading.fail(tr("the file ends in the middle of an entry; it is incomplete"));
+    reading.begin("Bundler", PoseDirection::WorldToCamera, EyeAxes::RightUpBack);
+    reading.chooseImage();
+    const std::size_t at = 1 + kLines * camera.image;
+    const std::vector<double> &lens = rows[at].numbers, &t = rows[at + 4].numbers;
+    const ImageSize size = reading.neededSize();
+    camera.intrinsics =
+        Intrinsics{lens[0], lens[0], size.width / 2.0, size.height / 2.0, 0.0, PixelCentres::AtHalves, true};
+    if (const Distortion distortion{lens[1], lens[2]}; !distortion.isNone())
+        camera.distortion = distortion;
+    camera.pose = rigid(glm::dmat3(*matrixByRows(joined(rows, at + 1, 3))), {t[0], t[1], t[2]});
+    return true;
+}
+
+} // namespace unprojector::cameras
