@@ -70,6 +70,8 @@ constexpr std::array kReaders{CameraReader{"COLMAP", nullptr, readColmap},
                               CameraReader{"Anipose", readAnipose},
                               CameraReader{"poses", nullptr, readTables},
                               CameraReader{"OpenCV", nullptr, readNamedParts}};
+                              CameraReader{"DSO", nullptr, readTables},
+                              CameraReader{"OpenCV", nullptr, readNamedParts}};
 
 /// The reader that recognises the texts, with what it reads.
 std::pair<const CameraReader *, CameraRead> firstRead(std::span<const NamedText> texts, const CameraChoices &choices)
@@ -89,6 +91,7 @@ std::pair<const CameraReader *, CameraRead> firstRead(std::span<const NamedText>
                     reading.camera.files = {reading.text.name};
                     return {&reader, std::move(reading.camera)};
                 }
+                reading.camera = {};
             }
         } catch (base::Error &error) {
             return {&reader, std::move(error)};

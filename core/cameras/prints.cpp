@@ -25,6 +25,44 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
+/// The parts of a text that begin with a mark, each up to the next end.
+std::vector<std::string_view> partsOf(std::string_view text, std::string_view mark, std::string_view end)
+{
+    std::vector<std::string_view> parts;
+    for (std::size_t at = text.find(mark); at != text.npos; at = text.find(mark, at + 1)) {
+        const std::size_t next = text.find(end, at + mark.size());
+        parts.push_back(text.substr(at, next - at));
+    }
+    return parts;
+}
+
+/// The first text in quotes.
+std::string quotedIn(std::string_view text)
+{
+    const std::size_t begin = text.find('"') + 1;
+    return std::string(begin == 0 ? std::string_view() : text.substr(begin, text.find('"', begin) - begin));
+}
+
+/// The part of the chosen camera; the whole text if it has no parts.
+std::string_view chosenPart(Reading &reading, const std::vector<std::string_view> &parts)
+{
+    std::vector<std::string> &images = reading.camera.images;
+    for (const std::string_view part : parts) {
+        std::string name = quotedIn(part.substr(0, part.find('\n')));
+        images.push_back(name.empty() ? std::to_string(images.size()) : std::move(name));
+    }
+    if (parts.empty())
+        return reading.text.text;
+    reading.chooseImage();
+    return parts[reading.camera.image];
+}
+
+void sayNoParent(Reading &reading, const char *transform)
+{
+    reading.camera.assumed.push_back(
+        tr("%1 counts as the camera's pose in the world, as for a camera without parent.", transform));
+}
+
 glm::dvec3 vectorOf(const std::vector<double> &v, std::size_t from = 0)
 {
     return {v[from], v[from + 1], v[from + 2]};
@@ -81,11 +119,17 @@ bool readPycolmap(Reading &reading)
     if (text.find("Rigid3d(") == text.npos || text.find("params") == text.npos)
         return false;
     const NamedValues &values = reading.values();
-    const std::vector<double> q = values.numbers({"rotationxyzw"}, 4), t = values.numbers({"translation"}, 3),
-                              p = values.numbers({"params"}, 3);
+    const std::vector<double> p = values.numbers({"params"}, 3);
     const auto size = sizeIn(values);
-    if (q.size() != 4 || t.size() != 3 || p.empty() || !size)
+    const std::vector<std::string_view> poses = partsOf(text, "Rigid3d(", "Rigid3d(");
+    if (p.empty() || !size)
         return false;
+    const NamedValues pose(chosenPart(reading, poses));
+    const std::vector<double> q = pose.numbers({"rotationxyzw"}, 4), t = pose.numbers({"translation"}, 3);
+    if (q.size() != 4 || t.size() != 3)
+        return false;
+    const std::vector<std::string> images = reading.camera.images, said = reading.camera.assumed;
+    const std::size_t image = reading.camera.image;
     const NamedValue *given = values.find({"model"});
     std::string model = given ? given->word : std::string();
     model.erase(0, model.rfind('.') + 1); // CameraModelId.PINHOLE
@@ -111,7 +155,9 @@ bool readPycolmap(Reading &reading)
     CameraChoices choices = reading.choices;
     choices.image.clear();
     reading.camera = *readColmap({&named, 1}, choices);
-    reading.camera.images.clear();
+    reading.camera.images = images;
+    reading.camera.image = image;
+    reading.camera.assumed.insert(reading.camera.assumed.begin(), said.begin(), said.end());
     if (text.find("cam_from_world") == text.npos && text.find("world_from_cam") != text.npos)
         reading.camera.direction = PoseDirection::CameraToWorld;
     if (isUnknown)
@@ -123,7 +169,14 @@ bool readPycolmap(Reading &reading)
 // is half the height. ParaView's views and PyVista's camera_position have the same numbers.
 bool readVtk(Reading &reading)
 {
-    const NamedValues &values = reading.values();
+    const std::string &text = reading.text.text;
+    if (text.find("camera_position") == text.npos && text.find("cpos") == text.npos
+        && text.find("ocal") == text.npos) // focal_point, FocalPoint
+        return false;
+    ForeignCamera &camera = reading.camera;
+    std::vector<std::string_view> views = partsOf(text, "CreateView(", "CreateView(");
+    std::erase_if(views, [](std::string_view view) { return view.find("CameraFocalPoint") == view.npos; });
+    const NamedValues values(chosenPart(reading, views));
     const std::vector<double> all = values.numbers({"cameraposition", "cpos"}, 9),
                               at = values.numbers({"camerafocalpoint", "focalpoint"}, 3),
                               eye = values.numbers({"cameraposition", "position"}, 3),
@@ -131,7 +184,6 @@ bool readVtk(Reading &reading)
     const bool isList = all.size() == 9, isNamed = at.size() == 3 && eye.size() == 3 && up.size() == 3;
     if (!isList && !isNamed)
         return false;
-    ForeignCamera &camera = reading.camera;
     reading.begin("VTK", PoseDirection::CameraToWorld, EyeAxes::RightUpBack);
     const glm::dvec3 from = vectorOf(isList ? all : eye), to = isList ? vectorOf(all, 3) : vectorOf(at);
     setLooking(reading, from, to, isList ? vectorOf(all, 6) : vectorOf(up));
@@ -208,19 +260,18 @@ bool readAnipose(Reading &reading)
     ForeignCamera &camera = reading.camera;
     std::vector<NamedValues> sections;
     std::vector<std::string> ids;
-    for (std::size_t at = text.find("[cam"); at != text.npos;) {
-        const std::size_t next = text.find("\n[cam", at), end = text.find(']', at);
-        NamedValues &section = sections.emplace_back(text.substr(end + 1, next - end - 1));
-        ids.emplace_back(text.substr(at + 1, end - at - 1));
+    for (const std::string_view part : partsOf(text, "[cam", "\n[cam")) {
+        const std::size_t end = std::min(part.find(']'), part.size());
+        const NamedValues &section = sections.emplace_back(part.substr(end));
+        ids.emplace_back(part.substr(1, end - 1));
         const NamedValue *name = section.find({"name"});
         camera.images.push_back(name && !name->word.empty() ? name->word : ids.back());
-        at = next == text.npos ? next : next + 1;
     }
     const auto isWhole = [](const NamedValues &section) {
         return section.numbers({"matrix"}, 9).size() == 9 && section.numbers({"rotation"}, 3).size() == 3
                && section.numbers({"translation"}, 3).size() == 3;
     };
-    if (!std::all_of(sections.begin(), sections.end(), isWhole))
+    if (sections.empty() || !std::all_of(sections.begin(), sections.end(), isWhole))
         return false;
     reading.begin("Anipose", PoseDirection::WorldToCamera, EyeAxes::RightDownAhead);
     reading.chooseImage(ids);
@@ -267,7 +318,11 @@ bool readHuman36m(Reading &reading)
 // Source: OpenUSD, UsdGeomCamera: the aperture and the focal length have one unit; matrices are for rows
 bool readUsd(Reading &reading)
 {
-    const NamedValues &values = reading.values();
+    const std::string &text = reading.text.text;
+    if (text.find("horizontalAperture") == text.npos || text.find("xformOp:transform") == text.npos)
+        return false;
+    ForeignCamera &camera = reading.camera;
+    const NamedValues values(chosenPart(reading, partsOf(text, "def Camera", "def ")));
     const auto aperture = values.number({"horizontalaperture"}), focal = values.number({"focallength"});
     const auto &all = values.all();
     const auto matrix = std::find_if(all.begin(), all.end(), [](const NamedValue &value) {
@@ -275,23 +330,20 @@ bool readUsd(Reading &reading)
     });
     if (!aperture || !focal || matrix == all.end())
         return false;
-    ForeignCamera &camera = reading.camera;
     reading.begin("USD", PoseDirection::CameraToWorld, EyeAxes::RightUpBack);
     camera.pose = matrixByColumns(matrix->numbers);
-    const std::vector<double> range = values.numbers({"clippingrange"}, 2);
-    if (range.size() == 2) {
+    if (const std::vector<double> range = values.numbers({"clippingrange"}, 2); range.size() == 2) {
         camera.nearDistance = range[0];
         camera.farDistance = range[1];
     }
     if (const NamedValue *kind = values.find({"projection"}); kind && kind->word == "orthographic")
         reading.failAt("projection", tr("an orthographic camera of %1 is not read; give its matrices", "USD"));
     const double pixels = reading.neededSize().width / *aperture;
-    setLens(reading, *focal * pixels, *focal * pixels,
-            -values.number({"horizontalapertureoffset"}).value_or(0.0) * pixels,
-            values.number({"verticalapertureoffset"}).value_or(0.0) * pixels);
-    camera.assumed.push_back(tr("Pixels are square: the focal length counts in image widths. %1 counts as the camera's "
-                                "pose in the world, as for a camera without parent.",
-                                "xformOp:transform"));
+    const auto offset = [&](const char *name) { return values.number({name}).value_or(0.0) * pixels; };
+    setLens(reading, *focal * pixels, *focal * pixels, -offset("horizontalapertureoffset"),
+            offset("verticalapertureoffset"));
+    camera.assumed.push_back(tr("Pixels are square: the horizontal aperture counts, not the vertical one."));
+    sayNoParent(reading, "xformOp:transform");
     return true;
 }
 
@@ -299,24 +351,29 @@ bool readUsd(Reading &reading)
 // core/variant/variant_parser.cpp: a scene has the basis by rows, a print its axes
 bool readGodot(Reading &reading)
 {
-    const NamedValues &values = reading.values();
-    const std::string &text = reading.text.text;
-    std::vector<double> m;
-    if (const std::size_t at = text.find("Transform3D("); at != text.npos)
-        m = NamedValues(std::string_view(text).substr(at + 11, text.find(')', at) - at - 11)).all().front().numbers;
-    const std::vector<double> x = values.numbers({"x"}, 3), y = values.numbers({"y"}, 3), z = values.numbers({"z"}, 3),
-                              origin = values.numbers({"o", "origin"}, 3);
-    const bool arePrinted = x.size() == 3 && y.size() == 3 && z.size() == 3 && origin.size() == 3;
-    if (m.size() != 12 && !arePrinted)
-        return false;
-    if (text.find("Camera3D") == text.npos && !values.has({"fov"}))
+    const std::string_view text = reading.text.text;
+    if (text.find("Transform3D(") == text.npos && text.find("[X: ") == text.npos)
         return false;
     ForeignCamera &camera = reading.camera;
+    std::vector<std::string_view> nodes = partsOf(text, "[node", "\n[");
+    std::erase_if(
+        nodes, [](std::string_view node) { return node.substr(0, node.find('\n')).find("Camera3D\"") == node.npos; });
+    const std::string_view node = chosenPart(reading, nodes);
+    const NamedValues values(node);
+    std::vector<double> m;
+    if (const std::size_t at = node.find("Transform3D("); at != node.npos)
+        m = NamedValues(node.substr(at + 11, node.find(')', at) - at - 11)).all().front().numbers;
+    const std::vector<double> x = values.numbers({"x"}, 3), y = values.numbers({"y"}, 3), z = values.numbers({"z"}, 3),
+                              origin = values.numbers({"o"}, 3);
+    const bool arePrinted = x.size() == 3 && y.size() == 3 && z.size() == 3 && origin.size() == 3;
+    if ((m.size() != 12 && !arePrinted) || (nodes.empty() && !values.has({"fov"})))
+        return false;
     reading.begin("Godot", PoseDirection::CameraToWorld, EyeAxes::RightUpBack);
     camera.pose = m.size() == 12 ? rigid(glm::dmat3(*matrixByRows(std::span(m).first(9))), vectorOf(m, 9))
                                  : rigid(glm::dmat3(vectorOf(x), vectorOf(y), vectorOf(z)), vectorOf(origin));
     camera.nearDistance = values.number({"near"}).value_or(0.05);
     camera.farDistance = values.number({"far"}).value_or(4000.0);
+    sayNoParent(reading, "Transform3D");
     const double projection = values.number({"projection"}).value_or(0.0);
     const bool isByWidth = values.number({"keepaspect"}).value_or(1.0) == 0.0;
     if (projection == 2.0)

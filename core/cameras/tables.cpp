@@ -116,7 +116,7 @@ Poses posesOf(const NamedText &text)
     }
     const std::size_t count = rows.empty() ? 0 : rows.front().numbers.size();
     const bool isNamed = name.find("traj") != name.npos || name.find("pose") != name.npos;
-    if ((count != 8 && count != 12 && count != 16) || (count != 8 && rows.size() == 1 && !isNamed))
+    if (count != 8 && !(count == 16 && isNamed) && !(count == 12 && (isNamed || isNumbered)))
         return poses;
     for (const Row &row : rows) {
         const std::vector<double> &n = row.numbers;
@@ -136,18 +136,31 @@ Poses posesOf(const NamedText &text)
     return poses;
 }
 
+/// A text of names with lines of eight numbers among them, which would be the last name's, as two texts;
+/// empty for another text.
+std::vector<NamedText> withoutRows(const NamedText &text)
+{
+    std::vector<NamedText> both{{text.name, {}}, {text.name, {}}};
+    for (std::size_t at = 0; at < text.text.size();) {
+        const std::size_t end = std::min(text.text.find('\n', at), text.text.size() - 1) + 1;
+        const std::string line = text.text.substr(at, end - at);
+        both[haveCounts(rowsOf(line), {8}) ? 1 : 0].text += line;
+        at = end;
+    }
+    return both[1].text.empty() || rowsOf(text.text).size() > 0 ? std::vector<NamedText>() : both;
+}
+
 /// The name of the pose at a time: of the nearest one, as the images' times are other than the poses'.
 /// @param choice  a time, or a file with this name: 1305031102.175304.png
 std::optional<std::string> nearestTime(const std::vector<std::string> &names, const std::string &choice)
 {
     constexpr double kMost = 0.02; // seconds, as TUM's associate.py
-    const std::size_t dot = choice.find_last_not_of("abcdefghijklmnopqrstuvwxyz");
-    std::string_view word = std::string_view(choice).substr(0, dot + 1);
+    std::string_view word = choice;
     word.remove_prefix(word.find_last_of("/\\") + 1);
-    while (word.ends_with('.'))
-        word.remove_suffix(1);
-    const auto time = base::doubleFromWord(word);
-    if (!time)
+    const std::size_t end = word.find_last_of("0123456789");
+    const auto time = end == word.npos ? std::nullopt : base::doubleFromWord(word.substr(0, end + 1));
+    const auto index = base::integerFromWord(word);
+    if (!time || (index && *index < static_cast<long long>(names.size())))
         return std::nullopt;
     const auto away = [&](const std::string &name) { return std::abs(*base::doubleFromWord(name) - *time); };
     const auto nearest =
@@ -236,10 +249,16 @@ NamedLens lensBeside(const NamedText &text)
 
 std::optional<ForeignCamera> readTables(std::span<const NamedText> texts, const CameraChoices &choices)
 {
+    constexpr std::size_t kMostBytes = std::size_t{1} << 20;
+    std::vector<NamedText> both;
+    if (texts.size() == 1 && texts[0].text.size() < kMostBytes && texts[0].text.find("fx") != std::string::npos)
+        both = withoutRows(texts[0]);
+    if (!both.empty())
+        texts = both;
     Poses poses;
     std::vector<const NamedText *> rest;
     for (const NamedText &text : texts) {
-        Poses found = posesOf(text);
+        Poses found = texts.size() > 1 ? posesOf(text) : Poses();
         if (!found.program) {
             rest.push_back(&text);
         } else if (!poses.program) {
@@ -285,6 +304,8 @@ std::optional<ForeignCamera> readTables(std::span<const NamedText> texts, const 
     reading.begin(poses.program, PoseDirection::CameraToWorld, EyeAxes::RightDownAhead);
     reading.camera.images = poses.names;
     reading.chooseImage();
+    if (ofPose.image != choices.image)
+        reading.camera.assumed.push_back(tr("The pose at the time %1 is taken, the nearest one.", ofPose.image));
     reading.camera.pose = poses.worldFromCamera[reading.camera.image] * glm::inverse(lensFromPose);
     reading.camera.files.insert(reading.camera.files.end(), poses.files.begin(), poses.files.end());
     reading.camera.assumed.push_back(tr("The poses are read from the camera to the world, with OpenCV's axes, as %1 "

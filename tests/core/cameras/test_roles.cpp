@@ -275,7 +275,7 @@ private slots:
         QCOMPARE(reasonOf(read({lens, {"notes.txt", "a: 1\n"}})),
                  "notes.txt: nothing in it is read; leave it out, or give its numbers the names of a camera's parts");
         const std::string rows = std::string(kToCamera) + '\n' + kToWorld + '\n';
-        QVERIFY(reasonOf(read({lens, {"traj.txt", rows}})).contains("nothing tells the direction"));
+        QVERIFY(reasonOf(read({lens, {"rows.txt", rows}})).contains("nothing tells the direction"));
         choices.direction = PoseDirection::CameraToWorld;
         choices.image = "1";
         const auto second = read({lens, {"traj.txt", rows}}, choices);
