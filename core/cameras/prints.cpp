@@ -154,7 +154,10 @@ bool readPycolmap(Reading &reading)
     const NamedText named{reading.text.name, lines + " image\n"};
     CameraChoices choices = reading.choices;
     choices.image.clear();
-    reading.camera = *readColmap({&named, 1}, choices);
+    auto camera = readColmap({&named, 1}, choices);
+    if (!camera)
+        reading.fail(tr("the camera model %1 is not known", model));
+    reading.camera = *std::move(camera);
     reading.camera.images = images;
     reading.camera.image = image;
     reading.camera.assumed.insert(reading.camera.assumed.begin(), said.begin(), said.end());
@@ -170,8 +173,8 @@ bool readPycolmap(Reading &reading)
 bool readVtk(Reading &reading)
 {
     const std::string &text = reading.text.text;
-    if (text.find("camera_position") == text.npos && text.find("cpos") == text.npos
-        && text.find("ocal") == text.npos) // focal_point, FocalPoint
+    const auto has = [&text](const char *word) { return text.find(word) != text.npos; };
+    if (!has("camera_position") && !has("cpos") && !has("ocal_point") && !has("ocalPoint") && !has("ocal Point"))
         return false;
     ForeignCamera &camera = reading.camera;
     std::vector<std::string_view> views = partsOf(text, "CreateView(", "CreateView(");
@@ -454,6 +457,7 @@ bool readLgsvl(Reading &reading)
     camera.size = sizeOf(numberOf(params, "Width"), numberOf(params, "Height"));
     camera.nearDistance = numberOf(params, "MinDistance");
     camera.farDistance = numberOf(params, "MaxDistance");
+    sayNoParent(reading, "transform");
     camera.assumed.push_back(tr("Unity's world is left-handed. The scene has its z negated: the point (x, y, z) of "
                                 "Unity is (x, y, -z) here."));
     if (inside(params, {"Distorted"}) == true && !reading.choices.isUndistorted)

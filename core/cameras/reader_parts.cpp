@@ -19,13 +19,15 @@ using geometry::kPi;
 
 namespace {
 
-/// The file's name in a path, with or without its suffix.
+/// The file's name in a path, with or without its suffix. The digits behind a time's point are none.
 std::string_view fileName(std::string_view path, bool withSuffix)
 {
     const std::size_t slash = path.find_last_of("/\\");
     if (slash != path.npos)
         path.remove_prefix(slash + 1);
-    return withSuffix ? path : path.substr(0, path.rfind('.'));
+    const std::size_t dot = path.rfind('.');
+    const bool hasSuffix = dot != path.npos && path.find_first_not_of("0123456789", dot + 1) != path.npos;
+    return withSuffix || !hasSuffix ? path : path.substr(0, dot);
 }
 
 std::string firstNames(const std::vector<std::string> &images)

@@ -29,6 +29,7 @@ struct Row {
 /// The lines of a text that has only numbers, and comments behind #; empty for another text.
 std::vector<Row> rowsOf(std::string_view text)
 {
+    constexpr std::size_t kMost = std::size_t{1} << 20;
     std::vector<Row> rows;
     base::TextScanner scanner(text);
     for (scanner.skipBlankLines(); !scanner.isAtEnd(); scanner.skipBlankLines()) {
@@ -37,7 +38,7 @@ std::vector<Row> rowsOf(std::string_view text)
             if (row.numbers.empty() && word.starts_with('#'))
                 break;
             const auto number = base::doubleFromWord(word);
-            if (!number)
+            if (!number || rows.size() == kMost)
                 return {};
             if (row.numbers.empty())
                 row.first = word;
@@ -194,15 +195,21 @@ NamedLens dsoLens(const NamedText &text, const CameraChoices &choices)
     std::string_view word = scanner.nextWord();
     const std::string model(base::doubleFromWord(word) ? std::string_view() : word);
     std::vector<double> n;
-    for (word = model.empty() ? word : scanner.nextWordInLine(); !word.empty(); word = scanner.nextWordInLine())
-        n.push_back(base::doubleFromWord(word).value_or(std::nan("")));
+    for (word = model.empty() ? word : scanner.nextWordInLine(); !word.empty(); word = scanner.nextWordInLine()) {
+        const auto number = base::doubleFromWord(word);
+        if (!number || n.size() == 8)
+            return {};
+        n.push_back(*number);
+    }
     const auto width = base::doubleFromWord(scanner.nextWord()), height = base::doubleFromWord(scanner.nextWord());
+    const bool isSize = scanner.nextWordInLine().empty() && sizeOf(width, height);
     const std::string_view output = scanner.nextWord();
+    const bool isOutput = output == "crop" || output == "full" || output == "none"
+                          || (base::doubleFromWord(output) && !scanner.nextWordInLine().empty());
     const bool isRadTan = (model.empty() || model == "RadTan") && n.size() == 8,
                isFov = (model.empty() || model == "FOV" || model == "Pinhole") && n.size() == 5;
     const bool isOther = (model == "EquiDistant" || model == "KannalaBrandt") && n.size() == 8;
-    if ((!isRadTan && !isFov && !isOther) || !sizeOf(width, height)
-        || (output != "crop" && output != "full" && output != "none" && !base::doubleFromWord(output)))
+    if ((!isRadTan && !isFov && !isOther) || !isSize || !isOutput)
         return {};
     const bool isRead = isRadTan || (isFov && n[4] == 0.0);
     if (!isRead && !choices.isUndistorted)
@@ -270,6 +277,10 @@ std::optional<ForeignCamera> readTables(std::span<const NamedText> texts, const 
             poses.files.push_back(text.name);
         }
     }
+    const auto isIntrinsic = [](const NamedText *text) { return fileNameOf(*text).starts_with("intrinsic"); };
+    if (poses.program && std::string_view(poses.program) == "ScanNet"
+        && std::none_of(rest.begin(), rest.end(), isIntrinsic))
+        return std::nullopt;
     std::vector<NamedLens> lenses;
     bool hasDso = false;
     for (const NamedText *text : rest) {
@@ -296,6 +307,8 @@ std::optional<ForeignCamera> readTables(std::span<const NamedText> texts, const 
         return hasDso && !poses.program ? std::move(camera) : std::nullopt;
     }
     const bool isTimed = std::string_view(poses.program) == "TUM";
+    if (poses.program == std::string_view("KITTI"))
+        camera->assumed.push_back(tr("The lens is that of P0. For another camera, give its P alone."));
     if (const auto name = isTimed ? nearestTime(poses.names, choices.image) : std::nullopt)
         ofPose.image = *name;
     const NamedText ofPoses{poses.files.front(), {}};

@@ -319,6 +319,18 @@ private slots:
             "<integer name=\"crop_width\" value=\"8\"/><integer name=\"w\"", "crop_width 8 is not read");
         row("no up", "Mitsuba", "up=", "u=", "up needs 3 numbers; it has 0");
         row("no yfov", "pyrender", "np.pi / 3.0", "fov", "yfov has no number");
+        row("DSO's fisheye", "DSO, relative", " 0\n1280", " 0.9\n1280", "the distortion is FOV; only k1");
+        row("a cut bundle", "Bundler", "2 1\n", "9 1\n", "the file ends in the middle of an entry");
+        row("a fisheye of Anipose", "Anipose", "name = \"B\"", "name = \"B\"\nfisheye = true",
+            "the distortion is fisheye; only k1");
+        row("a model of pycolmap", "COLMAP, pycolmap", "model=PINHOLE", "model=FOV",
+            "the camera model FOV is not read");
+        row("up along the view", "VTK, PyVista", "(0.0, 0.0, 1.0)", "(0, 0, 0)", "forward and up are parallel");
+        row("a frustum", "Godot", "fov = 65.0", "projection = 2", "a camera with frustum_offset is not read");
+        row("a distorted sensor", "LGSVL", "\"Distorted\": false\n  },\n  \"transform\": {\n   \"x\": 0.5",
+            "\"Distorted\": true\n  },\n  \"transform\": {\n   \"x\": 0.5", "the distortion is DistortionParameters");
+        row("a short Tc", "Bouguet's toolbox", "Tc_2  = [ -1.551106e+02 ;", "Tc_2  = [",
+            "Tc_2 needs 3 numbers; it has 0");
     }
 
     void faultsAreNamed()
@@ -357,6 +369,20 @@ private slots:
                                  << "its pose is that with all joints at 0";
         newRow("MuJoCo's angle") << "MuJoCo, MJCF with zaxis"
                                  << "fovy is 45 degrees";
+        newRow("Replica's poses") << "Replica"
+                                  << "with OpenCV's axes, as Replica writes them";
+        newRow("the nearest time") << "TUM, the time of an image"
+                                   << "The pose at the time 1305031102.2758 is taken";
+        newRow("the lens of KITTI") << "KITTI, odometry"
+                                    << "The lens is that of P0";
+        newRow("the angle of VTK") << "VTK, PyVista"
+                                   << "assumed to be 30 degrees";
+        newRow("the model of pycolmap") << "COLMAP, pycolmap, inverse, no model"
+                                        << "The camera model is taken as SIMPLE_RADIAL";
+        newRow("square pixels of USD") << "USD"
+                                       << "Pixels are square";
+        newRow("LGSVL's world") << "LGSVL"
+                                << "(x, y, -z) here";
         newRow("pixels not square") << "trimesh"
                                     << "pixels are not square";
     }
@@ -428,6 +454,60 @@ private slots:
         QVERIFY(reasonOf(with("nan 0 0 0"), second).contains("a number of the pose of b.png is not finite"));
         second.image = "c.png";
         QCOMPARE(reasonOf(with("nan 0 0 0"), second), QStringLiteral("read"));
+    }
+
+    /// The coefficients that pixelsAreTheProgramsOwn() leaves out.
+    void distortionIsRead()
+    {
+        const auto distortionOf = [](const char *name) {
+            const auto read = readCamera(textsOf(exampleOf(name)), choicesOf(exampleOf(name)));
+            return read && *read && (*read)->distortion ? *(*read)->distortion : Distortion();
+        };
+        QVERIFY(distortionOf("Bundler") == (Distortion{0.01, -0.02}));
+        QVERIFY(distortionOf("Bouguet's toolbox")
+                == (Distortion{-0.25402543, 0.12143304, -0.00020865, 0.00001942, 0.0}));
+        QVERIFY(distortionOf("Anipose") == (Distortion{0.05, -0.15, -0.01, -0.002, 0.03}));
+        QVERIFY(distortionOf("Human3.6M") == (Distortion{-0.2, 0.24, -0.0014, -0.00097, -0.003}));
+        QVERIFY(distortionOf("Multiface") == Distortion());
+        const auto radTan =
+            readCamera({{NamedText{"camera.txt", "RadTan 500 501 320 240 0.1 0.2 0.3 0.4\n640 480\nnone\n"}}}, {});
+        QVERIFY(radTan && *radTan && (*radTan)->distortion == (Distortion{0.1, 0.2, 0.3, 0.4}));
+    }
+
+    /// A row of poses is chosen by its index, by its time, or by an image whose time is near.
+    void posesAreChosen()
+    {
+        const auto texts = textsOf(exampleOf("TUM, the time of an image"));
+        const auto imageOf = [&](const char *image) {
+            CameraChoices choices;
+            choices.image = image;
+            const auto read = readCamera(texts, choices);
+            return read && *read ? int((*read)->image) : -1;
+        };
+        QCOMPARE(imageOf(""), 0);
+        QCOMPARE(imageOf("2"), 2);
+        QCOMPARE(imageOf("1305031102.2758"), 1);
+        QCOMPARE(imageOf("rgb/1305031102.360000.png"), 2);
+        QCOMPARE(imageOf("1305031102.2"), -1);
+        QCOMPARE(imageOf("1305031103.2758.png"), -1);
+    }
+
+    /// The names of these files tell nothing, so the numbers are not taken for a camera's.
+    void numbersAloneAreNoCamera_data()
+    {
+        addColumn<QString>("text");
+        newRow("a row of poses") << "1305031102.1758 1 2 3 0 0 0 1";
+        newRow("K") << "585 0 320\n0 585 240\n0 0 1";
+        newRow("a table of five") << "1 2 3 4 0\n5 6 7 8 0\n9 10 11 12 0";
+        newRow("five, then two") << "1 2 3 4 0\n640 480\n7\n";
+        newRow("eight") << "1 2 3 4 5 6 7 8\n640 480 1\n1 2 3";
+        newRow("half a KRT") << "400067\n1 0 0\n0 1 0\n0 0 1\n0 0 0 0 0";
+    }
+
+    void numbersAloneAreNoCamera()
+    {
+        QFETCH(QString, text);
+        QCOMPARE(reasonOf({{"numbers", text.toStdString()}}, {}), QStringLiteral("not recognised"));
     }
 
     void filesOfSeveralProgramsAreRefused()
