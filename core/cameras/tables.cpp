@@ -26,19 +26,19 @@ struct Row {
     std::vector<double> numbers;
 };
 
-/// The lines of a text that has only numbers, and comments behind #; empty for another text.
+/// The first lines of a text that has only numbers, and comments behind #; empty for another text.
 std::vector<Row> rowsOf(std::string_view text)
 {
     constexpr std::size_t kMost = std::size_t{1} << 20;
     std::vector<Row> rows;
     base::TextScanner scanner(text);
-    for (scanner.skipBlankLines(); !scanner.isAtEnd(); scanner.skipBlankLines()) {
+    for (scanner.skipBlankLines(); !scanner.isAtEnd() && rows.size() < kMost; scanner.skipBlankLines()) {
         Row row;
         for (std::string_view word = scanner.nextWordInLine(); !word.empty(); word = scanner.nextWordInLine()) {
             if (row.numbers.empty() && word.starts_with('#'))
                 break;
             const auto number = base::doubleFromWord(word);
-            if (!number || rows.size() == kMost)
+            if (!number)
                 return {};
             if (row.numbers.empty())
                 row.first = word;
@@ -307,7 +307,8 @@ std::optional<ForeignCamera> readTables(std::span<const NamedText> texts, const 
         return hasDso && !poses.program ? std::move(camera) : std::nullopt;
     }
     const bool isTimed = std::string_view(poses.program) == "TUM";
-    if (poses.program == std::string_view("KITTI"))
+    const auto hasFirst = [](const NamedText *text) { return text->text.find("P0:") != std::string::npos; };
+    if (poses.program == std::string_view("KITTI") && std::any_of(rest.begin(), rest.end(), hasFirst))
         camera->assumed.push_back(tr("The lens is that of P0. For another camera, give its P alone."));
     if (const auto name = isTimed ? nearestTime(poses.names, choices.image) : std::nullopt)
         ofPose.image = *name;
