@@ -73,9 +73,9 @@ void setDistortion(Reading &reading, const std::vector<double> &coefficients)
     if (coefficients.empty())
         return;
     const auto lens = distortionOf(coefficients);
-    if (!lens)
+    if (!lens && !reading.choices.isUndistorted)
         reading.fail(lens.error());
-    if (!lens->isNone())
+    if (lens && !lens->isNone())
         reading.camera.distortion = *lens;
 }
 
@@ -393,7 +393,7 @@ bool readGodot(Reading &reading)
     return true;
 }
 
-// Source: fSpy, src/gui/solver/math-util.ts and the importer for Blender: half the longer side is 1, y is up
+// Source: fSpy's importer for Blender, fspy_blender/addon.py: half the longer side is 1, y is up
 bool readFspy(Reading &reading)
 {
     const Json file = documentWith(reading.text, {"cameraTransform", "relativeFocalLength", "imageWidth"});
@@ -431,8 +431,7 @@ bool readDope(Reading &reading)
     return true;
 }
 
-// Source: lgsvl/simulator, docs, "Sensor JSON options", and Assets/Scripts/Sensors/CameraSensorBase.cs: Unity's
-// vertical angle and Euler angles
+// Source: lgsvl/simulator, Assets/Scripts/Sensors, CameraSensorBase.cs: FieldOfView is that of Unity's camera
 bool readLgsvl(Reading &reading)
 {
     const Json file = documentWith(reading.text, {"FieldOfView", "transform", "pitch"});

@@ -344,14 +344,15 @@ bool readMvsNet(Reading &reading)
     return true;
 }
 
-// Source: Multiface, README.md, "KRT": the camera's name, K, distortion and [R t] from the world
+// Source: Multiface, dataset.py, load_krt: the camera's name, K, distortion and [R t] from the world. Later data
+// sets have the image's size beside the name.
 bool readKrt(Reading &reading)
 {
     constexpr std::size_t kLines = 8;
     const std::vector<Row> rows = rowsOf(reading.text.text);
     ForeignCamera &camera = reading.camera;
     for (std::size_t i = 0; i < rows.size(); i += kLines) {
-        if (!haveCounts(rows, {1, 3, 3, 3, 5, 4, 4, 4}, i))
+        if (!haveCounts(rows, {1, 3, 3, 3, 5, 4, 4, 4}, i) && !haveCounts(rows, {3, 3, 3, 3, 5, 4, 4, 4}, i))
             return false;
         camera.images.push_back(rows[i].first);
     }
@@ -360,6 +361,8 @@ bool readKrt(Reading &reading)
     reading.begin("Multiface", PoseDirection::WorldToCamera, EyeAxes::RightDownAhead);
     reading.chooseImage();
     const std::size_t at = kLines * camera.image;
+    if (const std::vector<double> &head = rows[at].numbers; head.size() == 3)
+        camera.size = sizeOf(head[1], head[2]);
     camera.intrinsics = lensOf(joined(rows, at + 1, 3));
     if (const auto distortion = distortionOf(rows[at + 4].numbers); distortion && !distortion->isNone())
         camera.distortion = *distortion;
