@@ -318,23 +318,50 @@ bool readHuman36m(Reading &reading)
     return true;
 }
 
-// Source: OpenUSD, UsdGeomCamera: the aperture and the focal length have one unit; matrices are for rows
+namespace {
+
+/// The pose of USD's xformOps: a transform for row vectors; or translate with rotateXYZ, which turns about x
+/// first, or with orient, w x y z.
+std::optional<glm::dmat4> usdPose(const NamedValues &values)
+{
+    const std::vector<double> matrix = values.numbers({"transform"}, 16), at = values.numbers({"translate"}, 3),
+                              angles = values.numbers({"rotatexyz"}, 3), q = values.numbers({"orient"}, 4);
+    if (matrix.size() == 16)
+        return matrixByColumns(matrix);
+    if (at.size() != 3)
+        return std::nullopt;
+    if (q.size() == 4) {
+        const auto rotation = rotationOf(q[0], q[1], q[2], q[3]);
+        return rotation ? std::optional(rigid(*rotation, vectorOf(at))) : std::nullopt;
+    }
+    const bool isTurned = std::any_of(values.all().begin(), values.all().end(),
+                                      [](const NamedValue &value) { return value.words.back().starts_with("rotate"); });
+    if (isTurned && angles.size() != 3)
+        return std::nullopt; // another order of the axes
+    const auto turn = [&](int axis) {
+        return about(axis, isTurned ? radiansFromDegrees(angles[std::size_t(axis)]) : 0.0);
+    };
+    return rigid(turn(2) * turn(1) * turn(0), vectorOf(at));
+}
+
+} // namespace
+
+// Source: OpenUSD, UsdGeomCamera: the aperture and the focal length have one unit; matrices are for row vectors
 bool readUsd(Reading &reading)
 {
     const std::string &text = reading.text.text;
-    if (text.find("horizontalAperture") == text.npos || text.find("xformOp:transform") == text.npos)
+    if (text.find("horizontalAperture") == text.npos || text.find("xformOp:") == text.npos)
         return false;
     ForeignCamera &camera = reading.camera;
     const NamedValues values(chosenPart(reading, partsOf(text, "def Camera", "def ")));
     const auto aperture = values.number({"horizontalaperture"}), focal = values.number({"focallength"});
-    const auto &all = values.all();
-    const auto matrix = std::find_if(all.begin(), all.end(), [](const NamedValue &value) {
-        return value.isNamed("transform") && value.numbers.size() == 16;
-    });
-    if (!aperture || !focal || matrix == all.end())
+    if (!aperture || !focal)
         return false;
     reading.begin("USD", PoseDirection::CameraToWorld, EyeAxes::RightUpBack);
-    camera.pose = matrixByColumns(matrix->numbers);
+    camera.pose = usdPose(values);
+    if (!camera.pose)
+        reading.failAt("focallength",
+                       tr("the camera's pose is missing; give %1", "xformOp:transform, or translate and rotateXYZ"));
     if (const std::vector<double> range = values.numbers({"clippingrange"}, 2); range.size() == 2) {
         camera.nearDistance = range[0];
         camera.farDistance = range[1];
@@ -346,7 +373,7 @@ bool readUsd(Reading &reading)
     setLens(reading, *focal * pixels, *focal * pixels, -offset("horizontalapertureoffset"),
             offset("verticalapertureoffset"));
     camera.assumed.push_back(tr("Pixels are square: the horizontal aperture counts, not the vertical one."));
-    sayNoParent(reading, "xformOp:transform");
+    sayNoParent(reading, "xformOp");
     return true;
 }
 

@@ -326,6 +326,9 @@ private slots:
         row("a model of pycolmap", "COLMAP, pycolmap", "model=PINHOLE", "model=FOV",
             "the camera model FOV is not read");
         row("up along the view", "VTK, PyVista", "(0.0, 0.0, 1.0)", "(0, 0, 0)", "forward and up are parallel");
+        row("another order of USD", "USD, rotateXYZ", "rotateXYZ = ", "rotateZYX = ", "the camera's pose is missing");
+        row("a flat camera of USD", "USD, orient", "float focalLength",
+            "token projection = \"orthographic\"\n    float focalLength", "an orthographic camera of USD is not read");
         row("a frustum", "Godot", "fov = 65.0", "projection = 2", "a camera with frustum_offset is not read");
         row("a distorted sensor", "LGSVL", "\"Distorted\": false\n  },\n  \"transform\": {\n   \"x\": 0.5",
             "\"Distorted\": true\n  },\n  \"transform\": {\n   \"x\": 0.5", "the distortion is DistortionParameters");
