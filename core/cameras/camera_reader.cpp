@@ -68,8 +68,6 @@ constexpr std::array kReaders{CameraReader{"COLMAP", nullptr, readColmap},
                               CameraReader{"SAPIEN", readSapien},
                               CameraReader{"Bouguet's toolbox", readBouguet},
                               CameraReader{"Anipose", readAnipose},
-                              CameraReader{"poses", nullptr, readTables},
-                              CameraReader{"OpenCV", nullptr, readNamedParts}};
                               CameraReader{"DSO", nullptr, readTables},
                               CameraReader{"OpenCV", nullptr, readNamedParts}};
 

@@ -300,7 +300,7 @@ std::optional<ForeignCamera> readTables(std::span<const NamedText> texts, const 
     CameraChoices ofLens = choices, ofPose = choices;
     if (poses.program)
         ofLens.image.clear();
-    std::optional<ForeignCamera> camera = readOpenCv(named, ofLens);
+    std::optional<ForeignCamera> camera = readNamedParts(named, ofLens);
     if (!camera || !camera->intrinsics || !poses.program || camera->pose) {
         if (camera && !camera->pose)
             camera->program = "DSO";
