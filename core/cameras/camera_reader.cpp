@@ -134,8 +134,8 @@ std::optional<std::string> reasonAgainst(const ForeignCamera &camera, const Came
     }
     const std::optional<ImageSize> size = choices.size ? choices.size : camera.size;
     constexpr double kLargest = 20.0; // in image widths; an angle of 3 degrees
-    const bool isNormalized =
-        k.cx > 0.0 && k.cx < 1.0 && k.cy > 0.0 && k.cy < 1.0 && k.fx < kLargest && k.fy < kLargest;
+    const bool isNormalized = k.cx > 0.0 && k.cx < 1.0 && k.cy > 0.0 && k.cy < 1.0
+                              && ((k.fx < kLargest && k.fy < kLargest) || !k.isCentreComputed);
     if (isNormalized && !(size && size->width <= 2 && size->height <= 2))
         return tr("fx %1, fy %2, cx %3, cy %4 are no pixels; they look normalized. Multiply fx and cx by the image's "
                   "width, fy and cy by its height",

@@ -23,6 +23,8 @@ bool fits(Part part, std::size_t count)
     case Part::Quaternion: return false; // of a list, either end may be w: see add()
     case Part::Translation:
     case Part::Center: return count == 3;
+    case Part::Radial: return count == 2 || count == 3;
+    case Part::Tangential: return count == 2;
     case Part::Pose: return count == 12 || count == 16;
     case Part::CameraMatrix: return count == 12;
     case Part::Distortion: return count >= 1;
@@ -117,6 +119,47 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
         }
     }
     findCameras();
+    if (m_cameras.empty())
+        dropElsewhere();
+}
+
+/// Sets apart what stands with other things than the camera ("imu", "display"), and poses whose name
+/// says another camera than that of the only lens.
+void CameraValues::dropElsewhere()
+{
+    std::set<std::string> around;
+    std::string camera;
+    for (const Part part : {Part::Intrinsics, Part::CameraMatrix, Part::Focal}) {
+        for (const CameraValue &value : all(part)) {
+            const std::vector<std::string> sections = sectionsOf(value.text, value.node);
+            around.insert(sections.begin(), sections.end());
+            camera = all(part).size() == 1 ? value.camera : std::string();
+        }
+    }
+    for (const Number &number : m_numbers) {
+        if (number.value.isNamed("fx")) {
+            const std::vector<std::string> sections = sectionsOf(number.text, number.node);
+            around.insert(sections.begin(), sections.end());
+        }
+    }
+    const auto isApart = [&](std::size_t text, std::size_t node) {
+        const std::vector<std::string> sections = sectionsOf(text, node);
+        return std::any_of(sections.begin(), sections.end(), [&](const std::string &section) {
+            return !around.contains(section) && isElsewhere(section);
+        });
+    };
+    for (const Part part :
+         {Part::Rotation, Part::Quaternion, Part::Translation, Part::Center, Part::Pose, Part::Size}) {
+        std::vector<CameraValue> kept;
+        for (CameraValue &value : of(part)) {
+            const bool isOfOther = !camera.empty() && !value.camera.empty() && value.camera != camera;
+            (isOfOther || isApart(value.text, value.node) ? m_others : kept).push_back(std::move(value));
+        }
+        of(part) = std::move(kept);
+    }
+    std::erase_if(m_numbers, [&](const Number &number) {
+        return !number.value.isNamed("fx") && isApart(number.text, number.node);
+    });
 }
 
 /// A value of the last text.
@@ -212,6 +255,7 @@ void CameraValues::keepCamera(const std::string &name)
     }
     std::erase_if(m_others, isOfOther);
     std::erase_if(m_numbers, [&](const Number &number) { return others[number.text][number.node]; });
+    dropElsewhere();
 }
 
 /// The name of the camera that a value may be of.
@@ -260,7 +304,8 @@ void CameraValues::add(CameraValue value)
     const std::optional<Role> role = roleOf(value);
     const std::size_t count = value.numbers.size();
     if (!role) {
-        if (count == 9 || count == 12 || count == 16 || (count > 1 && hasPartWord(value.name)))
+        constexpr std::size_t kFewest = 4, kMost = 16; // of a camera's parts without a known name
+        if ((count >= kFewest && count <= kMost) || (count > 1 && hasPartWord(value.name)))
             m_others.push_back(std::move(value));
         return;
     }

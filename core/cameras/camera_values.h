@@ -66,6 +66,7 @@ private:
     std::vector<std::string> sectionsOf(std::size_t text, std::size_t node) const;
     std::string cameraOf(const CameraValue &value) const;
     bool setDirectionAround(CameraValue &value) const;
+    void dropElsewhere();
     std::vector<CameraValue> &of(Part part) { return m_parts[std::size_t(part)]; }
 
     std::array<std::vector<CameraValue>, kParts> m_parts;

@@ -347,6 +347,9 @@ private:
         refuseUnfit(Part::Intrinsics, tr("a camera matrix has nine, by rows"));
         if (const CameraValue *k = valueOf(Part::Intrinsics)) {
             m_camera.intrinsics = intrinsicsOf(*k, m_camera.assumed, m_isTransposed);
+            const NamedValue *fx = m_values.find("fx");
+            if (fx && std::abs(fx->numbers[0] - m_camera.intrinsics->fx) > 1e-3)
+                m_camera.assumed.push_back(tr("%1 counts; fx, fy, cx and cy beside it are ignored.", k->name));
             countFromOne(k->name);
         } else if (const auto fx = scalar(kFx), fy = scalar(kFy); fx && fy) {
             const auto cx = scalar(kCx), cy = scalar(kCy);
@@ -571,7 +574,15 @@ private:
         } else if (!rotation) {
             m_camera.assumed.push_back(tr("There is no rotation beside %1: none is assumed.", translation->name));
         } else if (rotation->numbers.size() == 3) {
-            turn = rotationOf(glm::dvec3(rotation->numbers[0], rotation->numbers[1], rotation->numbers[2]));
+            const glm::dvec3 axis(rotation->numbers[0], rotation->numbers[1], rotation->numbers[2]);
+            constexpr double kMostTurn = 6.2832; // 2 pi
+            if (glm::length(axis) > kMostTurn)
+                fail(*rotation, tr("its length is %1; a rotation vector in radians has at most 2 pi. Give R",
+                                   significantText(glm::length(axis), 4)));
+            if (rotation->name.find("vec") == std::string::npos)
+                m_camera.assumed.push_back(
+                    tr("The three numbers of %1 are read as a rotation vector, in radians.", rotation->name));
+            turn = rotationOf(axis);
         } else {
             turn = glm::dmat3(*matrixByRows(rotation->numbers));
             if (m_isTransposed) {
@@ -673,6 +684,15 @@ private:
         if (const CameraValue *list = valueOf(Part::Distortion))
             return *list;
         CameraValue named{{}, {}, {}, 0, m_reading.text.name};
+        const CameraValue *radial = valueOf(Part::Radial), *tangential = valueOf(Part::Tangential);
+        if (const CameraValue *given = radial ? radial : tangential) { // MATLAB's
+            const std::vector<double> none(3, 0.0);
+            const std::vector<double> &k = radial ? radial->numbers : none,
+                                      &p = tangential ? tangential->numbers : none;
+            named = *given;
+            named.numbers = {k[0], k[1], p[0], p[1], k.size() > 2 ? k[2] : 0.0};
+            return named;
+        }
         for (const char *name : {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"}) {
             const NamedValue *value = m_values.find(name);
             if (value)

@@ -38,6 +38,8 @@ enum class Word {
     Projection,
     Distortion,
     Coefficients,
+    Radial,
+    Tangential,
     Size,
     Shape, ///< a size by rows
     Image,
@@ -73,8 +75,10 @@ constexpr std::array kVocabulary{
     WordsOfKind{Word::Extrinsics, " extrinsic extrinsics extr extri rt "},
     WordsOfKind{Word::View, " view "},
     WordsOfKind{Word::Projection, " p projection proj "},
-    WordsOfKind{Word::Distortion, " d dist distortion "},
+    WordsOfKind{Word::Distortion, " d dist distortion distort distorsion kc "},
     WordsOfKind{Word::Coefficients, " coeff coeffs coef coefs coefficients coefficient "},
+    WordsOfKind{Word::Radial, " radial "},
+    WordsOfKind{Word::Tangential, " tangential "},
     WordsOfKind{Word::Size, " size resolution "},
     WordsOfKind{Word::Shape, " shape hw "},
     WordsOfKind{Word::Image, " image img frame "},
@@ -143,8 +147,11 @@ void addWord(const std::string &word, std::vector<std::string> &words)
 {
     const std::string_view letters = word;
     std::vector<std::string> parts;
-    const bool isBehindFrame = !words.empty() && isFrame(kindOf(words.back())),
-               isBehindTurn = !words.empty() && isTurnOrShift(words.back());
+    const Word before = words.empty() ? Word::Unknown : kindOf(words.back());
+    const bool isBehindFrame = isFrame(before),
+               isBehindTurn = before == Word::Pose || before == Word::Extrinsics || before == Word::Rotation
+                              || before == Word::Translation || before == Word::Quaternion || before == Word::Transform
+                              || (!words.empty() && isTurnOrShift(words.back()));
     if (kindOf(word) != Word::Unknown)
         parts = {word};
     else if (isBehindTurn && areFrames(letters)) // T_WC
@@ -222,12 +229,14 @@ Frames framesOf(const Name &name)
             return {next, before};
     }
     for (std::size_t i = 0; i < kinds.size(); ++i) {
-        const bool isTransform = at(i) == Word::Transform || at(i) == Word::Rotation || at(i) == Word::Quaternion
-                                 || at(i) == Word::Translation || at(i) == Word::Pose || isTurnOrShift(name.words[i]);
-        if (isTransform && i > 0 && isFrame(at(i - 1)) && isFrame(at(i + 1)) && at(i - 1) != at(i + 1))
-            return {i + 1, i - 1}; // world_T_cam
-        if (isTransform && isEnd(i + 1) && isEnd(i + 2))
+        const bool isTransform = at(i) == Word::Transform || at(i) == Word::Extrinsics || at(i) == Word::Rotation
+                                 || at(i) == Word::Quaternion || at(i) == Word::Translation || at(i) == Word::Pose
+                                 || isTurnOrShift(name.words[i]);
+        const bool isBehindFrame = i > 0 && isFrame(at(i - 1));
+        if (isTransform && isEnd(i + 1) && isEnd(i + 2) && (at(i + 1) != at(i + 2) || !isBehindFrame))
             return {i + 2, i + 1}; // T_world_cam
+        if (isTransform && isBehindFrame && isFrame(at(i + 1)) && at(i - 1) != at(i + 1))
+            return {i + 1, i - 1}; // world_T_cam
     }
     return {};
 }
@@ -270,10 +279,16 @@ std::optional<Part> partOf(const Name &name, std::size_t count)
     const bool isMatrix = name.has(Word::Matrix), isTransform = name.has(Word::Transform);
     const bool hasFrames = framesOf(name).from || framesOf(name).to;
     if (name.has(Word::Model) && !name.has(Word::View))
-        return name.isOnly({Word::Model, Word::Distortion}) && name.words.front() != "type" ? std::optional(Part::Model)
-                                                                                            : std::nullopt;
+        return name.isOnly({Word::Model, Word::Distortion}) ? std::optional(Part::Model) : std::nullopt;
+    if (name.hasWord("sensor") && name.has(Word::Size)) // millimetres
+        return std::nullopt;
     if (name.has(Word::Size) || name.has(Word::Shape))
         return name.isOnly({Word::Size, Word::Shape, Word::Image}) ? std::optional(Part::Size) : std::nullopt;
+    for (const auto &[kind, part] :
+         {std::pair(Word::Radial, Part::Radial), std::pair(Word::Tangential, Part::Tangential)}) {
+        if (name.has(kind) && name.isOnly({kind, Word::Distortion, Word::Coefficients}))
+            return part;
+    }
     if ((name.has(Word::Distortion) || name.has(Word::Coefficients))
         && name.isOnly({Word::Distortion, Word::Coefficients, Word::Image}))
         return Part::Distortion;
@@ -324,6 +339,8 @@ void setCustom(const Name &name, Role &role)
     const bool isOfObject = name.has(Word::Matrix) && name.has(Word::World); // Blender's matrix_world
     const bool isCameras = name.has(Word::Camera) && name.has(Word::Transform);
     if (name.has(Word::Extrinsics) || name.has(Word::View))
+        role.direction = PoseDirection::WorldToCamera;
+    else if (name.hasWord("qvec")) // COLMAP's
         role.direction = PoseDirection::WorldToCamera;
     else if (name.has(Word::Pose) || isOfObject || isCameras || name.hasWord("position") || name.hasWord("pos")
              || name.hasWord("location")) // an object's in the world
@@ -376,9 +393,9 @@ std::optional<Role> roleOf(std::string_view text, std::size_t count)
         return std::nullopt;
     Role role{*part};
     role.areRowsFirst = name.has(Word::Shape) || text.find("ImageSize") != text.npos;
-    const bool isOfPose = *part != Part::Intrinsics && *part != Part::Distortion && *part != Part::Size
-                          && *part != Part::Model && *part != Part::CameraMatrix && *part != Part::Focal
-                          && *part != Part::Principal;
+    const bool isOfPose = *part != Part::Intrinsics && *part != Part::Radial && *part != Part::Tangential
+                          && *part != Part::Distortion && *part != Part::Size && *part != Part::Model
+                          && *part != Part::CameraMatrix && *part != Part::Focal && *part != Part::Principal;
     if (!isOfPose)
         return role;
     for (const NameOfProgram &known : kNamesOfPrograms) {
@@ -391,9 +408,29 @@ std::optional<Role> roleOf(std::string_view text, std::size_t count)
     }
     if (!setFrames(name, role))
         return std::nullopt;
+    // "marker_pose", "R_imu": of another thing than a camera
+    constexpr std::string_view kWorlds = " world w global g map odom c cam camera ";
+    const bool isOfOther = std::any_of(name.words.begin(), name.words.end(), [&](const std::string &word) {
+        return kindOf(word) == Word::World && kWorlds.find(' ' + word + ' ') == kWorlds.npos;
+    });
+    if (!role.isDirectionStated && isOfOther && !name.has(Word::Camera))
+        return std::nullopt;
     setCustom(name, role);
+    if (name.has(Word::Unknown) && !role.isDirectionStated)
+        role.direction.reset(); // "head_pose"
     role.w = name.hasWord("xyzw") ? 3 : name.hasWord("wxyz") || name.hasWord("qvec") ? 0 : 4;
     return role;
+}
+
+bool isElsewhere(std::string_view text)
+{
+    constexpr std::string_view kOthers =
+        " imu lidar marker markers object objects obj robot projector display window screen monitor crop roi thumbnail "
+        "checkerboard bbox box tag light board velodyne ";
+    const Name name(text);
+    return !name.has(Word::Pose) && !name.has(Word::Extrinsics) && !name.has(Word::Transform)
+           && std::any_of(name.words.begin(), name.words.end(),
+                          [&](const std::string &word) { return kOthers.find(' ' + word + ' ') != kOthers.npos; });
 }
 
 bool isBetweenCameras(std::string_view text)
@@ -404,6 +441,14 @@ bool isBetweenCameras(std::string_view text)
 
 std::string cameraOf(std::string_view text)
 {
+    // "T_cam1_world", "K_cam0", "K_02"
+    for (std::size_t at = base::lowerCase(text).find("cam"); at != text.npos;
+         at = base::lowerCase(text).find("cam", at + 1)) {
+        const std::size_t begin = text.find_first_of("0123456789", at);
+        const std::string_view between = text.substr(at, std::min(begin, text.size()) - at);
+        if (begin != text.npos && (between.size() == 3 || base::lowerCase(between) == "camera"))
+            return std::string(text.substr(begin, text.find_first_not_of("0123456789", begin) - begin));
+    }
     const std::size_t digits = text.find_last_not_of("0123456789") + 1;
     if (digits > 0 && digits < text.size() && text.size() - digits <= 3)
         return std::string(text.substr(digits));

@@ -22,10 +22,12 @@ enum class Part {
     Pose,         ///< [R t], twelve or sixteen numbers by rows
     CameraMatrix, ///< P, twelve numbers by rows
     Distortion,   ///< a list of coefficients
+    Radial,       ///< k1, k2 and perhaps k3
+    Tangential,   ///< p1, p2
     Size,         ///< width, height
     Model         ///< the name of a distortion model
 };
-inline constexpr std::size_t kParts = 12;
+inline constexpr std::size_t kParts = 14;
 
 /// What a name says about the numbers behind it.
 struct Role {
@@ -58,6 +60,9 @@ bool hasPartWord(std::string_view name);
 
 /// Returns whether a name is of a transform between two cameras: "depth_to_color".
 bool isBetweenCameras(std::string_view name);
+
+/// Returns whether a name is of another thing than a camera, its pose or its image: "display", "imu".
+bool isElsewhere(std::string_view name);
 
 /// Which of several cameras a name is of: "02" of K_02, "left" of K_left; empty: it does not say.
 std::string cameraOf(std::string_view name);

@@ -96,8 +96,8 @@ private slots:
                                  "Camera to World Transform"})
             addRow("%s", name) << QString(name) << true;
         for (const char *name :
-             {"T_cam_world", "T_camera_world", "cam_T_world", "cTw", "Tcw", "T_w2c", "T_world2cam", "world2camera",
-              "cam_from_world", "T_CW", "worldToCamera", "w2c_matrix", "T_cam_imu", "extrinsic", "RT",
+             {"T_cam_world", "T_camera_world", "cam_T_world", "cTw", "Tcw", "T_w2c", "mTcw", "T_world2cam",
+              "world2camera", "cam_from_world", "T_CW", "worldToCamera", "w2c_matrix", "T_cam_imu", "extrinsic", "RT",
               "camera_extrinsics", "extrinsic_color", "World to Camera Transform"})
             addRow("%s", name) << QString(name) << false;
     }
@@ -228,8 +228,12 @@ private slots:
             << QString("pose: [%1]\nposition: 1 2 3").arg(kToWorld) << "position (3 numbers)";
         newRow("an uncertainty") << QString("pose: [%1]\npose_std: 1 2 3 4 5 6").arg(kToWorld)
                                  << "pose_std (6 numbers)";
-        newRow("a vector of a lens") << "RadialDistortion: [0.1, 0.2]"
-                                     << "RadialDistortion (2 numbers)";
+        newRow("a list that no name tells") << "lens_poly: [0.1, 0.2, 0.3, 0.4]"
+                                            << "lens_poly (4 numbers)";
+        newRow("another thing's pose") << QString("R = 1 0 0 0 1 0 0 0 1\nt = 0 0 0\nmarker_pose: [%1]").arg(kToCamera)
+                                       << "marker_pose (16 numbers)";
+        newRow("in another object") << "imu: {rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1], translation: [1, 2, 3]}"
+                                    << "rotation (9 numbers), translation (3 numbers)";
     }
 
     void whatIsNotUsedIsNamed()
@@ -351,6 +355,45 @@ private slots:
         QVERIFY2(scene, qPrintable(reasonOf(scene)));
         QVERIFY2(assumedIn(*scene).contains("Not used: rotation (9 numbers), translation (3 numbers).\n"),
                  qPrintable(assumedIn(*scene)));
+    }
+
+    void partsOfOtherCamerasAreNotMixed()
+    {
+        const auto unusedIn = [](const std::string &text) { return assumedIn(read(text).value()); };
+        const std::string pose = std::string(": ") + kToCamera + '\n';
+        QVERIFY(
+            unusedIn("K_left: 600 0 320 0 600 240 0 0 1\nT_right_world" + pose).contains("T_right_world (16 numbers)"));
+        CameraChoices second;
+        second.image = "1";
+        const auto scene = read("K_cam0: 500 0 320 0 500 240 0 0 1\nK_cam1: 600 0 320 0 600 240 0 0 1\nT_cam1_world"
+                                    + pose + "T_cam0_world: 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n",
+                                second);
+        QVERIFY2(scene && scene->intrinsics->fx == 600.0 && missOf(*scene) < 1e-12, qPrintable(reasonOf(scene)));
+        const auto display =
+            read("{\"display\": {\"width\": 1920, \"height\": 1080}, \"camera\": {\"K\": [600, 0, 320, 0, "
+                 "600, 240, 0, 0, 1]}}");
+        QVERIFY(display);
+        QCOMPARE(display->size, (ImageSize{640, 480}));
+    }
+
+    /// RadialDistortion and TangentialDistortion are k1, k2, k3 and p1, p2.
+    void matlabsDistortionIsRead()
+    {
+        const auto camera = readCamera(std::vector<NamedText>{{"a.m", kK
+                                                                          + "RadialDistortion: [0.1, 0.2]\n"
+                                                                            "TangentialDistortion: [0.3, 0.4]\n"}},
+                                       {});
+        QVERIFY(camera && *camera);
+        QCOMPARE((*camera)->distortion.value(), (Distortion{0.1, 0.2, 0.3, 0.4, 0.0}));
+    }
+
+    void rotationVectorsAreShort()
+    {
+        QVERIFY(reasonOf(read(kK + "rotation = 10 20 30\nt = 1 2 3\n"))
+                    .contains("a rotation vector in radians has at most"));
+        const auto scene = read(kK + "R = 0.1 0.2 0.3\nt = 1 2 3\n");
+        QVERIFY(scene
+                && assumedIn(*scene).contains("The three numbers of R are read as a rotation vector, in radians."));
     }
 
     /// P of a rectified image has K; the pose stands beside it.
