@@ -48,6 +48,26 @@ bool addNumbers(const Json &value, std::vector<double> &numbers)
     return true;
 }
 
+base::Expected<Json, base::Error> parse(const NamedText &text)
+{
+    if (text.text.size() > kMostBytes)
+        throw base::Error{.text = base::tr("longer than %1 MiB; give the file of one camera", kMostBytes >> 20),
+                          .file = text.name};
+    return base::parseJson(text.text);
+}
+
+/// Returns whether a text of JSON that ends before an index is a key.
+bool isKey(std::string_view text, std::size_t end)
+{
+    const std::size_t next = text.find_first_not_of(" \t\r\n", end);
+    return next != std::string_view::npos && text[next] == ':';
+}
+
+std::size_t lineAt(std::string_view text, std::size_t at)
+{
+    return 1 + std::size_t(std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n'));
+}
+
 } // namespace
 
 bool isJson(std::string_view text)
@@ -58,12 +78,19 @@ bool isJson(std::string_view text)
     return begin != std::string_view::npos && (text[begin] == '{' || text[begin] == '[');
 }
 
+namespace {
+
+bool isJsonWith(std::string_view text, JsonKeys keys)
+{
+    const auto has = [&](const char *key) { return text.find('"' + std::string(key) + '"') != text.npos; };
+    return isJson(text) && std::all_of(keys.begin(), keys.end(), has);
+}
+
+} // namespace
+
 Json parsedJson(const NamedText &text)
 {
-    if (text.text.size() > kMostBytes)
-        throw base::Error{.text = base::tr("longer than %1 MiB; give the file of one camera", kMostBytes >> 20),
-                          .file = text.name};
-    auto parsed = base::parseJson(text.text);
+    auto parsed = parse(text);
     if (!parsed)
         throw base::Error{.text = parsed.error().text, .file = text.name, .line = parsed.error().line};
     return std::move(parsed).value();
@@ -72,16 +99,46 @@ Json parsedJson(const NamedText &text)
 std::size_t lineOfKey(std::string_view text, std::string_view key, std::size_t count)
 {
     const std::string quoted = '"' + std::string(key) + '"';
-    std::size_t line = 1, counted = 0;
+    std::size_t counted = 0;
     for (std::size_t at = text.find(quoted); at != std::string_view::npos; at = text.find(quoted, at + 1)) {
-        const std::size_t next = text.find_first_not_of(" \t\r\n", at + quoted.size());
-        if (next == std::string_view::npos || text[next] != ':' || counted++ < count)
-            continue;
-        for (const char c : text.substr(0, at))
-            line += c == '\n' ? 1 : 0;
-        return line;
+        if (isKey(text, at + quoted.size()) && counted++ == count)
+            return lineAt(text, at);
     }
     return 0;
+}
+
+std::size_t lineOfMember(std::string_view text, const Json &object, std::string_view key)
+{
+    struct Open {
+        std::size_t at, keyAt; ///< of its bracket, and of the key, else of the bracket
+        bool isLike = false;   ///< its first key is the object's
+    };
+    if (!object.is_object() || object.empty())
+        return lineOfKey(text, key);
+    std::vector<Open> open;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        if (text[at] == '{' || text[at] == '[') {
+            open.push_back({at, at});
+        } else if ((text[at] == '}' || text[at] == ']') && !open.empty()) {
+            const Open &ended = open.back();
+            const auto found = base::parseJson(ended.isLike ? text.substr(ended.at, at + 1 - ended.at) : "0");
+            if (found && *found == object)
+                return lineAt(text, ended.keyAt);
+            open.pop_back();
+        } else if (text[at] == '"') {
+            const std::size_t begin = at + 1;
+            for (++at; at < text.size() && text[at] != '"'; ++at)
+                at += text[at] == '\\' ? 1U : 0U;
+            const std::string_view name = text.substr(begin, at - begin);
+            if (open.empty() || !isKey(text, at + 1))
+                continue;
+            if (text.find_first_not_of(" \t\r\n", open.back().at + 1) == begin - 1)
+                open.back().isLike = name == object.begin().key();
+            if (name == key)
+                open.back().keyAt = begin;
+        }
+    }
+    return lineOfKey(text, key);
 }
 
 const Json *memberOf(const Json &object, std::string_view key)
@@ -101,8 +158,15 @@ std::vector<double> numbersOf(const Json &object, std::string_view key)
 
 Json documentWith(const NamedText &text, JsonKeys keys)
 {
-    const auto has = [&](const char *key) { return text.text.find('"' + std::string(key) + '"') != text.text.npos; };
-    return isJson(text.text) && std::all_of(keys.begin(), keys.end(), has) ? parsedJson(text) : Json();
+    return isJsonWith(text.text, keys) ? parsedJson(text) : Json();
+}
+
+Json strictDocumentWith(const NamedText &text, JsonKeys keys)
+{
+    if (!isJsonWith(text.text, keys))
+        return {};
+    auto parsed = parse(text);
+    return parsed ? std::move(parsed).value() : Json();
 }
 
 const Json &inside(const Json &object, JsonKeys path)
@@ -162,7 +226,7 @@ std::vector<double> neededNumbers(const Reading &reading, const Json &object, st
     std::vector<double> numbers = spelledNumbers(object, key);
     if (numbers.size() != count)
         reading.fail(base::tr("%1 needs %2 numbers; it has %3", key, count, numbers.size()),
-                     lineOfKey(reading.text.text, key, reading.camera.image));
+                     lineOfMember(reading.text.text, object, key));
     return numbers;
 }
 

@@ -30,6 +30,11 @@ nlohmann::ordered_json parsedJson(const NamedText &text);
 /// @return 0 if there is no such key
 std::size_t lineOfKey(std::string_view text, std::string_view key, std::size_t count = 0);
 
+/// The line of a member of an object of a JSON text; without the member, the object's own.
+/// @param object  any copy of it
+/// @return lineOfKey() if no object of the text is equal
+std::size_t lineOfMember(std::string_view text, const nlohmann::ordered_json &object, std::string_view key);
+
 /// The member of an object; null if there is none.
 const nlohmann::ordered_json *memberOf(const nlohmann::ordered_json &object, std::string_view key);
 
@@ -39,8 +44,11 @@ std::vector<double> numbersOf(const nlohmann::ordered_json &object, std::string_
 
 using JsonKeys = std::initializer_list<const char *>;
 
-/// The document of a JSON text that has all these keys; null for another text.
+/// The document of a JSON text that has all these keys; null for another text. Throws as parsedJson().
 nlohmann::ordered_json documentWith(const NamedText &text, JsonKeys keys);
+/// The same for keys that other programs have, too: null for a mistake in the syntax. A reader of texts
+/// may take it.
+nlohmann::ordered_json strictDocumentWith(const NamedText &text, JsonKeys keys);
 
 /// The value along a path of keys; null where a key is missing.
 const nlohmann::ordered_json &inside(const nlohmann::ordered_json &object, JsonKeys path);
@@ -59,7 +67,7 @@ const nlohmann::ordered_json &entryOf(const nlohmann::ordered_json &list, std::s
 std::vector<double> spelledNumbers(const nlohmann::ordered_json &object, std::string_view key);
 /// The same, of a single number.
 std::optional<double> spelledNumber(const nlohmann::ordered_json &object, std::string_view key);
-/// The same; for another count it fails, in the line of the chosen image's key.
+/// The same; for another count it fails, in the line of the object's key.
 std::vector<double> neededNumbers(const Reading &reading, const nlohmann::ordered_json &object, std::string_view key,
                                   std::size_t count);
 double neededNumber(const Reading &reading, const nlohmann::ordered_json &object, std::string_view key);

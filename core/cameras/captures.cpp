@@ -1,3 +1,4 @@
+#include "core/base/json.h"
 #include "core/base/translation.h"
 #include "core/cameras/camera_json.h"
 #include "core/cameras/camera_reader.h"
@@ -7,7 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 // JSON of captures, data sets and scenes, one function a program.
@@ -20,11 +23,11 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 /// The rotation of a quaternion; fails for 0.
-glm::dmat3 neededRotation(const Reading &reading, double w, double x, double y, double z)
+glm::dmat3 neededRotation(const Reading &reading, std::size_t line, double w, double x, double y, double z)
 {
     const auto rotation = rotationOf(w, x, y, z);
     if (!rotation)
-        reading.fail(tr("the image's quaternion is 0; a rotation has the length 1"));
+        reading.fail(tr("the image's quaternion is 0; a rotation has the length 1"), line);
     return *rotation;
 }
 
@@ -51,23 +54,40 @@ void beginArKit(Reading &reading, const char *program)
                                         "image's corner. --pixel-centers integer says otherwise."));
 }
 
-} // namespace
+using Keys = std::span<const std::string_view>;
 
-/// Returns whether an object is an image's record of BOP, or several by their ids. Others have cam_K, too.
-bool isBops(const Json &json)
+bool hasOnly(const Json &object, Keys keys)
 {
-    constexpr std::array<std::string_view, 10> kKeys{"cam_K", "cam_R_w2c", "cam_t_w2c", "depth_scale", "view_level",
-                                                     "width", "height",    "elev",      "azimuth",     "mode"};
-    if (!json.is_object() || json.empty())
-        return false;
-    for (auto item = json.begin(); item != json.end(); ++item) {
-        const bool isKnown = memberOf(json, "cam_K") ? std::find(kKeys.begin(), kKeys.end(), item.key()) != kKeys.end()
-                                                     : memberOf(*item, "cam_K") && isBops(*item);
-        if (!isKnown)
+    for (auto item = object.begin(); item != object.end(); ++item) {
+        if (std::find(keys.begin(), keys.end(), item.key()) == keys.end())
             return false;
     }
     return true;
 }
+
+/// Returns whether an object is an image's record of BOP. Other programs have cam_K, too.
+bool isBopRecord(const Json &json)
+{
+    constexpr std::array<std::string_view, 10> kKeys{"cam_K", "cam_R_w2c", "cam_t_w2c", "depth_scale", "view_level",
+                                                     "width", "height",    "elev",      "azimuth",     "mode"};
+    return memberOf(json, "cam_K") && hasOnly(json, kKeys);
+}
+
+/// Returns whether an object is such a record, or several by their ids.
+bool isBops(const Json &json)
+{
+    return isBopRecord(json)
+           || (json.is_object() && !json.empty() && std::all_of(json.begin(), json.end(), isBopRecord));
+}
+
+/// Returns whether an object is BOP's camera.json. Depth cameras of other programs have more keys.
+bool isBopLens(const Json &json)
+{
+    constexpr std::array<std::string_view, 7> kKeys{"cx", "cy", "depth_scale", "fx", "fy", "height", "width"};
+    return json.is_object() && json.size() == kKeys.size() && hasOnly(json, kKeys);
+}
+
+} // namespace
 
 // Source: bop_toolkit, docs/bop_datasets_format.md: numbers by rows, OpenCV's axes, millimetres.
 std::optional<ForeignCamera> readBop(std::span<const NamedText> texts, const CameraChoices &choices)
@@ -75,10 +95,10 @@ std::optional<ForeignCamera> readBop(std::span<const NamedText> texts, const Cam
     const NamedText *of = nullptr, *ofSize = nullptr, *ofObjects = nullptr;
     Json file, lens;
     for (const NamedText &text : texts) {
-        if (Json found = documentWith(text, {"cam_K"}); isBops(found)) {
+        if (Json found = strictDocumentWith(text, {"cam_K"}); isBops(found)) {
             of = &text;
             file = std::move(found);
-        } else if (found = documentWith(text, {"depth_scale", "fx"}); found.is_object() && found.size() == 7) {
+        } else if (found = strictDocumentWith(text, {"depth_scale", "fx"}); isBopLens(found)) {
             ofSize = &text;
             lens = std::move(found);
         } else if (isJson(text.text) && lineOfKey(text.text, "cam_R_m2c") > 0) {
@@ -92,7 +112,7 @@ std::optional<ForeignCamera> readBop(std::span<const NamedText> texts, const Cam
     reading.begin("BOP", PoseDirection::WorldToCamera, EyeAxes::RightDownAhead);
     if (!of && !ofSize)
         reading.fail(tr("scene_gt.json has the poses of objects and no camera; give scene_camera.json"));
-    const auto number = [&](const char *key) { return neededNumber(reading, lens, key); };
+    const auto number = [&](const char *key) { return neededNumber(Reading(*ofSize, choices), lens, key); };
     if (ofSize) {
         camera.size = sizeOf(number("width"), number("height"));
         camera.files.push_back(ofSize->name);
@@ -144,7 +164,9 @@ bool readNuScenes(Reading &reading)
     const Json &one = *records[camera.image];
     camera.intrinsics = intrinsicsOf(numbersOf(one, "camera_intrinsic"), PixelCentres::AtIntegers);
     const std::vector<double> q = neededNumbers(reading, one, "rotation", 4);
-    camera.pose = rigid(neededRotation(reading, q[0], q[1], q[2], q[3]), neededVector(reading, one, "translation"));
+    const std::size_t line = lineOfMember(reading.text.text, one, "rotation");
+    camera.pose =
+        rigid(neededRotation(reading, line, q[0], q[1], q[2], q[3]), neededVector(reading, one, "translation"));
     camera.assumed.push_back(tr("The world is the vehicle's frame, in metres; ego_pose is not applied."));
     sayWholeCentres(reading);
     return true;
@@ -183,7 +205,7 @@ bool readArKit(Reading &reading)
 // Source: record3d, issues 27, 33 and 36: qx qy qz qw x y z, camera to world, OpenGL's axes; K by columns
 bool readRecord3d(Reading &reading)
 {
-    const Json file = documentWith(reading.text, {"poses", "K", "w", "h"});
+    const Json file = strictDocumentWith(reading.text, {"poses", "K", "w", "h"});
     const Json &poses = inside(file, {"poses"});
     if (!poses.is_array() || poses.empty() || poses[0].size() != 7)
         return false;
@@ -192,8 +214,12 @@ bool readRecord3d(Reading &reading)
     for (std::size_t i = 0; i < poses.size(); ++i)
         camera.images.push_back(std::to_string(i));
     reading.chooseImage();
-    const std::vector<double> p = neededNumbers(reading, Json{{"poses", poses[camera.image]}}, "poses", 7);
-    camera.pose = rigid(neededRotation(reading, p[3], p[0], p[1], p[2]), {p[4], p[5], p[6]});
+    base::Error place;
+    base::setPlace(place, reading.text.text, {{"poses"}, {{}, camera.image}});
+    const std::vector<double> p = numbersOf(Json{{"poses", poses[camera.image]}}, "poses");
+    if (p.size() != 7)
+        reading.fail(tr("%1 needs %2 numbers; it has %3", "poses", 7, p.size()), std::size_t(place.line));
+    camera.pose = rigid(neededRotation(reading, std::size_t(place.line), p[3], p[0], p[1], p[2]), {p[4], p[5], p[6]});
     camera.size = sizeOf(numberOf(file, "w"), numberOf(file, "h"));
     camera.intrinsics = intrinsicsOf(neededNumbers(reading, file, "K", 9), PixelCentres::AtHalves);
     const std::vector<double> own = numbersOf(file, "perFrameIntrinsicCoeffs"); // fx fy cx cy

@@ -54,7 +54,8 @@ public:
 private:
     [[noreturn]] void fail(const char *key, std::string reason) const
     {
-        m_reading.fail(std::move(reason), lineOfKey(m_reading.text.text, key));
+        m_reading.fail(std::move(reason),
+                       lineOfMember(m_reading.text.text, memberOf(*m_frame, key) ? *m_frame : m_file, key));
     }
     /// The frame's own member, else the file's.
     const Json *member(const char *key) const
@@ -74,7 +75,7 @@ private:
         m_camera.pose = numbers.size() >= 12 ? matrixByRows(numbers) : std::nullopt;
         if (!m_camera.pose)
             m_reading.fail(tr("%1 needs %2 numbers; it has %3", "transform_matrix", 16, numbers.size()),
-                           lineOfKey(m_reading.text.text, "transform_matrix", m_camera.image));
+                           lineOfMember(m_reading.text.text, *m_frame, "transform_matrix"));
     }
 
     void refuseModel() const

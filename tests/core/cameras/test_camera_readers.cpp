@@ -598,6 +598,90 @@ private slots:
         QVERIFY(reasonOf(binary, second).contains("it is incomplete"));
     }
 
+    /// JSON with a comma or a word too many: keys of a single program tell that its file is damaged; with
+    /// other keys, the reader of texts takes it.
+    void laxJsonIsRead()
+    {
+        const std::string k = "[500, 0, 320, 0, 510, 240, 0, 0, 1]";
+        for (const std::string &json :
+             {"{\"cam_K\": " + k + ",}", "{\"cam_K\": " + k + ", \"depth_scale\": NaN}",
+              "{\"poses\": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 5], \"w\": 640, \"h\": 480, \"K\": " + k + ",}"}) {
+            const NamedText text{"paste", json};
+            const auto read = readCamera({&text, 1}, {});
+            QVERIFY2(read && *read, json.c_str());
+            QCOMPARE((*read)->intrinsics->fy, 510.0);
+        }
+        for (const char *name : {"ARKit", "OpenSfM", "Polycam"}) {
+            const auto read = readCamera(changed(name, "{", "{,"), {});
+            QVERIFY(read && !*read && read->error().line > 0);
+        }
+    }
+
+    void linesOfRecordsAreNamed_data()
+    {
+        addColumn<QString>("text");
+        addColumn<QString>("image");
+        addColumn<int>("line");
+        newRow("AliceVision") << R"({"views": [{"viewId": "1", "intrinsicId": "9", "path": "a.jpg"},
+            {"viewId": "2", "intrinsicId": "9", "path": "b.jpg"}], "intrinsics": [{"intrinsicId": "9",
+            "width": "640", "height": "480", "focalLength": "30", "type": "pinhole",
+            "principalPoint": ["0"]}]})"
+                              << "2" << 4;
+        const char *lidar = R"([{"token": "l", "sensor_token": "1", "translation": [0, 0, 0], "camera_intrinsic": [],
+            "rotation": [1, 0, 0, 0]},
+            {"sensor_token": "2", "token": "c", "translation": [0, %2], "camera_intrinsic": [9, 0, 5, 0, 9, 5, 0, 0, 1],
+            "rotation": [%1, 0, 0, 0]}])";
+        newRow("nuScenes after a lidar") << QString(lidar).arg("1", "0") << "" << 3;
+        newRow("a quaternion of nuScenes") << QString(lidar).arg("0", "0, 0") << "" << 4;
+        newRow("three.js")
+            << R"({"object": {"type": "Scene", "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+            "children": [{"type": "PerspectiveCamera", "fov": 50,
+            "matrix": [1]}]}})"
+            << "" << 3;
+        newRow("three.js without a matrix") << R"({"object": {"type": "Scene", "matrix": [],
+            "children": [{"type": "Mesh", "matrix": []},
+            {"type": "PerspectiveCamera", "fov": 50}]}})"
+                                            << "" << 3;
+        newRow("Record3D") << R"({"w": 640, "h": 480, "K": [9, 0, 0, 0, 9, 0, 5, 5, 1], "poses": [
+            [0, 0, 0, 1, 0, 0, 0],
+            [0, 0, 0, 0, 0, 0, 0]]})"
+                           << "1" << 3;
+        newRow("a short pose of Record3D") << R"({"w": 640, "h": 480, "K": [9, 0, 0, 0, 9, 0, 5, 5, 1], "poses": [
+            [0, 0, 0, 1, 0, 0, 0],
+            [0, 0, 0, 1]]})"
+                                           << "1" << 3;
+        newRow("NeRF") << "{\"fl_x\": 9, \"frames\": [{\"file_path\": \"a\"},\n"
+                          "{\"file_path\": \"b\\\"{\", \"transform_matrix\": [1]},\n"
+                          "{\"file_path\": \"c\",\n\"transform_matrix\": [2]}]}"
+                       << "2" << 4;
+    }
+
+    void linesOfRecordsAreNamed()
+    {
+        QFETCH(QString, text);
+        QFETCH(QString, image);
+        QFETCH(int, line);
+        const NamedText given{"a.json", text.toStdString()};
+        CameraChoices choices;
+        choices.image = image.toStdString();
+        const auto read = readCamera({&given, 1}, choices);
+        QVERIFY(read && !*read);
+        QVERIFY2(read->error().line == line, read->error().message().c_str());
+    }
+
+    /// The camera.json is the file at fault, not the scene_camera.json.
+    void filesOfBopAreNamed()
+    {
+        std::vector<NamedText> bop = textsOf(exampleOf("BOP"));
+        for (NamedText &text : bop) {
+            if (const std::size_t at = text.text.find("\"width\": 640"); at != text.text.npos)
+                text.text.replace(at, 12, "\"width\": true");
+        }
+        const auto read = readCamera(bop, {});
+        QVERIFY(read && !*read);
+        QCOMPARE(read->error().file, std::string("camera.json"));
+    }
+
     void distortionOfReconstructions_data()
     {
         addColumn<QString>("text");
