@@ -25,13 +25,13 @@ using base::tr;
 
 namespace {
 
-/// A model and its count of parameters, in the order of COLMAP's numbers.
+/// A model and its count of parameters, in the order of COLMAP's numbers: its sensor/models.h.
 struct Model {
     std::string_view name;
     std::size_t parameters;
     bool isRead;
 };
-constexpr std::array<Model, 11> kModels{{{"SIMPLE_PINHOLE", 3, true},
+constexpr std::array<Model, 18> kModels{{{"SIMPLE_PINHOLE", 3, true},
                                          {"PINHOLE", 4, true},
                                          {"SIMPLE_RADIAL", 4, true},
                                          {"RADIAL", 5, true},
@@ -41,10 +41,14 @@ constexpr std::array<Model, 11> kModels{{{"SIMPLE_PINHOLE", 3, true},
                                          {"FOV", 5, false},
                                          {"SIMPLE_RADIAL_FISHEYE", 4, false},
                                          {"RADIAL_FISHEYE", 5, false},
-                                         {"THIN_PRISM_FISHEYE", 12, false}}};
-/// Later models, which are not read.
-constexpr std::array<std::string_view, 4> kLaterModels{"RAD_TAN_THIN_PRISM_FISHEYE", "SIMPLE_DIVISION", "DIVISION",
-                                                       "SIMPLE_FISHEYE"};
+                                         {"THIN_PRISM_FISHEYE", 12, false},
+                                         {"RAD_TAN_THIN_PRISM_FISHEYE", 16, false},
+                                         {"SIMPLE_DIVISION", 4, false},
+                                         {"DIVISION", 5, false},
+                                         {"SIMPLE_FISHEYE", 3, false},
+                                         {"FISHEYE", 4, false},
+                                         {"EUCM", 6, false},
+                                         {"EQUIRECTANGULAR", 2, false}}};
 
 const Model *modelOf(std::string_view name)
 {
@@ -112,10 +116,7 @@ std::vector<Line> linesOf(std::string_view text)
 
 bool isCameraLine(const Line &line)
 {
-    const auto isModel = [](std::string_view word) {
-        return modelOf(word) || std::find(kLaterModels.begin(), kLaterModels.end(), word) != kLaterModels.end();
-    };
-    return line.words.size() >= 5 && base::integerFromWord(line.words[0]) && isModel(line.words[1])
+    return line.words.size() >= 5 && base::integerFromWord(line.words[0]) && modelOf(line.words[1])
            && base::integerFromWord(line.words[2]) && base::integerFromWord(line.words[3]);
 }
 
@@ -228,7 +229,7 @@ void readBinaryCameras(const NamedText &file, Reconstruction &found)
         const auto id = bytes.next<std::int32_t>();
         const auto number = bytes.next<std::int32_t>();
         if (number < 0 || std::size_t(number) >= kModels.size())
-            bytes.entry().fail(tr("the camera model number %1 is not known", number));
+            bytes.entry().fail(tr("camera %1 has the model number %2, which is not known", id, number));
         const Model &model = kModels[std::size_t(number)];
         Camera camera{bytes.entry(), std::string(model.name)};
         camera.width = double(bytes.next<std::uint64_t>());

@@ -682,6 +682,35 @@ private slots:
         QCOMPARE(read->error().file, std::string("camera.json"));
     }
 
+    /// A camera of a model that is not read stands before the chosen image's.
+    void colmapsLaterModelsArePassedOver()
+    {
+        const auto bytesOf = [](auto... values) {
+            std::string bytes;
+            (bytes.append(reinterpret_cast<const char *>(&values), sizeof values), ...);
+            return bytes;
+        };
+        using Count = std::uint64_t;
+        using Id = std::int32_t;
+        const std::string images =
+            bytesOf(Count(1), Id(1), 1., 0., 0., 0., 0., 0., 0., Id(3)) + std::string("a.png\0", 6) + bytesOf(Count(0));
+        const auto with = [&](Id model, std::size_t parameters) {
+            std::string cameras = bytesOf(Count(2), Id(7), model, Count(640), Count(480));
+            for (std::size_t i = 0; i < parameters; ++i)
+                cameras += bytesOf(1.);
+            cameras += bytesOf(Id(3), Id(1), Count(640), Count(480), 500., 510., 320., 240.);
+            return std::vector<NamedText>{{"cameras.bin", cameras}, {"images.bin", images}};
+        };
+        const std::size_t counts[]{16, 4, 5, 3, 4, 6, 2};
+        for (Id i = 0; i < Id(std::size(counts)); ++i)
+            QCOMPARE(reasonOf(with(11 + i, counts[i]), {}), QStringLiteral("read"));
+        QVERIFY(reasonOf(with(18, 4), {}).contains("camera 7 has the model number 18, which is not known"));
+        QVERIFY(
+            reasonOf({{"cameras.txt", "1 FISHEYE 640 480 500 500 320 240\n"}, {"images.txt", "1 1 0 0 0 0 0 0 1 a\n"}},
+                     {})
+                .contains("the camera model FISHEYE is not read"));
+    }
+
     void distortionOfReconstructions_data()
     {
         addColumn<QString>("text");
