@@ -328,7 +328,10 @@ std::string remedyOf(const ForeignCamera &camera, const SceneCamera &scene, cons
     if (scene.direction == PoseDirection::WorldToCamera && shows(rigid(turn, -(turn * shift)), reading))
         return tr("with t as the camera's position C it would; give t = -R C");
     for (const double factor : {1e3, 1e-3, 1e2, 1e-2}) {
-        if (shows(rigid(turn, factor * shift), reading))
+        ForeignCamera scaled = camera;
+        if (scaled.center)
+            *scaled.center *= factor;
+        if (seenPart(clip, eyeFromWorldOf(scaled, rigid(turn, factor * shift), reading), objects) > 0.0)
             return tr("with a translation %1 times as long it would; check the units", shortestText(factor));
     }
     return tr("check the pose and its units");

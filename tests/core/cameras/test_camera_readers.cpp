@@ -711,6 +711,24 @@ private slots:
                 .contains("the camera model FISHEYE is not read"));
     }
 
+    /// The centre is in millimetres, the objects are in metres.
+    void unitsOfACentreAreSuspected()
+    {
+        ForeignCamera camera;
+        camera.intrinsics = Intrinsics{500.0, 500.0, 320.0, 240.0};
+        camera.pose = glm::dmat4(1.0);
+        camera.isDirectionCertain = camera.areAxesCertain = true;
+        camera.axes = EyeAxes::RightDownAhead;
+        camera.center = glm::dvec3(5000.0, 0.0, -5000.0);
+        const auto scene = sceneCamera(camera, {}, geometry::Box{{4.5, -0.5, -0.5}, {5.5, 0.5, 0.5}});
+        QVERIFY(scene);
+        QStringList said;
+        for (const std::string &one : scene->assumed)
+            said << QString::fromStdString(one);
+        QVERIFY2(said.join('\n').contains("with a translation 0.001 times as long it would"),
+                 qPrintable(said.join('\n')));
+    }
+
     void distortionOfReconstructions_data()
     {
         addColumn<QString>("text");
