@@ -91,8 +91,9 @@ void readUnityLens(Reading &reading)
 
 /// Three values of one number each that follow one another under these names: "P=-10 Y=45 R=0".
 /// @param parent  the name before them; others count where it is missing
+/// @param ending  of the first name where others count: "X" leaves x out
 std::optional<glm::dvec3> inSequence(const NamedValues &values, const std::array<std::string_view, 3> &names,
-                                     std::string_view parent)
+                                     std::string_view parent, std::string_view ending = {})
 {
     const std::vector<NamedValue> &all = values.all();
     std::optional<glm::dvec3> elsewhere;
@@ -105,7 +106,8 @@ std::optional<glm::dvec3> inSequence(const NamedValues &values, const std::array
         const glm::dvec3 found(all[i].numbers[0], all[i + 1].numbers[0], all[i + 2].numbers[0]);
         if (all[i].parent.ends_with(parent))
             return found;
-        elsewhere = elsewhere ? elsewhere : found;
+        if (!elsewhere && all[i].written.ends_with(ending))
+            elsewhere = found;
     }
     return elsewhere;
 }
@@ -120,7 +122,8 @@ std::optional<UnrealPose> unrealPose(const NamedValues &values)
     // As the console command BugIt writes them.
     if (const std::vector<double> n = values.numbers({"bugitgo"}, 6); n.size() == 6)
         return UnrealPose{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
-    const auto location = inSequence(values, {"x", "y", "z"}, "location");
+    // Other programs write x, y, z and pitch, yaw, roll, too, in worlds of their own.
+    const auto location = inSequence(values, {"x", "y", "z"}, "location", "X");
     auto rotation = inSequence(values, {"p", "y", "r"}, "rotation");
     if (!rotation)
         rotation = inSequence(values, {"pitch", "yaw", "roll"}, "rotation");

@@ -226,6 +226,8 @@ private slots:
         newRow("a glTF model without camera") << "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}]}";
         newRow("an angle in a text") << "The fov = 60 and the position (1, 2, 3) are given.";
         newRow("nothing") << "";
+        newRow("another simulator's pose") << R"({"params": {"Width": 640, "Height": 480, "FieldOfView": 38.5},
+            "transform": {"x": 0, "y": 1, "z": 2, "pitch": 0, "yaw": 0, "roll": 0}})";
         newRow("points with names") << "pitch 3, yaw 4, roll 5\nx 1 y 2 z 3";
     }
 
@@ -727,6 +729,14 @@ private slots:
             said << QString::fromStdString(one);
         QVERIFY2(said.join('\n').contains("with a translation 0.001 times as long it would"),
                  qPrintable(said.join('\n')));
+    }
+
+    /// Values without the words location and rotation, as Unreal spells them.
+    void unrealsSpellingIsKnown()
+    {
+        const NamedText text{"log",
+                             "X=120.000 Y=-340.000 Z=180.000 P=-12.5 Y=63.0 R=7.0\nFOV=90.0\nviewport 640x480\n"};
+        QCOMPARE(readCamera({&text, 1}, {})->value().program, std::string("Unreal"));
     }
 
     void distortionOfReconstructions_data()
