@@ -226,8 +226,6 @@ private slots:
         newRow("a glTF model without camera") << "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}]}";
         newRow("an angle in a text") << "The fov = 60 and the position (1, 2, 3) are given.";
         newRow("nothing") << "";
-        newRow("another simulator's pose") << R"({"params": {"Width": 640, "Height": 480, "FieldOfView": 38.5},
-            "transform": {"x": 0, "y": 1, "z": 2, "pitch": 0, "yaw": 0, "roll": 0}})";
         newRow("points with names") << "pitch 3, yaw 4, roll 5\nx 1 y 2 z 3";
     }
 
