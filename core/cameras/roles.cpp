@@ -444,10 +444,12 @@ std::string cameraOf(std::string_view text)
     // "T_cam1_world", "K_cam0", "K_02"
     for (std::size_t at = base::lowerCase(text).find("cam"); at != text.npos;
          at = base::lowerCase(text).find("cam", at + 1)) {
-        const std::size_t begin = text.find_first_of("0123456789", at);
+        const std::size_t begin = text.find_first_of("0123456789", at),
+                          end = std::min(text.find_first_not_of("0123456789", begin), text.size());
         const std::string_view between = text.substr(at, std::min(begin, text.size()) - at);
-        if (begin != text.npos && (between.size() == 3 || base::lowerCase(between) == "camera"))
-            return std::string(text.substr(begin, text.find_first_not_of("0123456789", begin) - begin));
+        const bool isNumbered = between.size() == 3 || base::lowerCase(between) == "camera";
+        if (begin != text.npos && isNumbered && (end == text.size() || !(isLower(text[end]) || isUpper(text[end]))))
+            return std::string(text.substr(begin, end - begin)); // but not "cam2world"
     }
     const std::size_t digits = text.find_last_not_of("0123456789") + 1;
     if (digits > 0 && digits < text.size() && text.size() - digits <= 3)
