@@ -27,6 +27,7 @@ struct Term {
 using Value = Expected<Term, ExpressionError>;
 
 constexpr int kDeepest = 100;
+constexpr int kMostOperands = 1000; ///< of a number and the variables in it
 
 // UTF-8 for any character set of the compiler.
 constexpr std::string_view kMinus = "\xe2\x88\x92";
@@ -73,8 +74,9 @@ class Parser {
 public:
     /// @param names  in addition to pi and the functions; may be empty
     /// @param variables  of a program, whose source text this is; null for what a user types
-    Parser(std::string_view text, const Names &names, const Variables *variables = nullptr, int levels = 0)
-        : m_text(text), m_names(names), m_variables(variables), m_levels(levels)
+    Parser(std::string_view text, const Names &names, const Variables *variables = nullptr, int levels = 0,
+           int operands = 0)
+        : m_text(text), m_names(names), m_variables(variables), m_levels(levels), m_operands(operands)
     {
     }
 
@@ -190,7 +192,7 @@ private:
 
     Value factor()
     {
-        if (++m_levels > kDeepest)
+        if (++m_levels > kDeepest || (m_variables && ++m_operands > kMostOperands))
             return ExpressionError{Code::TooDeep, m_at, lengthOfNext()};
         Value value = signedOperand();
         --m_levels;
@@ -282,8 +284,9 @@ private:
         const std::optional<std::string_view> text = (*m_variables)(name);
         if (!text)
             return here;
-        Parser inner(*text, m_names, m_variables, m_levels + kOneDeeper);
+        Parser inner(*text, m_names, m_variables, m_levels + kOneDeeper, m_operands);
         const Value value = inner.whole();
+        m_operands = inner.m_operands;
         if (!value)
             return here;
         if (!inner.m_wholeQuotient.empty())
@@ -373,6 +376,7 @@ private:
     const Names &m_names;
     const Variables *m_variables;
     int m_levels;    ///< nesting of parentheses, signs and variables
+    int m_operands;  ///< so far
     int m_depth = 0; ///< open parentheses
     std::size_t m_at = 0;
     std::string_view m_wholeQuotient;

@@ -24,7 +24,8 @@ enum class ExpressionErrorCode {
     DivisionByZero,      ///< the division sign
     RootOfNegative,      ///< the name of the root
     OutOfRange,          ///< a number, or the result, that no double holds: that number, or the whole text
-    TooDeep              ///< parentheses and signs nested too deep: the position where parsing stops
+    TooDeep              ///< parentheses and signs nested too deep, or variables of variables that have too many
+                         ///< operands in all: the position where parsing stops
 };
 
 struct ExpressionError {

@@ -25,6 +25,19 @@ bool isClosing(char c)
     return c == ')' || c == ']' || c == '}';
 }
 
+/// The text before the first comma outside brackets, semicolon or line end.
+std::string_view firstValue(std::string_view text)
+{
+    std::size_t depth = 0, i = 0;
+    for (; i < text.size() && text[i] != ';' && text[i] != '\n' && (text[i] != ',' || depth > 0); ++i) {
+        if (isOpening(text[i]))
+            ++depth;
+        else if (isClosing(text[i]) && depth > 0)
+            --depth;
+    }
+    return text.substr(0, i);
+}
+
 } // namespace
 
 std::size_t behindBlanks(std::string_view text, std::size_t at)
@@ -129,8 +142,8 @@ std::string withoutComments(std::string_view text)
 std::vector<SourceCall> sourceCalls(std::string_view text)
 {
     std::vector<SourceCall> calls;
-    std::string_view variable; // of the last assignment
-    std::size_t valueAt = 0;
+    std::string_view variable;             // of the last assignment
+    std::size_t valueAt = 0, valueEnd = 0; // valueEnd: of the longest one so far
     for (std::size_t at = 0; at < text.size();) {
         const std::string_view names = namesAt(text, at);
         SourceCall call{names, namesBefore(names), lastName(names), {}, {}, at};
@@ -154,12 +167,16 @@ std::vector<SourceCall> sourceCalls(std::string_view text)
         } else if (behind.starts_with('=') && !behind.starts_with("==")) {
             variable = names;
             valueAt = sign + 1;
-            const auto parts =
-                commaSeparated(behind.substr(1, std::min(behind.find_first_of(";\n"), behind.size()) - 1));
-            if (parts.empty()) // float n = 0.1f, f = 100.0f;
+            // A value in another one is short. Else each of "a = a = a = …" would be searched to the end.
+            constexpr std::size_t kLongestInner = 400;
+            const bool isInner = call.at < valueEnd;
+            const std::string_view found = firstValue(behind.substr(1, isInner ? kLongestInner : behind.npos));
+            const std::string_view value = trimmed(found);
+            valueEnd = std::max(valueEnd, valueAt + found.size());
+            if (value.empty() || (isInner && found.size() == kLongestInner))
                 continue;
-            call.arguments = {parts.front()};
-            call.end = behindBlanks(text, valueAt) + parts.front().size();
+            call.arguments = {value};
+            call.end = behindBlanks(text, valueAt) + value.size();
             call.isAssignment = true;
         } else {
             continue;

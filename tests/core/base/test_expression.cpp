@@ -4,6 +4,7 @@
 #include "tests/support/test.h"
 
 #include "core/base/expression.h"
+#include "core/base/source_text.h"
 
 #include <cmath>
 #include <random>
@@ -163,6 +164,46 @@ private slots:
         for (const char *text :
              {"0,5", "deg(1)", "rad(1)", "itself", "twice", "1_000", "2(3)", "1/0", "", "pi(1)", "tan"})
             QVERIFY2(!sourceNumber(text, variables()), text);
+    }
+
+    /// Six variables, each the sum of twenty times the next one.
+    void variablesOfVariablesEnd()
+    {
+        std::string sum = "next";
+        for (int i = 1; i < 20; ++i)
+            sum += "+next";
+        int asked = 0;
+        const Variables deep = [&](std::string_view name) -> std::optional<std::string_view> {
+            ++asked;
+            return name == "next" ? std::optional<std::string_view>(sum) : std::nullopt;
+        };
+        QVERIFY(!sourceNumber("next", deep));
+        QVERIFY(asked <= 1000);
+        const Variables flat = [](std::string_view) { return std::optional<std::string_view>("2"); };
+        QCOMPARE(sourceNumber(sum, flat).value().value, 40.0);
+        std::string longer = sum;
+        for (int i = 1; i < 60; ++i)
+            longer += '+' + sum;
+        QVERIFY(!sourceNumber(longer, flat));
+    }
+
+    void assignmentsInAssignmentsAreFound()
+    {
+        const auto valuesOf = [](const std::string &text) {
+            std::string values;
+            for (const SourceCall &call : sourceCalls(text))
+                values +=
+                    std::string(call.written) + ':' + (call.isAssignment ? std::string(call.arguments[0]) : "") + ' ';
+            return values;
+        };
+        QCOMPARE(valuesOf("a = b = 5; c = (1, 2), d =\n"), "a:b = 5 b:5 c:(1, 2) ");
+        const std::string digits(500, '1');
+        QCOMPARE(valuesOf("a = " + digits), "a:" + digits + ' ');
+        QCOMPARE(valuesOf("a = b = " + digits), "a:b = " + digits + ' ');
+        std::string chain;
+        while (chain.size() < 400000)
+            chain += "a=";
+        QCOMPARE(sourceCalls(chain + '1').size(), std::size_t(201));
     }
 
     void whatIsNoNumberIsRefusedWithItsPlace_data()
