@@ -56,8 +56,10 @@ NamedValues::NamedValues(std::string_view text)
         } else if (group.kind == GroupKind::Word && isEmpty) {
             m_values.back().word = group.name;
         }
-        for (const ScannedNumber &number : group.numbers)
-            m_values.back().numbers.push_back(number.value);
+        for (const ScannedNumber &number : group.numbers) {
+            if (!number.isOperand)
+                m_values.back().numbers.push_back(number.value);
+        }
     }
 }
 

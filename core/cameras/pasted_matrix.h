@@ -87,8 +87,9 @@ struct PastedScene {
 
 /// Why a text gives no matrices.
 struct PasteError {
-    std::string text;                 ///< in the language of base::tr(), without position and part
-    std::size_t line = 0, column = 0; ///< of a number that is not finite, from 1; 0: another error
+    std::string text; ///< in the language of base::tr(), without position and part
+    std::size_t line = 0,
+                column = 0; ///< of a number that is not finite, or of one name too many, from 1; 0: another error
     PastedPart part = PastedPart::ModelView;
     std::size_t found = 0, wanted = 16;
     std::size_t all = 0;   ///< numbers in the text

@@ -1,5 +1,6 @@
 #include "core/cameras/pasted_numbers.h"
 
+#include "core/base/error.h"
 #include "core/base/text_scanner.h"
 #include "core/base/translation.h"
 #include "core/cameras/pasted_names.h"
@@ -140,7 +141,11 @@ private:
 
 Result<PastedNumbers, PasteError> pastedNumbers(std::string_view text)
 {
-    return Reader().read(text);
+    try {
+        return Reader().read(text);
+    } catch (const base::Error &error) {
+        return PasteError{error.text, std::size_t(error.line), 1};
+    }
 }
 
 } // namespace unprojector::cameras

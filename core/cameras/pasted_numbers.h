@@ -24,7 +24,7 @@ struct PastedNumbers {
 
 /// The numbers of matrices and viewports. A width and a height are the viewport 0 0 width height,
 /// if the text names no other.
-/// @return the line and column of a number that is not finite
+/// @return the line and column of a number that is not finite, or of one name too many
 geometry::Result<PastedNumbers, PasteError> pastedNumbers(std::string_view text);
 
 } // namespace unprojector::cameras

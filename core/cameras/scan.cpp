@@ -1,8 +1,11 @@
 #include "core/cameras/scan.h"
 
+#include "core/base/error.h"
 #include "core/base/expression.h"
 #include "core/base/letters.h"
+#include "core/base/source_text.h"
 #include "core/base/text_scanner.h"
+#include "core/base/translation.h"
 #include "core/geometry/numbers.h"
 
 #include <algorithm>
@@ -157,6 +160,8 @@ bool isMeantAsNumber(std::string_view word)
            || word.find_first_not_of("0123456789.eEdD+-") == word.npos;
 }
 
+constexpr std::size_t kMostGroups = 500000; ///< of a text: they take 100 MB
+
 class Scanner {
 public:
     explicit Scanner(std::string_view text) : m_given(text), m_plain(withPlainNumbers(text)) {}
@@ -208,10 +213,26 @@ private:
         return length > 0 ? length : end - m_at;
     }
 
-    /// The integer at a place that a pattern found.
+    /// The integer at a place that a pattern found; -1 if it is too large.
     int foundAt(std::size_t i) const
     {
-        return base::numberIn<int>(m_text.substr(m_found[i], behind(m_found[i], kDigits) - m_found[i])).value_or(0);
+        return base::numberIn<int>(m_text.substr(m_found[i], behind(m_found[i], kDigits) - m_found[i])).value_or(-1);
+    }
+
+    bool isNumberAt(std::size_t i) const
+    {
+        i += std::size_t(isAmong(at(i), "+-"));
+        return isDigit(at(i + std::size_t(at(i) == '.')));
+    }
+
+    /// Returns whether "-inf", "+nan" or ".inf" is at a place.
+    bool isSignedInfAt(std::size_t i) const
+    {
+        if (!isAmong(at(i), "+-."))
+            return false;
+        i += 1 + std::size_t(at(i) != '.' && at(i + 1) == '.');
+        const auto word = m_text.substr(std::min(i, m_text.size()), 3);
+        return word == "inf" || word == "nan";
     }
 
     void readOne()
@@ -221,14 +242,12 @@ private:
             endName(Other);
             m_commentEnd = 0;
         }
-        const std::size_t i = m_at + std::size_t(isAmong(c, "+-"));
-        const bool isNumber =
-            isDigit(at(i)) || (at(i) == '.' && isDigit(at(i + 1))) || lengthOf("+inf") > 0 || lengthOf("+nan") > 0;
+        const bool isNumber = isNumberAt(m_at) || isSignedInfAt(m_at);
         if (c == '\n') {
             endLine(m_at++);
             ++m_line;
             m_isLineBlank = true;
-            m_isBehindEquals = false;
+            m_isBehindEquals = m_isOperand = false;
             return;
         }
         if (isAmong(c, " \t\r") || std::erase(m_labels, m_at) > 0) {
@@ -301,7 +320,7 @@ private:
         const auto index = base::numberIn<int>(quoted);
         endName(isKey ? Word : Name);
         if (isKey && index)
-            m_subscripts = {*index}; // "3": 0.5
+            setSubscripts({*index}); // "3": 0.5
         else
             add(isKey ? Name : Word, m_at + 1, end);
         if (!isKey
@@ -359,8 +378,8 @@ private:
         start -= std::size_t(m_given[start] == m_text[start] ? 0 : 2); // U+2212
         m_groups.back().numbers.push_back({value * m_factor * std::exchange(m_unit, 1.0), isInWord, m_isBehindSemicolon,
                                            start, m_at - start, m_line, m_open.empty() ? 0 : m_open.back(),
-                                           std::exchange(m_subscripts, {})});
-        m_hasNumbers = true;
+                                           std::exchange(m_subscripts, {}), std::exchange(m_isOperand, false)});
+        m_count += std::size_t(!m_groups.back().numbers.back().isOperand);
         m_isBehindSemicolon = m_isBehindEquals = false;
         m_operandLine = m_line;
     }
@@ -374,7 +393,7 @@ private:
         const auto end = m_text.find_last_not_of('.', m_at - 1) + 1;
         const auto name = m_text.substr(start, end - start);
         const std::string word = plain(lastPart(name)),
-                          type = plain(lastPart(m_name.substr(m_name.find_last_of(' ') + 1)));
+                          type = plain(lastPart(m_name.substr(m_name.find_last_of(" */@") + 1)));
         if (m_commentEnd > 0)
             return addWord(start, end);
         if (word == "nan" || word == "inf" || word == "infinity")
@@ -391,7 +410,11 @@ private:
         if (type.starts_with("mat") || type.starts_with("vec") || type.starts_with("point3")) // Vec3d t(0, 0, 5)
             return endName(Name);
         endName(Other);
-        if ((word == "inv" || word == "inverse" || word == "transpose") && (!m_hasNumbers || m_operandLine == m_line))
+        const bool isBehindOperand = m_count > 0 && m_operandLine == m_line;
+        if (base::isListed(" inv inverse transpose ", word)
+                ? isBehindOperand || m_count == 0
+                : isBehindOperand && at(start - 1) == '.'
+                      && base::isListed(" inverted invertedsafe transposed t ", word))
             setArithmetic(word);
         if (word == "radians" || word == "deg2rad" || word == "degtorad")
             m_unit = geometry::radiansFromDegrees(1.0);
@@ -436,6 +459,7 @@ private:
     /// data['xpos'].
     void readSubscripts(const std::string &word)
     {
+        std::vector<int> found;
         m_subscripts.clear();
         if (const auto pair = base::numberIn<int>(std::string_view(word).substr(!word.empty()));
             pair && word.size() == 3 && isAmong(word[0], "me"))
@@ -444,15 +468,23 @@ private:
             const auto length = lengthOf(pattern);
             if (length == 0)
                 continue;
-            m_subscripts.clear();
             for (std::size_t i = 0; i < m_found.size(); ++i)
-                m_subscripts.push_back(foundAt(i));
-            if (m_found.size() == 2 && pattern[5] == ']') // as GLM counts: the position in memory
+                found.push_back(foundAt(i));
+            setSubscripts(std::move(found));
+            if (m_subscripts.size() == 2 && pattern[5] == ']') // as GLM counts: the position in memory
                 m_subscripts = {4 * m_subscripts[0] + m_subscripts[1]};
             m_at += length;
             return;
         }
         m_at += lengthOf("[X]");
+    }
+
+    /// Takes the subscripts of an entry of a matrix; others, of longer arrays, tell nothing.
+    void setSubscripts(std::vector<int> found)
+    {
+        constexpr int kLargest = 16; // some libraries count from 1
+        const bool isEntry = std::ranges::all_of(found, [](int one) { return one >= 0 && one <= kLargest; });
+        m_subscripts = isEntry ? std::move(found) : std::vector<int>();
     }
 
     void readSign(char c)
@@ -468,6 +500,7 @@ private:
             return;
         m_isBehindEquals = isAmong(c, "=:");
         m_isBehindSemicolon = m_isBehindSemicolon || c == ';';
+        m_isOperand = m_isOperand && !isAmong(c, ",;[]{}");
         if (isAmong(c, "([{")) {
             m_open.push_back(++m_brackets);
             m_subscripts.clear();
@@ -487,27 +520,34 @@ private:
             return false;
         constexpr std::size_t kMost = 40;
         const auto line = m_text.substr(m_at + 1, kMost);
-        const bool isBehindOperand = m_hasNumbers && m_operandLine == m_line && m_name.empty(),
+        const bool isBehindOperand = m_count > 0 && m_operandLine == m_line && m_name.empty(),
                    isProduct = isAmong(c, "*/@");
-        const bool isSum = lengthOf("+ _`+") > 0 || lengthOf("+ _[") > 0;
+        const auto operand = behind(m_at + 1, " \t\r");
+        const bool isSum = isAmong(c, "+-") && at(m_at + 1) == ' ' && isAmong(at(operand), "0123456789+-.[");
         const bool isTransposed = isAmong(before(), "])") && (c == '\'' || isHere(".T"));
         // "scale * np.array(…)", "-np.array(…)"
-        const bool isFirst = !m_hasNumbers && m_isBehindEquals && (m_name.empty() ? lengthOf("-@") > 0 : isProduct);
+        const bool isFirst = m_count == 0 && m_isBehindEquals && (m_name.empty() ? lengthOf("-@") > 0 : isProduct);
         if (isFirst)
-            setArithmetic(std::string(m_name) + (m_name.empty() ? "-" : std::string{' ', c}));
+            setArithmetic(std::string(m_name.substr(0, kMost)) + (m_name.empty() ? "-" : std::string{' ', c}));
         else if (isBehindOperand && isTransposed)
             setArithmetic(".T");
         else if (isBehindOperand && (isProduct || isSum))
             setArithmetic(std::string{c, ' '}
                           + std::string(base::trimmed(line.substr(0, line.find_first_of("\r\n;#")))));
+        // "1280 - 80", but not "3 - 5 6"
+        const bool isSumOfTwo = isBehindOperand && isSum && m_count == 1 && at(operand) != '['
+                                && !isNumberAt(behind(behind(operand, kOfNumber), " \t\r,"));
+        m_isOperand = m_isOperand || isSumOfTwo || (isBehindOperand && isAmong(c, "*/"));
         // Skipping a sign would negate the number.
         const auto last = m_text.find_last_not_of(" \t", m_at - 1);
         const bool isApart = isSum && c == '-' && m_at > 0 && isAmong(at(last), "0123456789[({,;.");
         if (!isFirst && !isApart && !(isBehindOperand && (isTransposed || isProduct)))
             return false;
         m_at += 1 + std::size_t(c == '.');
-        if (isApart)
+        if (isApart) {
             addNumber(kNan, m_at - 1);
+            m_isOperand = isSumOfTwo;
+        }
         return true;
     }
 
@@ -537,10 +577,15 @@ private:
 
     void add(GroupKind kind, std::size_t begin, std::size_t end)
     {
+        if (m_groups.size() > kMostGroups)
+            throw base::Error{
+                .text = base::tr("the text has more than %1 names; give the part that has the camera", kMostGroups),
+                .line = static_cast<int>(m_line)};
         m_groups.push_back({m_given.substr(begin, end - begin), kind, m_line});
         m_factor = kind == Other ? m_factor : 1.0;
         m_value = kind == Name ? m_groups.size() - 1 : m_value;
-        m_hasNumbers = m_hasNumbers && kind != Name;
+        m_count = kind == Name ? 0 : m_count;
+        m_isOperand = m_isOperand && kind != Name;
     }
 
     std::string_view m_given;
@@ -561,7 +606,8 @@ private:
     std::size_t m_operandLine = 0;       ///< the line of the last number or closing bracket
     bool m_isBehindEquals = false;       ///< only words stand between the last equals sign or colon and here
     std::size_t m_value = 0;             ///< the last group of the kind Name
-    bool m_hasNumbers = false;           ///< behind that name
+    std::size_t m_count = 0;             ///< of the numbers behind that name, without operands
+    bool m_isOperand = false;            ///< the next number is one
     std::vector<Group> m_groups;
 };
 

@@ -15,7 +15,8 @@ struct ScannedNumber {
     std::size_t at = 0, length = 0;   ///< its bytes in the text
     std::size_t line = 0;             ///< from 1
     std::size_t bracket = 0;          ///< the number of its innermost bracket pair, counted as they open; 0: none
-    std::vector<int> subscripts = {}; ///< m[3] = 1: {3}; m(0,1) = 1 and m01 = 1: {0, 1}
+    std::vector<int> subscripts = {}; ///< m[3] = 1: {3}; m(0,1) = 1 and m01 = 1: {0, 1}; those above 16 are left out
+    bool isOperand = false;           ///< what the text computes with is no value: the 2 of "1280 / 2"
 };
 
 enum class GroupKind {
@@ -38,6 +39,7 @@ struct Group {
 /// columns, addresses, times, and the second and third name of a component in a debugger (x = 1,
 /// r = 1, s = 1). Applied: MATLAB's common factor, "1.0e+03 *", decimal commas, exponents of
 /// Fortran, Mathematica and LaTeX, np.radians(60), np.pi / 3, np.eye(3).
+/// Throws a base::Error for a text of more than half a million names.
 /// @return views of the text
 std::vector<Group> scan(std::string_view text);
 

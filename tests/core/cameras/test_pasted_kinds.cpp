@@ -2,7 +2,9 @@
 
 #include "tests/support/test.h"
 
+#include "core/base/error.h"
 #include "core/cameras/matrix_paste.h"
+#include "core/cameras/named_values.h"
 #include "core/cameras/pasted_numbers.h"
 #include "tests/support/data_files.h"
 
@@ -124,6 +126,101 @@ private slots:
         for (std::size_t i = 0; read && i < read->numbers.size(); ++i)
             values << read->numbers[i].value;
         QCOMPARE(values, numbers);
+    }
+
+    void computedValuesKeepTheirFirstOperand_data()
+    {
+        addColumn<QByteArray>("value");
+        addColumn<QVector<double>>("numbers");
+        addColumn<QByteArray>("arithmetic");
+        const auto add = [](const char *value, const QVector<double> &numbers, const char *arithmetic) {
+            newRow(value) << QByteArray(value) << numbers << QByteArray(arithmetic);
+        };
+        add("-0.3 / 2", {-0.3}, "/ 2");
+        add("1280/2", {1280}, "/ 2");
+        add("1200 / (2 * 3), 5", {1200, 5}, "/ (2 * 3), 5");
+        add("60 * np.pi / 180", {60}, "* np.pi / 180");
+        add("1280 - 80;", {1280}, "- 80");
+        add("1200 + 20 + 3", {1200}, "+ 20 + 3");
+        add("(1280 - 1) / 2", {1280}, "- 1) / 2");
+        add("[1, 2, 5] + [1, 1, 1]", {1, 2, 5, 1, 1, 1}, "+ [1, 1, 1]");
+        add("np.array([1, 2]) / 1000", {1, 2}, "/ 1000");
+        add("Matrix(((1, 2), (3, 4))).inverted()", {1, 2, 3, 4}, "inverted");
+        add("Matrix(((1, 2), (3, 4))).inverted_safe()", {1, 2, 3, 4}, "invertedsafe");
+        add("Matrix(((1, 2), (3, 4))).transposed()", {1, 2, 3, 4}, "transposed");
+        add("(cv::Mat_<double>(1, 2) << 1, 2).t()", {1, 2}, "t");
+        add("[1, 2]\nt(5)", {1, 2, 5}, "");
+        add("5\n6", {5, 6}, "");
+    }
+
+    void computedValuesKeepTheirFirstOperand()
+    {
+        QFETCH(QByteArray, value);
+        QFETCH(QVector<double>, numbers);
+        QFETCH(QByteArray, arithmetic);
+        const NamedValues values("fx = " + value.toStdString());
+        const NamedValue *found = values.find({"fx"});
+        QVERIFY(found);
+        QCOMPARE(QVector<double>(found->numbers.begin(), found->numbers.end()), numbers);
+        QCOMPARE(QByteArray::fromStdString(found->arithmetic), arithmetic);
+    }
+
+    /// A matrix's numbers all count: its reader must not take the first operands alone for it.
+    void operandsInMatricesCount()
+    {
+        const auto matrix = pastedMatrix("[1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1] / 5");
+        QVERIFY(!matrix);
+        QCOMPARE(matrix.error().found, std::size_t(17));
+    }
+
+    void largeSubscriptsTellNothing()
+    {
+        for (const char *text : {"m[2000000000][3] = 1", "m[3000000000] = 1", "{\"2000000000\": 1}", "m[17] = 1"}) {
+            const auto read = pastedNumbers(text);
+            QVERIFY2(read && read->numbers.size() == 1, text);
+            QVERIFY2(read->numbers[0].subscripts.empty(), text);
+        }
+        const auto read = pastedNumbers("m[16] = 1");
+        QVERIFY(read && read->numbers.at(0).subscripts == std::vector{16});
+    }
+
+    void infinityIsFound()
+    {
+        for (const char *text : {"-inf", "+inf", "-nan", "+nan", "inf", "nan"}) {
+            const std::vector<double> numbers = NamedValues("k = 1 " + std::string(text)).numbers({"k"}, 2);
+            QVERIFY2(numbers.size() == 2 && !std::isfinite(numbers[1]), text);
+        }
+    }
+
+    /// Megabytes of signs are read in linear time.
+    void runsOfSignsEnd()
+    {
+        for (const char sign : {'-', '+', '.', '*'})
+            QCOMPARE(scan("a = " + std::string(2000000, sign) + " 5").back().numbers.size(), std::size_t(1));
+        std::string products = "a = b";
+        while (products.size() < 1000000)
+            products += "*b";
+        QCOMPARE(scan(products).size(), std::size_t(3));
+    }
+
+    void textsOfTooManyNamesAreRefused()
+    {
+        std::string text;
+        while (text.size() < 4400000)
+            text += "a 1\n";
+        const auto read = pastedNumbers(text);
+        QVERIFY(!read);
+        QCOMPARE(QByteArray::fromStdString(read.error().text),
+                 QByteArray("the text has more than 500000 names; give the part that has the camera"));
+        QVERIFY(read.error().line > 499990);
+        try {
+            const NamedValues values(text);
+            QFAIL("all names were read");
+        } catch (const base::Error &error) {
+            QCOMPARE(error.text, read.error().text);
+        }
+        text.resize(1900000);
+        QVERIFY(NamedValues(text).all().size() > 400000);
     }
 
     void numbersAsideAreNamed()
