@@ -7,6 +7,7 @@
 #include "tests/gui/document_edits.h"
 #include "tests/gui/gui_scene.h"
 
+#include "core/cameras/foreign_camera.h"
 #include "gui/document/camera_looks.h"
 #include "gui/pipeline/foreign_camera_box.h"
 #include "gui/pipeline/paste_camera_dialog.h"
@@ -19,6 +20,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFile>
@@ -360,10 +362,14 @@ private slots:
         const data_files::CameraExample &example = data_files::cameraExamples().at(std::size_t(index));
         const QTemporaryDir folder;
         std::vector<std::filesystem::path> files;
-        for (const auto &text : example.texts)
-            files.push_back(written(folder,
-                                    QStringLiteral("%1 %2").arg(files.size()).arg(QString::fromStdString(text.name)),
-                                    text.text.c_str()));
+        std::vector<unprojector::cameras::NamedText> texts;
+        for (const auto &text : example.texts) {
+            const QString own = QString::number(files.size()); // the file's name may count
+            QVERIFY(QDir(folder.path()).mkpath(own));
+            files.push_back(
+                written(folder, own + QLatin1Char('/') + QString::fromStdString(text.name), text.text.c_str()));
+            texts.push_back({text.name, text.text});
+        }
         Pasting pasting;
         QVERIFY(removeObject(pasting.document, 0)); // the points are of another scene
         pasting.dialog.readFiles(files);
@@ -373,11 +379,15 @@ private slots:
         const QString wanted = QString::fromStdString(example.image);
         auto *image = pasting.named<QComboBox>("Image");
         if (image && !wanted.isEmpty()) {
-            bool isNumber = false;
-            const int number = wanted.toInt(&isNumber);
-            int at = image->findText(wanted, Qt::MatchExactly); // its name, else its index, else a part of its name
-            if (at < 0)
-                at = isNumber && number < image->count() ? number : image->findText(wanted, Qt::MatchContains);
+            unprojector::cameras::CameraChoices choices;
+            choices.image = example.image;
+            choices.size = unprojector::cameras::ImageSize{example.width, example.height};
+            if (example.width == 0)
+                choices.size.reset();
+            const auto camera = unprojector::cameras::readCamera(texts, choices);
+            QVERIFY(camera && *camera);
+            const int at =
+                image->findText(QString::fromStdString((*camera)->images.at((*camera)->image)), Qt::MatchExactly);
             QVERIFY2(at >= 0, example.image.c_str());
             pasting.choose("Image", at);
         }
