@@ -1,5 +1,7 @@
 #include "core/cameras/camera_values.h"
 
+#include "core/base/text_scanner.h"
+
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -301,6 +303,12 @@ bool CameraValues::setDirectionAround(CameraValue &value) const
 
 void CameraValues::add(CameraValue value)
 {
+    const bool isFlag = value.word == "true" || value.word == "True";
+    if (const std::string name = plain(value.name); isFlag && (name == "fisheye" || name == "isfisheye")) {
+        value.word = "fisheye";
+        of(Part::Model).push_back(std::move(value));
+        return;
+    }
     const std::optional<Role> role = roleOf(value);
     const std::size_t count = value.numbers.size();
     if (!role) {
@@ -442,6 +450,27 @@ const NamedValue *CameraValues::find(std::string_view name) const
     const auto found = std::find_if(m_numbers.begin(), m_numbers.end(),
                                     [name](const auto &number) { return number.value.isNamed(name); });
     return found == m_numbers.end() ? nullptr : &found->value;
+}
+
+const NamedValue *CameraValues::coefficient(std::string_view name) const
+{
+    constexpr std::string_view kOfLens = " radial tangential dist disto distortion lens cam camera coeff coef param ";
+    const auto isIt = [&](const Number &number) {
+        bool hasName = false;
+        std::string written = base::lowerCase(number.value.written);
+        std::replace_if(
+            written.begin(), written.end(), [](char c) { return c == '_' || c == '.' || c == '-'; }, ' ');
+        base::TextScanner scanner(written);
+        for (std::string_view word = scanner.nextWord(); !word.empty(); word = scanner.nextWord()) {
+            if (word != name && kOfLens.find(' ' + std::string(word) + ' ') == kOfLens.npos)
+                return false;
+            hasName = hasName || word == name;
+        }
+        return hasName;
+    };
+    const NamedValue *exact = find(name);
+    const auto found = std::find_if(m_numbers.begin(), m_numbers.end(), isIt);
+    return exact || found == m_numbers.end() ? exact : &found->value;
 }
 
 bool CameraValues::differ(std::string_view name) const

@@ -41,6 +41,9 @@ public:
     std::optional<double> number(std::initializer_list<std::string_view> names) const;
     /// The first value of one number under a name; null if there is none.
     const NamedValue *find(std::string_view name) const;
+    /// The first value of one number whose name has a coefficient's among words of a lens: "k1",
+    /// "radial_k1"; null if there is none.
+    const NamedValue *coefficient(std::string_view name) const;
     /// Returns whether several numbers under a name differ: they are of several cameras.
     bool differ(std::string_view name) const;
     /// Returns whether a text is ROS's camera_info: its R is the rectification.

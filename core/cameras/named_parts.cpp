@@ -694,7 +694,7 @@ private:
             return named;
         }
         for (const char *name : {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"}) {
-            const NamedValue *value = m_values.find(name);
+            const NamedValue *value = m_values.coefficient(name);
             if (value)
                 refuseComputed(*value, name);
             named.numbers.push_back(value ? value->numbers[0] : 0.0);

@@ -515,6 +515,8 @@ projection_matrix:
         newRow("eight, the last ones 0") << "distCoeffs: [-0.3, 0.1, 0.001, -0.002, 0.05, 0, 0, 0]";
         newRow("names") << "k1 = -0.3, k2 = 0.1, p1 = 0.001, p2 = -0.002, k3 = 0.05";
         newRow("JSON") << "\"distortion_coefficients\": [-0.3, 0.1, 0.001, -0.002, 0.05]";
+        newRow("names of a lens")
+            << "radial_k1 = -0.3, radial_k2 = 0.1, dist.p1 = 0.001, dist.p2 = -0.002, lens_k3 = 0.05";
     }
 
     void coefficientsAreReadFromEachForm()
@@ -546,6 +548,8 @@ projection_matrix:
                                       << "distortion.inverse_brown_conrady";
         newRow("a flag") << "fisheye_model: 1\nD: [0.1, 0, 0, 0]"
                          << "fisheye";
+        newRow("another flag") << "is_fisheye: true\nD: [0.1, 0, 0, 0]"
+                               << "fisheye";
         newRow("named k4 and k6") << "k1 = 0.1, k2 = 0.2, k3 = 0.3, k4 = 0.4, k6 = 0.6"
                                   << "k4 = 0.4, k6 = 0.6";
         newRow("too few") << "D: [0.1, 0.2]"
