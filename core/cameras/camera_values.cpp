@@ -221,6 +221,7 @@ void CameraValues::findCameras()
     };
     for (m_depth = 1; !lenses.empty() && std::all_of(lenses.begin(), lenses.end(), isLong(m_depth)); ++m_depth) {
         std::vector<std::string> names;
+        names.reserve(lenses.size());
         for (const std::vector<std::string> &sections : lenses)
             names.push_back(sections[m_depth]);
         if (setCameras(names))

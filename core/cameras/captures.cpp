@@ -181,9 +181,9 @@ bool readPolycam(Reading &reading)
     ForeignCamera &camera = reading.camera;
     beginArKit(reading, "Polycam");
     const auto number = [&](const char *key) { return neededNumber(reading, file, key); };
-    std::vector<double> pose;
-    for (int i = 0; i < 12; ++i)
-        pose.push_back(number(("t_" + std::to_string(i / 4) + std::to_string(i % 4)).c_str()));
+    std::array<double, 12> pose{};
+    for (std::size_t i = 0; i < pose.size(); ++i)
+        pose[i] = number(("t_" + std::to_string(i / 4) + std::to_string(i % 4)).c_str());
     camera.pose = matrixByRows(pose);
     camera.size = sizeOf(numberOf(file, "width"), numberOf(file, "height"));
     camera.intrinsics = Intrinsics{number("fx"), number("fy"), number("cx"), number("cy"), 0.0, PixelCentres::AtHalves};

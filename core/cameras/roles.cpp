@@ -152,16 +152,16 @@ void addWord(const std::string &word, std::vector<std::string> &words)
                isBehindTurn = before == Word::Pose || before == Word::Extrinsics || before == Word::Rotation
                               || before == Word::Translation || before == Word::Quaternion || before == Word::Transform
                               || (!words.empty() && isTurnOrShift(words.back()));
-    if (kindOf(word) != Word::Unknown)
-        parts = {word};
-    else if (isBehindTurn && areFrames(letters)) // T_WC
+    const bool areTwo = (isBehindTurn && areFrames(letters)) // T_WC, wTc
+                        || (isBehindFrame && isTurnOrShift(letters.substr(0, 1)) && isFrame(kindOf(letters.substr(1))));
+    const bool areThree = letters.size() == 3 && isTurnOrShift(letters.substr(0, 1)) && areFrames(letters.substr(1))
+                          && letters.find('c', 1) != letters.npos; // Twc
+    const bool isKnown = kindOf(word) != Word::Unknown;
+    if (!isKnown && areTwo)
         parts = {word.substr(0, 1), word.substr(1)};
-    else if (letters.size() == 3 && isTurnOrShift(letters.substr(0, 1)) && areFrames(letters.substr(1))
-             && letters.find('c', 1) != letters.npos) // Twc
+    else if (!isKnown && areThree)
         parts = {word.substr(0, 1), word.substr(1, 1), word.substr(2)};
-    else if (isBehindFrame && isTurnOrShift(letters.substr(0, 1)) && isFrame(kindOf(letters.substr(1)))) // wTc
-        parts = {word.substr(0, 1), word.substr(1)};
-    else if (!splitIntoKnown(letters, parts))
+    else if (isKnown || !splitIntoKnown(letters, parts))
         parts = {word};
     words.insert(words.end(), parts.begin(), parts.end());
 }
@@ -338,9 +338,7 @@ void setCustom(const Name &name, Role &role)
         return;
     const bool isOfObject = name.has(Word::Matrix) && name.has(Word::World); // Blender's matrix_world
     const bool isCameras = name.has(Word::Camera) && name.has(Word::Transform);
-    if (name.has(Word::Extrinsics) || name.has(Word::View))
-        role.direction = PoseDirection::WorldToCamera;
-    else if (name.hasWord("qvec")) // COLMAP's
+    if (name.has(Word::Extrinsics) || name.has(Word::View) || name.hasWord("qvec")) // COLMAP's qvec
         role.direction = PoseDirection::WorldToCamera;
     else if (name.has(Word::Pose) || isOfObject || isCameras || name.hasWord("position") || name.hasWord("pos")
              || name.hasWord("location")) // an object's in the world

@@ -148,7 +148,7 @@ std::vector<NamedText> withoutRows(const NamedText &text)
         both[haveCounts(rowsOf(line), {8}) ? 1 : 0].text += line;
         at = end;
     }
-    return both[1].text.empty() || rowsOf(text.text).size() > 0 ? std::vector<NamedText>() : both;
+    return both[1].text.empty() || !rowsOf(text.text).empty() ? std::vector<NamedText>() : both;
 }
 
 /// The name of the pose at a time: of the nearest one, as the images' times are other than the poses'.
