@@ -44,7 +44,7 @@ bool anyIsNot0(const std::vector<double> &numbers)
     return std::any_of(numbers.begin(), numbers.end(), [](double number) { return number != 0.0; });
 }
 
-/// Fails for a distortion, unless the image is said to be undistorted.
+/// Fails for a distortion, unless the user says that the image is undistorted.
 void refuseDistortion(Reading &reading, const std::string &name)
 {
     if (!reading.choices.isUndistorted)
