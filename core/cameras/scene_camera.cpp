@@ -267,7 +267,7 @@ void refuseOpen(const ForeignCamera &camera, const glm::dmat4 &pose, EyeAxes axe
 {
     const auto [eye, ahead] = standing(eyeFromWorldOf(camera, pose, {PoseDirection::CameraToWorld, axes}));
     const auto [otherEye, otherAhead] = standing(eyeFromWorldOf(camera, pose, {PoseDirection::WorldToCamera, axes}));
-    throw base::Error{tr("nothing tells the direction of the pose. From the camera to the world, the eye is at %1 and "
+    throw base::Error{tr("nothing tells its direction. From the camera to the world, the eye is at %1 and "
                          "looks along %2; from the world to the camera, it is at %3 and looks along %4. Choose with "
                          "--pose camera-to-world or --pose world-to-camera",
                          eye, ahead, otherEye, otherAhead),

@@ -206,7 +206,7 @@ private slots:
         QFETCH(QString, name);
         const std::string text = kK + name.toStdString() + " = [" + kToWorld + "]\n";
         QCOMPARE(reasonOf(read(text)).section(':', 1).trimmed(),
-                 "nothing tells the direction of the pose. From the camera to the world, the eye is at (1.5, -2, 3.25) "
+                 "nothing tells its direction. From the camera to the world, the eye is at (1.5, -2, 3.25) "
                  "and looks along (0.28, 0, 0.96); from the world to the camera, it is at (-0.53, 2, -3.54) and looks "
                  "along (-0.28, 0, 0.96). Choose with --pose camera-to-world or --pose world-to-camera");
         CameraChoices choices;
@@ -279,7 +279,7 @@ private slots:
         QCOMPARE(reasonOf(read({lens, {"notes.txt", "a: 1\n"}})),
                  "notes.txt: nothing in it is read; leave it out, or give its numbers the names of a camera's parts");
         const std::string rows = std::string(kToCamera) + '\n' + kToWorld + '\n';
-        QVERIFY(reasonOf(read({lens, {"rows.txt", rows}})).contains("nothing tells the direction"));
+        QVERIFY(reasonOf(read({lens, {"rows.txt", rows}})).contains("nothing tells its direction"));
         choices.direction = PoseDirection::CameraToWorld;
         choices.image = "1";
         const auto second = read({lens, {"traj.txt", rows}}, choices);
