@@ -58,6 +58,9 @@ int main(int argc, char **argv)
     if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
         qputenv("QT_QPA_PLATFORM", "offscreen"); // it shows nothing
 #endif
+#ifdef QT_WIDGETS_LIB
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs); // a test finds its way about Qt's own
+#endif
     const Application application(argc, argv);
     QStringList words = QCoreApplication::arguments();
     const QString first = words.value(1);

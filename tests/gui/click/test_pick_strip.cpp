@@ -80,25 +80,30 @@ private slots:
         QCOMPARE(texts.size(), 7);
         const WorldPoint world = *pick.point.world[unproject::Method::Formula];
         const glm::dvec3 eye = pick.point.eye[unproject::Method::Formula]->coordinates();
-        const auto isAt = [&](int space, const std::vector<double> &expected, double step) {
-            const std::vector<double> shown = numbersOf(texts[space]);
+        // A wider font leaves room for fewer digits.
+        const auto isAt = [&](int space, const std::vector<double> &expected, std::size_t fewestPlaces) {
+            const QStringList shown = texts[space].section(u'(', 1).chopped(1).split(QStringLiteral(", "));
+            std::size_t most = 0;
             for (std::size_t i = 0; i < expected.size(); ++i) {
-                if (shown.size() != expected.size() || std::abs(shown[i] - expected[i]) > step)
+                const auto places = std::size_t(shown.value(qsizetype(i)).section(u'.', 1).size());
+                most = std::max(most, places);
+                if (std::abs(shown.value(qsizetype(i)).toDouble() - expected[i])
+                    > 0.5001 * std::pow(10.0, -double(places)))
                     return false;
             }
-            return true;
+            return std::size_t(shown.size()) == expected.size() && most >= fewestPlaces;
         };
-        QVERIFY(isAt(0, {double(pick.devicePixel.i), double(pick.devicePixel.j)}, 0.0));
-        QVERIFY2(isAt(1, {pick.window.x, pick.window.y, pick.window.z}, 1e-5),
+        QCOMPARE(numbersOf(texts[0]), (std::vector{double(pick.devicePixel.i), double(pick.devicePixel.j)}));
+        QVERIFY2(isAt(1, {pick.window.x, pick.window.y, pick.window.z}, 3),
                  qPrintable(texts.join(u' ').replace(u'\n', u' ')));
         const glm::dvec4 clip = *clipFromEye(pick.setup) * glm::dvec4(eye, 1.0);
-        QVERIFY(isAt(2, {clip.x / clip.w, clip.y / clip.w, clip.z / clip.w}, 1e-3));
-        QVERIFY(isAt(3, {clip.x, clip.y, clip.z, clip.w}, 1e-2));
-        QVERIFY(isAt(4, {eye.x, eye.y, eye.z}, 1e-2));
-        QVERIFY(isAt(5, {world.x, world.y, world.z}, 1e-3));
+        QVERIFY(isAt(2, {clip.x / clip.w, clip.y / clip.w, clip.z / clip.w}, 1));
+        QVERIFY(isAt(3, {clip.x, clip.y, clip.z, clip.w}, 1));
+        QVERIFY(isAt(4, {eye.x, eye.y, eye.z}, 1));
+        QVERIFY(isAt(5, {world.x, world.y, world.z}, 1));
         const glm::dmat4 placement = window->document().picks().keptPick().placement.rounded();
         const glm::dvec3 object = glm::dvec3(glm::inverse(placement) * glm::dvec4(world.coordinates(), 1.0));
-        QVERIFY(isAt(6, {object.x, object.y, object.z}, 1e-3));
+        QVERIFY(isAt(6, {object.x, object.y, object.z}, 1));
     }
 
     void theBackgroundHasNoPoint()

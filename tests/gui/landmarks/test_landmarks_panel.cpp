@@ -954,7 +954,6 @@ private slots:
         QFETCH(int, filter);
         QFETCH(QString, file);
         QFETCH(int, warnings);
-        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
         QTemporaryDir folder;
         QSignalSpy warned(m_panel.get(), &LandmarksPanel::warned);
         const auto save = [&](bool isThere) {
@@ -996,7 +995,6 @@ private slots:
 
     void aColourIsForWhatIsSelectedThen()
     {
-        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
         m_document->sceneLandmarks().select({1, 2});
         emit m_table->customContextMenuRequested(m_table->visualRect(at(1, 0)).center());
         auto *menu = m_panel->findChild<QMenu *>({}, Qt::FindDirectChildrenOnly);

@@ -332,7 +332,6 @@ private slots:
     /// moved by keys and back, saved, and opened again.
     void fromAScanToASavedSceneAndBack()
     {
-        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
         // A hill on a plate, in triangles.
         constexpr int kSide = 24;
         QByteArray scan;

@@ -241,8 +241,7 @@ private slots:
         panel.findChild<QTreeView *>()->scrollToBottom();
         log.append(size(101));
         log.append(size(102));
-        QTest::qWait(20);
-        QCOMPARE(bar->value(), bar->maximum());
+        QTRY_COMPARE_WITH_TIMEOUT(bar->value(), bar->maximum(), kPatienceMilliseconds);
     }
 
     void thePanelCopiesAndClears()
@@ -278,7 +277,7 @@ private slots:
         LifecycleLog log;
         log.append(size(640));
         LifecyclePanel panel(log);
-        panel.resize(900, 300);
+        panel.resize(2000, 300);
         panel.show();
         const auto *table = panel.findChild<QTreeView *>();
         QCOMPARE(table->font().pointSizeF(), digitsFont(panel.font()).pointSizeF());

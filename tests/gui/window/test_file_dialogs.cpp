@@ -22,11 +22,7 @@ class TestFileDialogs : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase()
-    {
-        redirectSettings();
-        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-    }
+    void initTestCase() { redirectSettings(); }
 
     void init()
     {

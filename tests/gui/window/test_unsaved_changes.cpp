@@ -102,11 +102,7 @@ class TestUnsavedChanges : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase()
-    {
-        redirectSettings();
-        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-    }
+    void initTestCase() { redirectSettings(); }
     void cleanup() { QFile::remove(file()); }
 
     void onlyWorkIsAskedAbout_data()
