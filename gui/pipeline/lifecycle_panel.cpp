@@ -109,10 +109,8 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
     });
     connect(m_table->verticalScrollBar(), &QScrollBar::valueChanged, this,
             [this](int value) { m_follows = value == m_table->verticalScrollBar()->maximum(); });
-    connect(&m_log, &QAbstractItemModel::rowsInserted, this, [this] {
-        enableButtons();
-        follow();
-    });
+    connect(m_table->verticalScrollBar(), &QScrollBar::rangeChanged, this, &LifecyclePanel::follow);
+    connect(&m_log, &QAbstractItemModel::rowsInserted, this, &LifecyclePanel::enableButtons);
     // A folded row changes with each of its steps.
     connect(&m_log, &QAbstractItemModel::dataChanged, this, &LifecyclePanel::showCalls);
     connect(&m_log, &QAbstractItemModel::modelReset, this, [this] {
