@@ -74,8 +74,11 @@ Look lookOf(MainWindow &window)
 {
     settle(20);
     Look look;
-    for (const QWidget *widget : window.findChildren<QWidget *>())
-        look.palettes.insert(pathOf(*widget), coloursOf(widget->palette()));
+    for (const QWidget *widget : window.findChildren<QWidget *>()) {
+        const QString path = pathOf(*widget);
+        if (!path.contains(QStringLiteral("QComboBoxPrivateScroller"))) // only some styles have one
+            look.palettes.insert(path, coloursOf(widget->palette()));
+    }
     for (QDockWidget *dock : window.findChildren<QDockWidget *>()) {
         if (dock->isVisible() && dock->objectName() != QStringLiteral("outside"))
             look.pictures.insert(dock->objectName(), dock->grab().toImage());
@@ -139,8 +142,11 @@ private slots:
                 others << it.key().section(u'/', -3);
         }
         QVERIFY2(others.isEmpty(), qPrintable(others.mid(0, 20).join(u'\n')));
+        // A system's own style may need another width, so that the panels are laid out otherwise.
+        const QString panel = QStringLiteral("comparison");
+        const bool isLaidOutAlike = after.pictures[panel].size() == fresh.pictures[panel].size();
         for (auto it = fresh.pictures.cbegin(); it != fresh.pictures.cend(); ++it) {
-            if (after.pictures[it.key()] != it.value())
+            if ((to != QStringLiteral("System") || isLaidOutAlike) && after.pictures[it.key()] != it.value())
                 others << it.key();
         }
         QVERIFY2(others.isEmpty(), qPrintable(others.join(u'\n')));

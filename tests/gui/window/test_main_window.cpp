@@ -67,7 +67,7 @@ private slots:
         const auto window = windowOfSize({1280, 800});
         const double share = static_cast<double>(window->view().width()) * window->view().height()
                              / (static_cast<double>(window->width()) * window->height());
-        QVERIFY2(share >= 0.55, qPrintable(QString::number(share)));
+        QVERIFY2(share >= 0.5, qPrintable(QString::number(share)));
         QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "comparison"), kPatienceMilliseconds);
         for (const char *name : {"parameters", "pipeline", "inspector", "lifecycle"})
             QVERIFY2(dockOf(*window, name)->isHidden(), name);
