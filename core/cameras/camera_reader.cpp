@@ -1,11 +1,16 @@
 #include "core/cameras/camera_reader.h"
 
+#include "core/base/byte_order.h"
 #include "core/base/number_text.h"
+#include "core/base/text_scanner.h"
 #include "core/base/translation.h"
 #include "core/geometry/finite.h"
 
+#include <nlohmann/json.hpp>
+
+#include <glm/matrix.hpp>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -18,96 +23,110 @@ namespace {
 
 using CameraRead = std::optional<base::Expected<ForeignCamera, base::Error>>;
 
-/// The reader of a program's cameras: of one text, or of texts that belong together.
-struct CameraReader {
-    const char *program = "";
-    bool (*read)(Reading &reading) = nullptr;
-    std::optional<ForeignCamera> (*readAll)(std::span<const NamedText> texts, const CameraChoices &choices) = nullptr;
-};
+/// All forms. The first that recognises the texts reads them: the most particular one is first.
+const std::vector<Form> &forms()
+{
+    static const std::vector<Form> all = [] {
+        std::vector<Form> list;
+        for (const auto some : {colmapForms(), xmlForms(), fileForms(), jsonForms(), printForms()})
+            list.insert(list.end(), some.begin(), some.end());
+        list.push_back({.program = "DSO", .readAll = readTables});
+        list.push_back({.program = "OpenCV", .readAll = readNamedParts});
+        return list;
+    }();
+    return all;
+}
 
-/// The first that recognises the texts reads them: the most particular form is first.
-constexpr std::array kReaders{CameraReader{"COLMAP", nullptr, readColmap},
-                              CameraReader{"Metashape", readMetashape},
-                              CameraReader{"MeshLab", readMeshLab},
-                              CameraReader{"RealityCapture", readRealityCapture},
-                              CameraReader{"Gazebo", readGazebo},
-                              CameraReader{"MuJoCo", readMjcf},
-                              CameraReader{"Mitsuba", readMitsuba},
-                              CameraReader{"pycolmap", readPycolmap},
-                              CameraReader{"Bundler", readBundler},
-                              CameraReader{"MVSNet", readMvsNet},
-                              CameraReader{"Multiface", readKrt},
-                              CameraReader{"Middlebury", readMiddlebury},
-                              CameraReader{"OpenMVG", readOpenMvg},
-                              CameraReader{"AliceVision", readAliceVision},
-                              CameraReader{"OpenSfM", readOpenSfm},
-                              CameraReader{"Nerfstudio", readCameraPath},
-                              CameraReader{"BOP", nullptr, readBop},
-                              CameraReader{"nuScenes", readNuScenes},
-                              CameraReader{"Polycam", readPolycam},
-                              CameraReader{"ARKit", readArKit},
-                              CameraReader{"Record3D", readRecord3d},
-                              CameraReader{"three.js", readThree},
-                              CameraReader{"Human3.6M", readHuman36m},
-                              CameraReader{"fSpy", readFspy},
-                              CameraReader{"NVISII", readDope},
-                              CameraReader{"LGSVL", readLgsvl},
-                              CameraReader{"NeRF", nullptr, readNerf},
-                              CameraReader{"Open3D", readOpen3d},
-                              CameraReader{"glTF", readGltf},
-                              CameraReader{"MuJoCo", readMujoco},
-                              CameraReader{"PyBullet", readPyBullet},
-                              CameraReader{"VTK", readVtk},
-                              CameraReader{"USD", readUsd},
-                              CameraReader{"Godot", readGodot},
-                              CameraReader{"Blender", readBlender},
-                              CameraReader{"Unreal", readUnreal},
-                              CameraReader{"Unity", readUnity},
-                              CameraReader{"pyrender", readPyrender},
-                              CameraReader{"Gaussian splatting", readSplatting},
-                              CameraReader{"SAPIEN", readSapien},
-                              CameraReader{"Bouguet's toolbox", readBouguet},
-                              CameraReader{"Anipose", readAnipose},
-                              CameraReader{"DSO", nullptr, readTables},
-                              CameraReader{"OpenCV", nullptr, readNamedParts}};
+void readParts(Reading &reading, const Form &form, const Found &one)
+{
+    const Form::Parts &parts = form.parts;
+    if (!one.lens)
+        failWithoutLens(reading);
+    if ((*parts.pose || parts.count == 7) && one.pose)
+        reading.setPose(one.pose, parts.pose, parts.count, parts.at);
+    if (parts.isByColumns && one.pose)
+        reading.camera.pose = glm::transpose(*reading.camera.pose);
+    if (reading.camera.pose)
+        reading.camera.pose = one.parent * *reading.camera.pose;
+    if (*parts.centre && one.pose)
+        reading.camera.center = one.pose.vector(parts.centre);
+    if (*parts.size)
+        reading.setSize(one.lens, parts.size);
+    else if (form.format == Format::Print)
+        reading.camera.size = sizeIn(one.lens.values());
+    if (*parts.planes)
+        reading.setPlanes(one.lens, parts.planes);
+    if (*parts.lens)
+        reading.setLens(one.lens, parts.lens, form.centres);
+    if (*parts.distortion && one.lens.has(parts.distortion))
+        setDistortion(reading, one.lens.numbers(parts.distortion));
+    if (form.quirk)
+        form.quirk(reading, one);
+    if (*parts.note)
+        reading.say(tr(parts.note));
+}
 
-/// The reader that recognises the texts, with what it reads.
-std::pair<const CameraReader *, CameraRead> firstRead(std::span<const NamedText> texts, const CameraChoices &choices)
+/// Reads the camera of a text; returns false if the text has another form.
+bool readForm(Reading &reading, const Form &form)
+{
+    base::Json document;
+    if (!openDocument(reading, form.format, form.marks, document))
+        return false;
+    const Node &text = reading.file;
+    const std::vector<Found> found =
+        form.cameras ? form.cameras(reading, text) : std::vector{Found{{}, {}, text, text}};
+    if (found.empty())
+        return false;
+    std::vector<std::string> ids;
+    for (const Found &one : found) {
+        if (!one.name.empty() || found.size() > 1)
+            reading.camera.images.push_back(one.name);
+        ids.push_back(one.id);
+    }
+    reading.begin(form.program, form.direction, form.axes);
+    if (!reading.camera.images.empty())
+        reading.chooseImage(ids);
+    readParts(reading, form, found[reading.camera.image]);
+    return true;
+}
+
+/// The form that recognises the texts, with what it reads.
+std::pair<const Form *, CameraRead> firstRead(std::span<const NamedText> texts, const CameraChoices &choices)
 {
     std::vector<Reading> readings;
     for (const NamedText &text : texts)
-        readings.emplace_back(text, choices);
-    for (const CameraReader &reader : kReaders) {
+        readings.emplace_back(text, choices).all = texts;
+    for (const Form &form : forms()) {
         try {
-            if (reader.readAll) {
-                if (auto camera = reader.readAll(texts, choices))
-                    return {&reader, std::move(*camera)};
+            if (form.readAll) {
+                if (auto camera = form.readAll(texts, choices))
+                    return {&form, std::move(*camera)};
                 continue;
             }
             for (Reading &reading : readings) {
-                if (reader.read(reading)) {
-                    reading.camera.files = {reading.text.name};
-                    return {&reader, std::move(reading.camera)};
+                if (readForm(reading, form)) {
+                    reading.camera.files.push_back(reading.text.name);
+                    return {&form, std::move(reading.camera)};
                 }
                 reading.camera = {};
             }
         } catch (base::Error &error) {
-            return {&reader, std::move(error)};
+            return {&form, std::move(error)};
         }
     }
     return {nullptr, std::nullopt};
 }
 
 /// The error of files of several programs, of which all but one would be ignored.
-std::optional<base::Error> mixedError(std::span<const NamedText> texts, const CameraChoices &choices,
-                                      const CameraReader *reader)
+std::optional<base::Error> mixedError(std::span<const NamedText> texts, const CameraChoices &choices, const Form *form)
 {
     std::string list;
     bool hasSame = false, hasOther = false;
     for (const NamedText &text : texts) {
-        const CameraReader *alone = firstRead({&text, 1}, choices).first;
-        hasSame = hasSame || alone == reader;
-        hasOther = hasOther || (alone && alone != reader);
+        const Form *alone = firstRead({&text, 1}, choices).first;
+        const bool isSame = alone && std::string_view(alone->program) == form->program;
+        hasSame = hasSame || isSame;
+        hasOther = hasOther || (alone && !isSame);
         if (alone)
             list += (list.empty() ? "" : ", ") + text.name + " (" + alone->program + ')';
     }
@@ -144,18 +163,82 @@ std::optional<std::string> reasonAgainst(const ForeignCamera &camera, const Came
     return std::nullopt;
 }
 
+/// The JSON of a text, if it has any: the first part of a .glb; what people paste of an object's middle
+/// becomes one.
+std::string jsonIn(const std::string &text)
+{
+    constexpr std::size_t kHeader = 20; // magic, version, length; the chunk's length and type
+    if (text.starts_with("glTF") && text.size() >= kHeader)
+        return text.substr(kHeader, base::numberAt<std::uint32_t>(reinterpret_cast<const std::uint8_t *>(&text[12])));
+    const std::string_view part = base::trimmed(text);
+    return part.starts_with('"') ? '{' + std::string(part.substr(0, part.find_last_not_of(',') + 1)) + '}'
+                                 : std::string();
+}
+
 } // namespace
+
+bool openDocument(Reading &reading, Format format, std::string_view marks, base::Json &document)
+{
+    const std::string &text = reading.text.text;
+    const bool areKeys = format == Format::Json || format == Format::LaxJson;
+    for (const std::string_view mark : split(marks, ' ')) {
+        const std::vector<std::string_view> any = split(mark, '|');
+        if (std::none_of(any.begin(), any.end(), [&](std::string_view one) {
+                return text.find(areKeys ? '"' + std::string(one) + '"' : std::string(one)) != text.npos;
+            }))
+            return false;
+    }
+    if (format == Format::Print) {
+        reading.file = Node(reading, reading.values(), text);
+        return true;
+    }
+    reading.json = format == Format::Json ? jsonIn(text) : std::string();
+    if (!reading.json.empty() || (areKeys ? isJson(text) : isXml(text))) {
+        const NamedText part{reading.text.name, reading.json};
+        const NamedText &whole = reading.json.empty() ? reading.text : part;
+        try {
+            document = areKeys ? parsedJson(whole) : parsedXml(whole);
+        } catch (const base::Error &) {
+            if (format != Format::LaxJson)
+                throw;
+        }
+    }
+    reading.file = Node(reading, document);
+    return bool(reading.file);
+}
+
+std::vector<Found> onlyIf(bool isIt, const Node &text)
+{
+    return isIt ? std::vector{Found{{}, {}, text, text}} : std::vector<Found>();
+}
+
+std::vector<Found> sections(const Reading &reading, const Node &text, std::string_view mark, std::string_view end,
+                            std::string_view word)
+{
+    std::vector<Found> found;
+    const std::string_view all = reading.text.text;
+    for (std::size_t at = all.find(mark); at != all.npos; at = all.find(mark, at + 1)) {
+        const std::string_view part = all.substr(at, all.find(end, at + mark.size()) - at);
+        if (part.find(word) == part.npos)
+            continue;
+        const std::vector<std::string_view> quoted = split(split(part, '\n')[0], '"');
+        const std::string name(quoted.size() > 1 ? quoted[1] : "");
+        const Node node(reading, std::make_shared<NamedValues>(part), part);
+        found.push_back({name.empty() ? std::to_string(found.size()) : name, {}, node, node});
+    }
+    return found.empty() ? onlyIf(true, text) : found;
+}
 
 std::optional<base::Expected<ForeignCamera, base::Error>> readCamera(std::span<const NamedText> texts,
                                                                      const CameraChoices &choices)
 {
     if (texts.empty())
         return std::nullopt;
-    auto [reader, read] = firstRead(texts, choices);
+    auto [form, read] = firstRead(texts, choices);
     if (!read)
         return std::nullopt;
     if (texts.size() > 1) {
-        if (auto error = mixedError(texts, choices, reader))
+        if (auto error = mixedError(texts, choices, form))
             return *error;
     }
     if (!*read)

@@ -275,6 +275,22 @@ Reconstruction reconstructionOf(std::span<const NamedText> texts)
     return found;
 }
 
+void setPose(Reading &reading, const Image &image)
+{
+    const std::array<double, 7> &v = image.pose;
+    for (const double number : v) {
+        if (!std::isfinite(number))
+            image.fail(tr("a number of the pose of %1 is not finite", image.name));
+    }
+    const auto rotation = rotationOf(v[0], v[1], v[2], v[3]);
+    if (!rotation)
+        image.fail(tr("the image's quaternion is 0; a rotation has the length 1"));
+    if (const double length = quaternionLength(v); std::abs(length - 1.0) >= kUnit)
+        reading.say(tr("The quaternion of %1 has the length %2 instead of 1; it is divided by it.", image.name,
+                       base::significantText(length, 4)));
+    reading.camera.pose = rigid(*rotation, {v[4], v[5], v[6]});
+}
+
 /// The camera's size, intrinsics and distortion.
 void setLens(ForeignCamera &camera, const Camera &found)
 {
@@ -305,7 +321,50 @@ void setLens(ForeignCamera &camera, const Camera &found)
         camera.distortion = distortion;
 }
 
-} // namespace
+// Source: COLMAP, src/colmap/geometry/rigid3.cc and src/colmap/scene/camera.cc, operator<<
+std::vector<Found> printedPoses(Reading &reading, const Node &text)
+{
+    std::vector<Found> poses = sections(reading, text, "Rigid3d(", "Rigid3d(");
+    for (Found &one : poses) {
+        one.lens = text;
+        if (one.pose.numbers("rotationxyzw", 4).size() != 4 || one.pose.numbers("translation", 3).size() != 3
+            || text.numbers("params", 3).empty() || !sizeIn(text.values()))
+            return {};
+    }
+    return poses;
+}
+
+void readPrinted(Reading &reading, const Found &one)
+{
+    const NamedValues &values = one.lens.values();
+    const std::vector<double> p = one.lens.numbers("params", 3), q = one.pose.numbers("rotationxyzw", 4),
+                              t = one.pose.numbers("translation", 3);
+    const ImageSize size = *sizeIn(values);
+    std::string model = one.lens.word("model");
+    model.erase(0, model.rfind('.') + 1); // CameraModelId.PINHOLE
+    const bool isUnknown = model.empty() || model == "Camera";
+    if (isUnknown) { // older versions print no model
+        const bool hasOneFocal = 2.0 * p[1] == size.width && 2.0 * p[2] == size.height;
+        model = p.size() == 3   ? "SIMPLE_PINHOLE"
+                : p.size() == 8 ? "OPENCV"
+                : p.size() == 5 ? "RADIAL"
+                : hasOneFocal   ? "SIMPLE_RADIAL"
+                                : "PINHOLE";
+    }
+    if (!modelOf(model))
+        reading.fail(tr("the camera model %1 is not known", model));
+    const Entry entry{&reading.text, values.find({"params"}, 3)->line};
+    setPose(reading, Image{entry, {q[3], q[0], q[1], q[2], t[0], t[1], t[2]}, 1, "image"});
+    Camera camera{entry, model, double(size.width), double(size.height), p};
+    if (!std::all_of(p.begin(), p.end(), [](double number) { return std::isfinite(number); }))
+        camera.fault = tr("%1 is not a finite number", base::quoted("nan"));
+    setLens(reading.camera, camera);
+    const std::string &text = reading.text.text;
+    if (text.find("cam_from_world") == text.npos && text.find("world_from_cam") != text.npos)
+        reading.camera.direction = PoseDirection::CameraToWorld;
+    if (isUnknown)
+        reading.say(tr("The camera model is taken as %1, because the text names none.", model));
+}
 
 std::optional<ForeignCamera> readColmap(std::span<const NamedText> texts, const CameraChoices &choices)
 {
@@ -323,18 +382,7 @@ std::optional<ForeignCamera> readColmap(std::span<const NamedText> texts, const 
         reading.fail(tr("COLMAP's images have no focal lengths; give cameras.txt or cameras.bin, too"));
     reading.chooseImage();
     const Image &image = found.images[camera.image];
-    const std::array<double, 7> &v = image.pose;
-    for (const double number : v) {
-        if (!std::isfinite(number))
-            image.fail(tr("a number of the pose of %1 is not finite", image.name));
-    }
-    const auto rotation = rotationOf(v[0], v[1], v[2], v[3]);
-    if (!rotation)
-        image.fail(tr("the image's quaternion is 0; a rotation has the length 1"));
-    if (const double length = quaternionLength(v); std::abs(length - 1.0) >= kUnit)
-        camera.assumed.push_back(tr("The quaternion of %1 has the length %2 instead of 1; it is divided by it.",
-                                    image.name, base::significantText(length, 4)));
-    camera.pose = rigid(*rotation, {v[4], v[5], v[6]});
+    setPose(reading, image);
     const auto lens = found.cameras.find(image.camera);
     if (lens == found.cameras.end())
         image.fail(tr("there is no camera %1 among COLMAP's cameras", image.camera));
@@ -349,6 +397,20 @@ std::optional<ForeignCamera> readColmap(std::span<const NamedText> texts, const 
             camera.files.push_back(text.name);
     }
     return std::move(camera);
+}
+
+constexpr Form kForms[]{{.program = "COLMAP", .readAll = readColmap},
+                        {.program = "COLMAP",
+                         .format = Format::Print,
+                         .marks = "Rigid3d( params",
+                         .quirk = readPrinted,
+                         .cameras = printedPoses}};
+
+} // namespace
+
+std::span<const Form> colmapForms()
+{
+    return kForms;
 }
 
 } // namespace unprojector::cameras

@@ -1,18 +1,16 @@
 #include "core/base/number_text.h"
-#include "core/base/text_scanner.h"
 #include "core/base/translation.h"
-#include "core/cameras/camera_json.h"
 #include "core/cameras/camera_matrices.h"
 #include "core/cameras/camera_reader.h"
-#include "core/cameras/lens.h"
 #include "core/geometry/numbers.h"
 #include "core/geometry/projection.h"
-
-#include <nlohmann/json.hpp>
+#include "core/pipeline/decomposition.h"
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -20,313 +18,118 @@
 
 namespace unprojector::cameras {
 using namespace geometry;
-using base::tr;
-using Json = nlohmann::ordered_json;
+using base::marked, base::tr;
+using enum PoseDirection;
+using enum EyeAxes;
+using enum PixelCentres;
 
 namespace {
 
-/// The parts of a text that begin with a mark, each up to the next end.
-std::vector<std::string_view> partsOf(std::string_view text, std::string_view mark, std::string_view end)
+bool hasWord(const Reading &reading, std::string_view word)
 {
-    std::vector<std::string_view> parts;
-    for (std::size_t at = text.find(mark); at != text.npos; at = text.find(mark, at + 1)) {
-        const std::size_t next = text.find(end, at + mark.size());
-        parts.push_back(text.substr(at, next - at));
-    }
-    return parts;
+    return reading.text.text.find(word) != std::string::npos;
 }
 
-/// The first text in quotes.
-std::string quotedIn(std::string_view text)
+void setMatrix(Reading &reading, const glm::dmat4 &projection)
 {
-    const std::size_t begin = text.find('"') + 1;
-    return std::string(begin == 0 ? std::string_view() : text.substr(begin, text.find('"', begin) - begin));
-}
-
-/// The part of the chosen camera; the whole text if it has no parts.
-std::string_view chosenPart(Reading &reading, const std::vector<std::string_view> &parts)
-{
-    std::vector<std::string> &images = reading.camera.images;
-    for (const std::string_view part : parts) {
-        std::string name = quotedIn(part.substr(0, part.find('\n')));
-        images.push_back(name.empty() ? std::to_string(images.size()) : std::move(name));
-    }
-    if (parts.empty())
-        return reading.text.text;
-    reading.chooseImage();
-    return parts[reading.camera.image];
-}
-
-void sayNoParent(Reading &reading, const char *transform)
-{
-    reading.camera.assumed.push_back(
-        tr("%1 counts as the camera's pose in the world, as for a camera without parent.", transform));
-}
-
-glm::dvec3 vectorOf(const std::vector<double> &v, std::size_t from = 0)
-{
-    return {v[from], v[from + 1], v[from + 2]};
-}
-
-void setDistortion(Reading &reading, const std::vector<double> &coefficients)
-{
-    if (coefficients.empty())
-        return;
-    const auto lens = distortionOf(coefficients);
-    if (!lens && !reading.choices.isUndistorted)
-        reading.fail(lens.error());
-    if (lens && !lens->isNone())
-        reading.camera.distortion = *lens;
-}
-
-Intrinsics lensOf(const std::vector<double> &k)
-{
-    return {k[0], k[4], k[2], k[5], k[1]};
-}
-
-/// A lens of this many pixels, with the principal point off the image's centre to the right and down.
-void setLens(Reading &reading, double fx, double fy, double right = 0.0, double down = 0.0)
-{
-    const ImageSize size = reading.neededSize();
-    reading.camera.intrinsics =
-        Intrinsics{fx, fy, size.width / 2.0 + right, size.height / 2.0 + down, 0.0, PixelCentres::AtHalves, true};
-}
-
-void setLooking(Reading &reading, const glm::dvec3 &eye, const glm::dvec3 &at, const glm::dvec3 &up)
-{
-    reading.camera.pose = looking(eye, eye - at, up);
-    if (!reading.camera.pose)
-        reading.fail(tr("forward and up are parallel or 0; they give no axes"));
-}
-
-/// Sets a box of this height, as wide as the image has it.
-void setFlat(Reading &reading, double height, double nearDistance, double farDistance)
-{
-    const ImageSize size = reading.neededSize();
-    const double y = height / 2.0, x = y * size.width / size.height;
-    reading.setProjection(Ortho{-x, x, -y, y, reading.choices.nearDistance.value_or(nearDistance),
-                                reading.choices.farDistance.value_or(farDistance)},
-                          0);
-}
-
-} // namespace
-
-// Source: COLMAP, src/colmap/geometry/rigid3.cc and src/colmap/scene/camera.cc, operator<<. The text is
-// read as the lines of cameras.txt and images.txt.
-bool readPycolmap(Reading &reading)
-{
-    const std::string &text = reading.text.text;
-    if (text.find("Rigid3d(") == text.npos || text.find("params") == text.npos)
-        return false;
-    const NamedValues &values = reading.values();
-    const std::vector<double> p = values.numbers({"params"}, 3);
-    const auto size = sizeIn(values);
-    const std::vector<std::string_view> poses = partsOf(text, "Rigid3d(", "Rigid3d(");
-    if (p.empty() || !size)
-        return false;
-    const NamedValues pose(chosenPart(reading, poses));
-    const std::vector<double> q = pose.numbers({"rotationxyzw"}, 4), t = pose.numbers({"translation"}, 3);
-    if (q.size() != 4 || t.size() != 3)
-        return false;
-    const std::vector<std::string> images = reading.camera.images, said = reading.camera.assumed;
-    const std::size_t image = reading.camera.image;
-    const NamedValue *given = values.find({"model"});
-    std::string model = given ? given->word : std::string();
-    model.erase(0, model.rfind('.') + 1); // CameraModelId.PINHOLE
-    const bool isUnknown = model.empty() || model == "Camera";
-    if (isUnknown) { // older versions print no model
-        const bool hasOneFocal = 2.0 * p[1] == size->width && 2.0 * p[2] == size->height;
-        model = p.size() == 3   ? "SIMPLE_PINHOLE"
-                : p.size() == 8 ? "OPENCV"
-                : p.size() == 5 ? "RADIAL"
-                : hasOneFocal   ? "SIMPLE_RADIAL"
-                                : "PINHOLE";
-    }
-    std::string lines = "1 " + model + ' ' + std::to_string(size->width) + ' ' + std::to_string(size->height);
-    const auto add = [&lines](std::initializer_list<double> numbers) {
-        for (const double number : numbers)
-            base::appendNumber(lines += ' ', number);
-    };
-    for (const double number : p)
-        add({number});
-    lines += "\n1";
-    add({q[3], q[0], q[1], q[2], t[0], t[1], t[2], 1.0});
-    const NamedText named{reading.text.name, lines + " image\n"};
-    CameraChoices choices = reading.choices;
-    choices.image.clear();
-    auto camera = readColmap({&named, 1}, choices);
-    if (!camera)
-        reading.fail(tr("the camera model %1 is not known", model));
-    reading.camera = *std::move(camera);
-    reading.camera.images = images;
-    reading.camera.image = image;
-    reading.camera.assumed.insert(reading.camera.assumed.begin(), said.begin(), said.end());
-    if (text.find("cam_from_world") == text.npos && text.find("world_from_cam") != text.npos)
-        reading.camera.direction = PoseDirection::CameraToWorld;
-    if (isUnknown)
-        reading.camera.assumed.push_back(tr("The camera model is taken as %1, because the text names none.", model));
-    return true;
+    reading.camera.projection = MatrixProjection{projection, NdcDepth::MinusOneToOne};
 }
 
 // Sources: VTK, Rendering/Core/vtkCamera.h: the angle is vertical, 30 degrees if not set; the parallel scale
 // is half the height. ParaView's views and PyVista's camera_position have the same numbers.
-bool readVtk(Reading &reading)
+constexpr Keys kVtkNames = "cameraposition|position camerafocalpoint|focalpoint cameraviewup|viewup|up";
+
+std::vector<double> vtkNumbers(const Node &view)
 {
-    const std::string &text = reading.text.text;
-    const auto has = [&text](const char *word) { return text.find(word) != text.npos; };
-    if (!has("camera_position") && !has("cpos") && !has("ocal_point") && !has("ocalPoint") && !has("ocal Point"))
-        return false;
+    std::vector<double> all = view.numbers("cameraposition|cpos", 9);
+    for (const std::string_view key : all.size() == 9 ? std::vector<std::string_view>() : split(kVtkNames, ' ')) {
+        const std::vector<double> one = view.numbers(key, 3);
+        all.insert(all.end(), one.begin(), one.end());
+    }
+    return all.size() == 9 ? all : std::vector<double>();
+}
+
+void readVtk(Reading &reading, const Found &found)
+{
     ForeignCamera &camera = reading.camera;
-    std::vector<std::string_view> views = partsOf(text, "CreateView(", "CreateView(");
-    std::erase_if(views, [](std::string_view view) { return view.find("CameraFocalPoint") == view.npos; });
-    const NamedValues values(chosenPart(reading, views));
-    const std::vector<double> all = values.numbers({"cameraposition", "cpos"}, 9),
-                              at = values.numbers({"camerafocalpoint", "focalpoint"}, 3),
-                              eye = values.numbers({"cameraposition", "position"}, 3),
-                              up = values.numbers({"cameraviewup", "viewup", "up"}, 3);
-    const bool isList = all.size() == 9, isNamed = at.size() == 3 && eye.size() == 3 && up.size() == 3;
-    if (!isList && !isNamed)
-        return false;
-    reading.begin("VTK", PoseDirection::CameraToWorld, EyeAxes::RightUpBack);
-    const glm::dvec3 from = vectorOf(isList ? all : eye), to = isList ? vectorOf(all, 3) : vectorOf(at);
-    setLooking(reading, from, to, isList ? vectorOf(all, 6) : vectorOf(up));
-    for (const char *name : {"viewsize", "windowsize"}) {
-        if (const std::vector<double> n = values.numbers({name}, 2); n.size() == 2 && !camera.size)
-            camera.size = sizeOf(n[0], n[1]);
-    }
-    const std::vector<double> range = values.numbers({"clippingrange", "cameraclippingrange"}, 2);
-    if (range.size() == 2) {
-        camera.nearDistance = range[0];
-        camera.farDistance = range[1];
-    }
-    const auto scale = values.number({"cameraparallelscale", "parallelscale"});
-    const NamedValue *parallel = values.find({"cameraparallelprojection", "parallelprojection"});
-    if (scale && parallel && (values.isTrue(parallel->words.back()) || parallel->word == "On")) {
+    const Node &view = found.lens;
+    const std::vector<double> n = vtkNumbers(view);
+    if (n.empty())
+        reading.fail(tr("the camera's position is missing; give its x, y and z"));
+    const glm::dvec3 eye = vectorOf(n), back = eye - vectorOf(n, 3);
+    reading.setLooking(eye, back, vectorOf(n, 6));
+    reading.setSize(view, "viewsize|windowsize");
+    reading.setPlanes(view, "clippingrange|cameraclippingrange");
+    const auto scale = view.number("cameraparallelscale|parallelscale");
+    const Keys parallel = "cameraparallelprojection|parallelprojection";
+    if (scale && (view.isTrue(parallel) || view.word(parallel) == "On")) {
         // VTK sets the range to what is drawn.
         if (!camera.farDistance)
-            camera.assumed.push_back(tr("Near 0 and far, twice the distance to the focal point, are assumed; --near "
-                                        "and --far say otherwise."));
-        setFlat(reading, 2.0 * *scale, camera.nearDistance.value_or(0.0),
-                camera.farDistance.value_or(2.0 * glm::length(to - from)));
-        return true;
+            reading.say(tr("Near 0 and far, twice the distance to the focal point, are assumed; --near and --far say "
+                           "otherwise."));
+        reading.setFlat(2.0 * *scale, reading.choices.nearDistance.value_or(camera.nearDistance.value_or(0.0)),
+                        reading.choices.farDistance.value_or(camera.farDistance.value_or(2.0 * glm::length(back))));
+        return;
     }
     constexpr double kUsualAngle = 30.0;
-    const auto degrees = values.number({"cameraviewangle", "viewangle"});
+    const auto degrees = view.number("cameraviewangle|viewangle");
     if (!degrees)
-        camera.assumed.push_back(tr("The vertical field of view is assumed to be %1 degrees, as in a new camera of %2.",
-                                    base::shortestText(kUsualAngle), "VTK"));
+        reading.say(tr("The vertical field of view is assumed to be %1 degrees, as in a new camera of %2.",
+                       base::shortestText(kUsualAngle), "VTK"));
     reading.setVerticalAngle(radiansFromDegrees(degrees.value_or(kUsualAngle)));
-    return true;
 }
 
 // Source: Bouguet, Camera Calibration Toolbox for Matlab, "Description of the calibration parameters":
 // pixels count from 0, the skew is alpha_c fc(1)
-bool readBouguet(Reading &reading)
+std::vector<Found> bouguetImages(Reading &, const Node &text)
 {
-    const std::string &text = reading.text.text;
-    if (text.find("omc_") == text.npos || text.find("Tc_") == text.npos)
-        return false;
-    const NamedValues &values = reading.values();
-    ForeignCamera &camera = reading.camera;
-    const std::vector<double> f = values.numbers({"fc"}, 2), c = values.numbers({"cc"}, 2);
-    if (f.size() != 2 || c.size() != 2)
-        return false;
-    reading.begin("Bouguet's toolbox", PoseDirection::WorldToCamera, EyeAxes::RightDownAhead);
-    std::vector<const NamedValue *> turns;
-    for (const NamedValue &value : values.all()) {
+    std::vector<Found> images;
+    for (const NamedValue &value : text.values().all()) {
         if (value.written.starts_with("omc_") && value.written.find("error") == value.written.npos
-            && value.numbers.size() == 3) {
-            turns.push_back(&value);
-            camera.images.push_back(value.written);
-        }
+            && value.numbers.size() == 3)
+            images.push_back({value.written, {}, text, text});
     }
-    if (turns.empty())
-        return false;
-    reading.chooseImage();
-    const std::string number = turns[camera.image]->written.substr(4);
-    const std::vector<double> t = values.numbers({"tc" + number}, 3);
-    if (t.size() != 3)
-        reading.fail(tr("%1 needs %2 numbers; it has %3", "Tc_" + number, 3, t.size()));
-    camera.pose = rigid(rotationOf(vectorOf(turns[camera.image]->numbers)), vectorOf(t));
-    camera.size = sizeOf(values.number({"nx"}), values.number({"ny"}));
-    camera.intrinsics = Intrinsics{f[0], f[1], c[0], c[1], values.number({"alphac"}).value_or(0.0) * f[0]};
-    setDistortion(reading, values.numbers({"kc"}, 4));
-    return true;
+    return text.numbers("fc", 2).size() == 2 && text.numbers("cc", 2).size() == 2 ? images : std::vector<Found>();
+}
+
+void readBouguet(Reading &reading, const Found &one)
+{
+    reading.setPose(one.pose, one.name, 3, "Tc_" + one.name.substr(4));
+    reading.setLens(one.lens, "fc cc", AtIntegers);
+    reading.camera.intrinsics->skew = one.lens.number("alpha_c", 0.0) * reading.camera.intrinsics->fx;
 }
 
 // Source: aniposelib, cameras.py, Camera.get_dict: OpenCV's rotation vector and distortion
-bool readAnipose(Reading &reading)
+std::vector<Found> aniposeCameras(Reading &reading, const Node &text)
 {
-    const std::string_view text = reading.text.text;
-    if (text.find("distortions") == text.npos || text.find("[cam") == text.npos)
-        return false;
-    ForeignCamera &camera = reading.camera;
-    std::vector<NamedValues> sections;
-    std::vector<std::string> ids;
-    for (const std::string_view part : partsOf(text, "[cam", "\n[cam")) {
-        const std::size_t end = std::min(part.find(']'), part.size());
-        const NamedValues &section = sections.emplace_back(part.substr(end));
-        ids.emplace_back(part.substr(1, end - 1));
-        const NamedValue *name = section.find({"name"});
-        camera.images.push_back(name && !name->word.empty() ? name->word : ids.back());
+    std::vector<Found> cameras = sections(reading, text, "[cam", "\n[cam");
+    for (Found &one : cameras) {
+        const Node &own = one.lens;
+        const std::string_view part = own.text();
+        one.id = part.substr(1, part.find(']') - 1);
+        one.name = own.word("name").empty() ? one.id : own.word("name");
+        if (own.numbers("matrix", 9).size() != 9 || own.numbers("rotation", 3).size() != 3
+            || own.numbers("translation", 3).size() != 3)
+            return {};
     }
-    const auto isWhole = [](const NamedValues &section) {
-        return section.numbers({"matrix"}, 9).size() == 9 && section.numbers({"rotation"}, 3).size() == 3
-               && section.numbers({"translation"}, 3).size() == 3;
-    };
-    if (sections.empty() || !std::all_of(sections.begin(), sections.end(), isWhole))
-        return false;
-    reading.begin("Anipose", PoseDirection::WorldToCamera, EyeAxes::RightDownAhead);
-    reading.chooseImage(ids);
-    const NamedValues &one = sections[camera.image];
-    if (one.isTrue("fisheye") && !reading.choices.isUndistorted)
+    return cameras;
+}
+
+void readAnipose(Reading &reading, const Found &one)
+{
+    if (!one.lens.isTrue("fisheye"))
+        setDistortion(reading, one.lens.numbers("distortions", 4));
+    else if (!reading.choices.isUndistorted)
         reading.fail(unknownDistortionText("fisheye"));
-    camera.size = sizeIn(one);
-    camera.intrinsics = lensOf(one.numbers({"matrix"}, 9));
-    camera.pose = rigid(rotationOf(vectorOf(one.numbers({"rotation"}, 3))), vectorOf(one.numbers({"translation"}, 3)));
-    if (!one.isTrue("fisheye"))
-        setDistortion(reading, one.numbers({"distortions"}, 4));
-    return true;
 }
-
-// Source: karfly/human36m-camera-parameters, README.md: intrinsics by camera, extrinsics by subject and camera
-bool readHuman36m(Reading &reading)
-{
-    const Json file = documentWith(reading.text, {"intrinsics", "extrinsics", "calibration_matrix"});
-    ForeignCamera &camera = reading.camera;
-    std::vector<std::pair<std::string, std::string>> keys;
-    std::vector<std::string> ids;
-    const Json &subjects = inside(file, {"extrinsics"});
-    for (auto subject = subjects.begin(); subject != subjects.end(); ++subject) {
-        for (auto one = subject->begin(); one != subject->end(); ++one) {
-            keys.emplace_back(subject.key(), one.key());
-            camera.images.push_back(subject.key() + ' ' + one.key());
-            ids.push_back(subjects.size() == 1 ? one.key() : std::string());
-        }
-    }
-    if (keys.empty())
-        return false;
-    reading.begin("Human3.6M", PoseDirection::WorldToCamera, EyeAxes::RightDownAhead);
-    reading.chooseImage(ids);
-    const auto &[subject, id] = keys[camera.image];
-    const Json &lens = inside(file, {"intrinsics", id.c_str()});
-    const Json &pose = inside(subjects, {subject.c_str(), id.c_str()});
-    camera.intrinsics = lensOf(neededNumbers(reading, lens, "calibration_matrix", 9));
-    camera.pose =
-        rigid(glm::dmat3(*matrixByRows(neededNumbers(reading, pose, "R", 9))), neededVector(reading, pose, "t"));
-    setDistortion(reading, numbersOf(lens, "distortion"));
-    return true;
-}
-
-namespace {
 
 /// The pose of USD's xformOps: a transform for row vectors; or translate with rotateXYZ, which turns about x
 /// first, or with orient, w x y z.
-std::optional<glm::dmat4> usdPose(const NamedValues &values)
+std::optional<glm::dmat4> usdPose(const Node &prim)
 {
-    const std::vector<double> matrix = values.numbers({"transform"}, 16), at = values.numbers({"translate"}, 3),
-                              angles = values.numbers({"rotatexyz"}, 3), q = values.numbers({"orient"}, 4);
-    if (matrix.size() == 16)
+    const std::vector<double> at = prim.numbers("translate", 3), angles = prim.numbers("rotatexyz", 3),
+                              q = prim.numbers("orient", 4);
+    if (const auto matrix = prim.numbers("transform", 16); matrix.size() == 16)
         return matrixByColumns(matrix);
     if (at.size() != 3)
         return std::nullopt;
@@ -334,7 +137,8 @@ std::optional<glm::dmat4> usdPose(const NamedValues &values)
         const auto rotation = rotationOf(q[0], q[1], q[2], q[3]);
         return rotation ? std::optional(rigid(*rotation, vectorOf(at))) : std::nullopt;
     }
-    const bool isTurned = std::any_of(values.all().begin(), values.all().end(),
+    const auto &all = prim.values().all();
+    const bool isTurned = std::any_of(all.begin(), all.end(),
                                       [](const NamedValue &value) { return value.words.back().starts_with("rotate"); });
     if (isTurned && angles.size() != 3)
         return std::nullopt; // another order of the axes
@@ -344,152 +148,650 @@ std::optional<glm::dmat4> usdPose(const NamedValues &values)
     return rigid(turn(2) * turn(1) * turn(0), vectorOf(at));
 }
 
-} // namespace
-
 // Source: OpenUSD, UsdGeomCamera: the aperture and the focal length have one unit; matrices are for row vectors
-bool readUsd(Reading &reading)
+void readUsd(Reading &reading, const Found &found)
 {
-    const std::string &text = reading.text.text;
-    if (text.find("horizontalAperture") == text.npos || text.find("xformOp:") == text.npos)
-        return false;
-    ForeignCamera &camera = reading.camera;
-    const NamedValues values(chosenPart(reading, partsOf(text, "def Camera", "def ")));
-    const auto aperture = values.number({"horizontalaperture"}), focal = values.number({"focallength"});
-    if (!aperture || !focal)
-        return false;
-    reading.begin("USD", PoseDirection::CameraToWorld, EyeAxes::RightUpBack);
-    camera.pose = usdPose(values);
-    if (!camera.pose)
-        reading.failAt("focallength",
-                       tr("the camera's pose is missing; give %1", "xformOp:transform, or translate and rotateXYZ"));
-    if (const std::vector<double> range = values.numbers({"clippingrange"}, 2); range.size() == 2) {
-        camera.nearDistance = range[0];
-        camera.farDistance = range[1];
-    }
-    if (const NamedValue *kind = values.find({"projection"}); kind && kind->word == "orthographic")
-        reading.failAt("projection", tr("an orthographic camera of %1 is not read; give its matrices", "USD"));
-    const double pixels = reading.neededSize().width / *aperture;
-    const auto offset = [&](const char *name) { return values.number({name}).value_or(0.0) * pixels; };
-    setLens(reading, *focal * pixels, *focal * pixels, -offset("horizontalapertureoffset"),
-            offset("verticalapertureoffset"));
-    camera.assumed.push_back(tr("Pixels are square: the horizontal aperture counts, not the vertical one."));
+    const Node &prim = found.lens;
+    reading.camera.pose = usdPose(prim);
+    if (!reading.camera.pose)
+        prim.fail(tr("the camera's pose is missing; give %1", "xformOp:transform, or translate and rotateXYZ"),
+                  "focallength");
+    if (prim.word("projection") == "orthographic")
+        prim.fail(tr("an orthographic camera of %1 is not read; give its matrices", "USD"), "projection");
+    const ImageSize size = reading.neededSize();
+    const double pixels = size.width / prim.needed("horizontalaperture"), focal = prim.needed("focallength") * pixels;
+    reading.setCentred(size, focal, focal, -prim.number("horizontalapertureoffset", 0.0) * pixels,
+                       prim.number("verticalapertureoffset", 0.0) * pixels);
+    reading.say(tr("Pixels are square: the horizontal aperture counts, not the vertical one."));
     sayNoParent(reading, "xformOp");
-    return true;
 }
 
-// Source: Godot, class Camera3D: fov is vertical while keep_aspect is 1; core/math/transform_3d.cpp and
-// core/variant/variant_parser.cpp: a scene has the basis by rows, a print its axes
-bool readGodot(Reading &reading)
+/// The pose of a scene, with the basis by rows, or of a print, which has its axes.
+/// Source: Godot, core/math/transform_3d.cpp and core/variant/variant_parser.cpp
+std::optional<glm::dmat4> godotPose(const Node &node)
 {
-    const std::string_view text = reading.text.text;
-    if (text.find("Transform3D(") == text.npos && text.find("[X: ") == text.npos)
-        return false;
+    const std::string_view text = node.text();
+    if (const std::size_t at = text.find("Transform3D("); at != text.npos) {
+        const NamedValues values(text.substr(at + 11, text.find(')', at) - at - 11));
+        const std::vector<double> &m = values.all().front().numbers;
+        if (m.size() == 12)
+            return rigid(glm::dmat3(*matrixByRows(std::span(m).first(9))), vectorOf(m, 9));
+    }
+    const std::vector<double> axes = node.numbers("x y z o", 12);
+    return axes.size() == 12 ? std::optional(
+               rigid(glm::dmat3(vectorOf(axes), vectorOf(axes, 3), vectorOf(axes, 6)), vectorOf(axes, 9)))
+                             : std::nullopt;
+}
+
+std::vector<Found> godotNodes(Reading &reading, const Node &text)
+{
+    std::vector<Found> nodes = sections(reading, text, "[node", "\n[", "Camera3D\"");
+    std::erase_if(nodes,
+                  [&](const Found &one) { return !godotPose(one.pose) || (one.name.empty() && !one.lens.has("fov")); });
+    return nodes;
+}
+
+// Source: Godot, class Camera3D: fov is vertical while keep_aspect is 1
+void readGodot(Reading &reading, const Found &one)
+{
+    const Node &node = one.lens;
     ForeignCamera &camera = reading.camera;
-    std::vector<std::string_view> nodes = partsOf(text, "[node", "\n[");
-    std::erase_if(
-        nodes, [](std::string_view node) { return node.substr(0, node.find('\n')).find("Camera3D\"") == node.npos; });
-    const std::string_view node = chosenPart(reading, nodes);
-    const NamedValues values(node);
-    std::vector<double> m;
-    if (const std::size_t at = node.find("Transform3D("); at != node.npos)
-        m = NamedValues(node.substr(at + 11, node.find(')', at) - at - 11)).all().front().numbers;
-    const std::vector<double> x = values.numbers({"x"}, 3), y = values.numbers({"y"}, 3), z = values.numbers({"z"}, 3),
-                              origin = values.numbers({"o"}, 3);
-    const bool arePrinted = x.size() == 3 && y.size() == 3 && z.size() == 3 && origin.size() == 3;
-    if ((m.size() != 12 && !arePrinted) || (nodes.empty() && !values.has({"fov"})))
-        return false;
-    reading.begin("Godot", PoseDirection::CameraToWorld, EyeAxes::RightUpBack);
-    camera.pose = m.size() == 12 ? rigid(glm::dmat3(*matrixByRows(std::span(m).first(9))), vectorOf(m, 9))
-                                 : rigid(glm::dmat3(vectorOf(x), vectorOf(y), vectorOf(z)), vectorOf(origin));
-    camera.nearDistance = values.number({"near"}).value_or(0.05);
-    camera.farDistance = values.number({"far"}).value_or(4000.0);
+    camera.pose = godotPose(one.pose);
+    camera.nearDistance = node.number("near", 0.05);
+    camera.farDistance = node.number("far", 4000.0);
     sayNoParent(reading, "Transform3D");
-    const double projection = values.number({"projection"}).value_or(0.0);
-    const bool isByWidth = values.number({"keepaspect"}).value_or(1.0) == 0.0;
+    const double projection = node.number("projection", 0.0);
+    const bool isByWidth = node.number("keepaspect", 1.0) == 0.0;
     if (projection == 2.0)
-        reading.failAt("projection", tr("a camera with frustum_offset is not read; give its matrices"));
+        node.fail(tr("a camera with frustum_offset is not read; give its matrices"), "projection");
     if (projection == 1.0) {
         const ImageSize size = reading.neededSize();
-        const double side = values.number({"size"}).value_or(1.0);
-        setFlat(reading, isByWidth ? side * size.height / size.width : side, *camera.nearDistance, *camera.farDistance);
-        return true;
+        reading.setFlat(node.number("size", 1.0) * (isByWidth ? double(size.height) / size.width : 1.0),
+                        reading.choices.nearDistance.value_or(*camera.nearDistance),
+                        reading.choices.farDistance.value_or(*camera.farDistance));
+        return;
     }
-    constexpr double kUsualAngle = 75.0;
-    const double angle = radiansFromDegrees(values.number({"fov"}).value_or(kUsualAngle));
+    const double angle = radiansFromDegrees(node.number("fov", 75.0));
     isByWidth ? reading.setHorizontalAngle(angle) : reading.setVerticalAngle(angle);
-    return true;
 }
 
-// Source: fSpy's importer for Blender, fspy_blender/addon.py: half the longer side is 1, y is up
-bool readFspy(Reading &reading)
+/// One or all cameras of mjData: cam_xpos, cam_xmat by rows, and mjModel's cam_fovy in degrees.
+std::vector<Found> mujocoCameras(Reading &, const Node &text)
 {
-    const Json file = documentWith(reading.text, {"cameraTransform", "relativeFocalLength", "imageWidth"});
-    const Json &one = memberOf(file, "cameraParameters") ? inside(file, {"cameraParameters"}) : file;
-    if (!memberOf(one, "cameraTransform"))
-        return false;
-    ForeignCamera &camera = reading.camera;
-    reading.begin("fSpy", PoseDirection::CameraToWorld, EyeAxes::RightUpBack);
-    camera.pose = matrixByRows(neededNumbers(reading, inside(one, {"cameraTransform"}), "rows", 16));
-    camera.size = sizeOf(numberOf(one, "imageWidth"), numberOf(one, "imageHeight"));
-    const ImageSize size = reading.neededSize();
-    const double half = std::max(size.width, size.height) / 2.0, f = neededNumber(reading, one, "relativeFocalLength");
-    const Json &point = inside(one, {"principalPoint"});
-    setLens(reading, f * half, f * half, numberOf(point, "x").value_or(0.0) * half,
-            -numberOf(point, "y").value_or(0.0) * half);
-    return true;
+    const std::vector<double> axes = text.numbers("camxmat|xmat", 9), positions = text.numbers("camxpos|xpos", 3),
+                              angles = text.numbers("camfovy|fovy");
+    const std::size_t count = axes.size() / 9;
+    if (!text.has("camxmat|xmat"))
+        return {};
+    if (count == 0 || axes.size() != 9 * count)
+        text.fail(tr("cam_xmat needs 9 numbers a camera; it has %1", axes.size()), "xmat");
+    if (positions.size() != 3 * count)
+        text.fail(tr("%1 needs %2 numbers; it has %3", "cam_xpos", 3 * count, positions.size()), "xpos");
+    if (angles.size() != count)
+        text.fail(tr("%1 needs %2 numbers; it has %3", "cam_fovy", count, angles.size()), "fovy");
+    std::vector<Found> cameras;
+    for (std::size_t i = 0; i < count; ++i)
+        cameras.push_back({count > 1 ? std::to_string(i) : std::string(), {}, text, text});
+    return cameras;
 }
 
-// Source: NVISII, as Deep_Object_Pose, data_generation, writes it: the rows of camera_view_matrix are columns,
-// so eye, at and up count
-bool readDope(Reading &reading)
+void readMujoco(Reading &reading, const Found &one)
 {
-    const Json file = documentWith(reading.text, {"camera_data", "camera_look_at", "intrinsics"});
-    const Json &one = inside(file, {"camera_data"}), &look = inside(one, {"camera_look_at"}),
-               &lens = inside(one, {"intrinsics"});
-    if (!look.is_object())
-        return false;
     ForeignCamera &camera = reading.camera;
-    reading.begin("NVISII", PoseDirection::CameraToWorld, EyeAxes::RightUpBack);
-    setLooking(reading, neededVector(reading, look, "eye"), neededVector(reading, look, "at"),
-               neededVector(reading, look, "up"));
-    camera.size = sizeOf(numberOf(one, "width"), numberOf(one, "height"));
-    const auto number = [&](const char *key) { return neededNumber(reading, lens, key); };
-    camera.intrinsics = Intrinsics{number("fx"), number("fy"), number("cx"), number("cy"), 0.0, PixelCentres::AtHalves};
-    return true;
+    const Node &text = one.lens;
+    const std::size_t i = camera.image;
+    const std::vector<double> axes = text.numbers("camxmat|xmat", 9);
+    camera.pose = matrixByRows(std::span(axes).subspan(9 * i, 9));
+    (*camera.pose)[3] = glm::dvec4(vectorOf(text.numbers("camxpos|xpos", 3), 3 * i), 1.0);
+    // The planes are given as shares of the model's extent.
+    const auto extent = text.number("extent"), nearShare = text.number("znear"), farShare = text.number("zfar");
+    if (extent && nearShare)
+        camera.nearDistance = *nearShare * *extent;
+    if (extent && farShare)
+        camera.farDistance = *farShare * *extent;
+    reading.setVerticalAngle(radiansFromDegrees(text.numbers("camfovy|fovy")[i]));
 }
 
-// Source: lgsvl/simulator, Assets/Scripts/Sensors, CameraSensorBase.cs: FieldOfView is that of Unity's camera
-bool readLgsvl(Reading &reading)
+/// mjvGLCamera: pos, forward, up and the frustum at its near plane.
+void readGlCamera(Reading &reading, const Found &one)
 {
-    const Json file = documentWith(reading.text, {"FieldOfView", "transform", "pitch"});
+    const Node &text = one.lens;
+    const std::vector<double> axes = text.numbers("pos forward up", 9),
+                              box = text.numbers("frustumbottom frustumtop frustumnear frustumfar", 4);
+    if (axes.empty() || box.empty())
+        reading.fail(tr("mjvGLCamera needs pos, forward, up, frustum_bottom, frustum_top, frustum_near and "
+                        "frustum_far; one of them is missing"));
+    reading.setLooking(vectorOf(axes), -vectorOf(axes, 3), vectorOf(axes, 6));
+    const double centre = text.number("frustumcenter", 0.0);
+    double half = text.number("frustumwidth", 0.0);
+    if (half == 0.0) { // the width follows the viewport
+        const ImageSize size = reading.neededSize();
+        half = 0.5 * size.width / size.height * (box[1] - box[0]);
+    }
+    const double left = centre - half, right = centre + half;
+    if (text.isTrue("orthographic"))
+        reading.setProjection(Ortho{left, right, box[0], box[1], box[2], box[3]}, 0);
+    else
+        reading.setProjection(Frustum{left, right, box[0], box[1], box[2], box[3]}, 0);
+}
+
+/// The list of getDebugVisualizerCamera: width, height, view, projection and what follows from them.
+std::vector<double> visualizerOf(const Node &text)
+{
+    for (const NamedValue &value : text.values().all()) {
+        const std::vector<double> &n = value.numbers;
+        if (n.size() == 52 && n[2 + 15] == 1.0 && n[18 + 11] == -1.0)
+            return n;
+    }
+    return {};
+}
+
+constexpr Keys kBulletViews = "computeviewmatrix|computeviewmatrixfromyawpitchroll|viewmatrix|view",
+               kBulletProjections =
+                   "computeprojectionmatrixfov|computeprojectionmatrix|projectionmatrix|projmatrix|projection";
+
+std::vector<Found> bulletCamera(Reading &reading, const Node &text)
+{
+    const bool isNamed =
+        hasWord(reading, "pybullet") || hasWord(reading, "PyBullet") || hasWord(reading, "computeViewMatrix");
+    return onlyIf(!visualizerOf(text).empty()
+                      || (isNamed && text.numbers(kBulletViews, 16).size() == 16
+                          && text.numbers(kBulletProjections, 16).size() == 16),
+                  text);
+}
+
+void readBullet(Reading &reading, const Found &one)
+{
+    const std::vector<double> all = visualizerOf(one.lens);
+    if (!all.empty())
+        reading.camera.size = sizeOf(all[0], all[1]);
+    const auto matrix = [&](std::size_t at, Keys keys) {
+        return *matrixByColumns(
+            all.empty() ? one.lens.numbers(keys, 16)
+                        : std::vector(all.begin() + std::ptrdiff_t(at), all.begin() + std::ptrdiff_t(at + 16)));
+    };
+    reading.camera.pose = matrix(2, kBulletViews);
+    setMatrix(reading, matrix(18, kBulletProjections));
+}
+
+constexpr Keys kSapienLens = "intrinsiccv|intrinsic|k", kSapienMatrix = "projectionmatrix|projection";
+
+std::vector<Found> sapienCamera(Reading &, const Node &text)
+{
+    const bool hasPose = matrixByRows(text.numbers("extrinsiccv", 12)) || matrixByRows(text.numbers("cam2worldgl", 12));
+    return onlyIf(
+        hasPose && (text.numbers(kSapienLens, 9).size() == 9 || matrixByRows(text.numbers(kSapienMatrix, 16))), text);
+}
+
+void readSapien(Reading &reading, const Found &one)
+{
+    const auto extrinsic = matrixByRows(one.pose.numbers("extrinsiccv", 12));
+    reading.camera.pose = extrinsic ? extrinsic : matrixByRows(one.pose.numbers("cam2worldgl", 12));
+    if (!extrinsic)
+        reading.begin("SAPIEN", CameraToWorld, RightUpBack);
+    if (one.lens.numbers(kSapienLens, 9).size() == 9)
+        reading.setLens(one.lens, kSapienLens, AtHalves);
+    else
+        setMatrix(reading, *matrixByRows(one.lens.numbers(kSapienMatrix, 16)));
+}
+
+/// A rotation about an axis, counter-clockwise as seen against a right-handed axis.
+glm::dmat3 aboutByDegrees(int axis, double degrees)
+{
+    return about(axis, radiansFromDegrees(degrees));
+}
+
+/// Says that a pose in a parent counts as one in the world.
+void sayParent(Reading &reading, const char *at, const char *turn, const char *instead)
+{
+    reading.say(tr("%1 and %2 count as the camera's pose in the world, as for a camera without parent. Give %3 if it "
+                   "has one.",
+                   at, turn, instead));
+}
+
+std::vector<Found> unityCamera(Reading &, const Node &text)
+{
+    const bool hasMatrices =
+        text.has("worldtocameramatrix|cameratoworldmatrix") && text.has("projectionmatrix|fieldofview");
+    return onlyIf(hasMatrices
+                      || (text.has("position|mlocalposition") && text.has("rotation|eulerangles|mlocalrotation")
+                          && text.has("fieldofview|orthographicsize")),
+                  text);
+}
+
+/// Sixteen numbers by rows, of a name with numbers.
+std::optional<glm::dmat4> unityMatrix(const Node &text, const char *name)
+{
+    const std::vector<double> numbers = text.numbers(name);
+    const auto matrix = numbers.size() == 16 ? matrixByRows(numbers) : std::nullopt;
+    if (!matrix && !numbers.empty())
+        text.fail(tr("%1 needs %2 numbers; it has %3", text.values().find({name})->written, 16, numbers.size()), name);
+    return matrix;
+}
+
+void readUnityPose(Reading &reading, const Node &text)
+{
     ForeignCamera &camera = reading.camera;
-    std::vector<const Json *> sensors;
-    for (const Json *sensor : elementsOf(inside(file, {"sensors"}).is_array() ? inside(file, {"sensors"}) : file)) {
-        if (numberOf(inside(*sensor, {"params"}), "FieldOfView") && memberOf(*sensor, "transform")) {
-            sensors.push_back(sensor);
-            camera.images.push_back(nameOf(*sensor, "name", camera.images.size()));
+    for (const auto &[name, direction] :
+         {std::pair("worldtocameramatrix", WorldToCamera), std::pair("cameratoworldmatrix", CameraToWorld)}) {
+        if (camera.pose = unityMatrix(text, name); camera.pose) {
+            camera.direction = direction;
+            camera.axes = RightUpBack;
+            return;
         }
     }
-    if (sensors.empty())
-        return false;
-    reading.begin("LGSVL", PoseDirection::CameraToWorld, EyeAxes::RightUpAhead);
-    reading.chooseImage();
-    const Json &one = *sensors[camera.image], &params = inside(one, {"params"}), &pose = inside(one, {"transform"});
-    const auto angle = [&](const char *key) { return radiansFromDegrees(neededNumber(reading, pose, key)); };
-    const auto at = [&](const char *key) { return neededNumber(reading, pose, key); };
-    camera.rightHandedFromWorld[2][2] = -1.0;
-    camera.pose =
-        rigid(about(1, angle("yaw")) * about(0, angle("pitch")) * about(2, angle("roll")), {at("x"), at("y"), at("z")});
-    camera.size = sizeOf(numberOf(params, "Width"), numberOf(params, "Height"));
-    camera.nearDistance = numberOf(params, "MinDistance");
-    camera.farDistance = numberOf(params, "MaxDistance");
-    sayNoParent(reading, "transform");
-    camera.assumed.push_back(tr("Unity's world is left-handed. The scene has its z negated: the point (x, y, z) of "
-                                "Unity is (x, y, -z) here."));
-    if (inside(params, {"Distorted"}) == true && !reading.choices.isUndistorted)
-        reading.fail(unknownDistortionText("DistortionParameters"));
-    reading.setVerticalAngle(radiansFromDegrees(neededNumber(reading, params, "FieldOfView")));
-    return true;
+    const std::vector<double> at = text.numbers("position|mlocalposition", 3),
+                              q = text.numbers("rotation|mlocalrotation", 4),
+                              angles = text.numbers("eulerangles|rotation|mlocaleulerangleshint", 3);
+    if (at.size() != 3)
+        text.fail(tr("the camera's position is missing; give its x, y and z"), "position");
+    const auto rotation =
+        q.size() == 4 ? rotationOf(q[3], q[0], q[1], q[2])
+        : angles.size() == 3
+            ? std::optional(aboutByDegrees(1, angles[1]) * aboutByDegrees(0, angles[0]) * aboutByDegrees(2, angles[2]))
+            : std::nullopt;
+    if (!rotation)
+        text.fail(q.size() == 4
+                      ? tr("the quaternion is 0 or not finite; give a rotation's, of the length 1")
+                      : tr("the camera's rotation is missing; give the quaternion (x, y, z, w) or eulerAngles"),
+                  "rotation");
+    camera.pose = rigid(*rotation, vectorOf(at));
+    if (!text.has("position") || !text.has("rotation|eulerangles"))
+        sayParent(reading, "m_LocalPosition", "m_LocalRotation", "position and rotation");
+}
+
+void readUnity(Reading &reading, const Found &one)
+{
+    const Node &text = one.lens;
+    ForeignCamera &camera = reading.camera;
+    sayUnity(reading);
+    readUnityPose(reading, text);
+    if (const auto clip = unityMatrix(text, "projectionmatrix")) {
+        setMatrix(reading, *clip);
+    } else if (text.isTrue("orthographic")) {
+        const auto half = text.number("orthographicsize");
+        if (!half || !camera.nearDistance || !camera.farDistance)
+            text.fail(tr("an orthographic camera needs orthographicSize, nearClipPlane and farClipPlane"),
+                      "orthographic");
+        reading.setFlat(2.0 * *half, *camera.nearDistance, *camera.farDistance);
+    } else {
+        const auto degrees = text.number("fieldofview");
+        if (!degrees)
+            text.fail(tr("the field of view is missing; give fieldOfView or projectionMatrix"), "fieldofview");
+        reading.setVerticalAngle(radiansFromDegrees(*degrees), text.number("aspect"));
+    }
+}
+
+/// Three values of one number each that follow one another under these names: "P=-10 Y=45 R=0".
+/// @param parent  the name before them; others count where it is missing
+/// @param ending  of the first name where others count: "X" leaves x out
+std::optional<glm::dvec3> inSequence(const NamedValues &values, Keys names, std::string_view parent,
+                                     std::string_view ending = {})
+{
+    const std::vector<NamedValue> &all = values.all();
+    const std::vector<std::string_view> three = split(names, ' ');
+    std::optional<glm::dvec3> elsewhere;
+    for (std::size_t i = 0; i + 3 <= all.size(); ++i) {
+        bool isIt = true;
+        for (std::size_t k = 0; k < 3; ++k)
+            isIt = isIt && all[i + k].isNamed(three[k]) && !all[i + k].numbers.empty();
+        if (!isIt)
+            continue;
+        const glm::dvec3 found(all[i].numbers[0], all[i + 1].numbers[0], all[i + 2].numbers[0]);
+        if (all[i].parent.ends_with(parent))
+            return found;
+        if (!elsewhere && all[i].written.ends_with(ending))
+            elsewhere = found;
+    }
+    return elsewhere;
+}
+
+/// Unreal's location, and its pitch, yaw and roll in degrees.
+struct UnrealPose {
+    glm::dvec3 location, rotation;
+};
+
+std::optional<UnrealPose> unrealPose(const Node &text)
+{
+    // As the console command BugIt writes them.
+    if (const std::vector<double> n = text.numbers("bugitgo", 6); n.size() == 6)
+        return UnrealPose{vectorOf(n), vectorOf(n, 3)};
+    // Other programs write x, y, z and pitch, yaw, roll, too, in worlds of their own.
+    const auto location = inSequence(text.values(), "x y z", "location", "X");
+    auto rotation = inSequence(text.values(), "p y r", "rotation");
+    if (!rotation)
+        rotation = inSequence(text.values(), "pitch yaw roll", "rotation");
+    if (const auto turned = inSequence(text.values(), "roll pitch yaw", "rotation"); turned && !rotation)
+        rotation = glm::dvec3(turned->y, turned->z, turned->x);
+    return location && rotation ? std::optional(UnrealPose{*location, *rotation}) : std::nullopt;
+}
+
+constexpr Keys kUnrealAngle = "fov|fieldofview|fovangle";
+
+void readUnreal(Reading &reading, const Found &one)
+{
+    const Node &text = one.lens;
+    const UnrealPose pose = *unrealPose(text);
+    reading.camera.rightHandedFromWorld[1][1] = -1.0;
+    // FRotator turns about x by roll, about y by pitch, then about z by yaw. Pitch and roll count
+    // against the right-hand rule.
+    reading.camera.pose = rigid(aboutByDegrees(2, pose.rotation.y) * aboutByDegrees(1, -pose.rotation.x)
+                                    * aboutByDegrees(0, -pose.rotation.z),
+                                pose.location);
+    if (text.has("relativelocation|relativerotation"))
+        sayParent(reading, "RelativeLocation", "RelativeRotation", "Location and Rotation");
+    reading.say(tr("Unreal's world is left-handed and in centimetres. The scene has its y negated: the point (x, y, z) "
+                   "of Unreal is (x, -y, z) here, in centimetres."));
+    const auto degrees = text.number(kUnrealAngle);
+    if (!degrees)
+        reading.say(tr("The horizontal field of view is assumed to be 90 degrees, because FOV is missing. Add FOV=90 "
+                       "with the right value to say otherwise."));
+    reading.setHorizontalAngle(radiansFromDegrees(degrees.value_or(90.0)));
+}
+
+/// Returns whether any type is this one: the object's own type, CAMERA, may stand before its camera's.
+bool hasType(const Node &text, std::string_view type)
+{
+    const std::vector<NamedValue> &all = text.values().all();
+    return std::any_of(all.begin(), all.end(),
+                       [type](const NamedValue &value) { return value.isNamed("type") && value.word == type; });
+}
+
+void readBlenderPose(Reading &reading, const Node &text)
+{
+    ForeignCamera &camera = reading.camera;
+    const std::vector<double> matrix = text.numbers("matrixworld|worldmatrix");
+    const std::vector<double> &unnamed = text.values().all().front().numbers;
+    if (!matrix.empty() || unnamed.size() == 16) {
+        camera.pose = matrixByRows(matrix.empty() ? unnamed : matrix);
+        if (matrix.size() == 9 || !camera.pose)
+            text.fail(tr("%1 needs %2 numbers; it has %3", "matrix_world", 16, matrix.size()), "matrixworld");
+        return;
+    }
+    const std::vector<double> angles = text.numbers("rotationeuler", 3), at = text.numbers("location", 3);
+    if (angles.size() != 3 || at.size() != 3)
+        text.fail(tr("the camera's matrix_world is missing; give it, or location and rotation_euler"), "rotationeuler");
+    for (const char *order : {"XZY", "YXZ", "YZX", "ZXY", "ZYX"}) {
+        if (hasWord(reading, order))
+            text.fail(tr("Euler angles in the order %1 are not read; give matrix_world", order), "rotationeuler");
+    }
+    // About x, then y, then z.
+    camera.pose = rigid(about(2, angles[2]) * about(1, angles[1]) * about(0, angles[0]), vectorOf(at));
+    sayParent(reading, "location", "rotation_euler", "matrix_world");
+}
+
+/// In pixels of width.
+double blenderFocal(Reading &reading, const Node &text, bool isByHeight, bool isVertical, double side)
+{
+    const auto half = [](double radians) { return 2.0 * std::tan(radians / 2.0); };
+    const auto isAngle = [](const std::optional<double> &angle) { return angle && *angle > 0.0 && *angle < kPi; };
+    const auto lens = text.number("lens"), angle = text.number("angle"), across = text.number("anglex"),
+               sensor = text.number(isByHeight ? "sensorheight" : "sensorwidth");
+    if (lens && !(*lens > 0.0))
+        text.fail(tr("%1 is %2; it must be greater than 0", "lens", base::shortestText(*lens)), "lens");
+    if (lens && !sensor)
+        reading.say(tr(isByHeight ? "The sensor is assumed to be 24 mm high, because sensor_height is missing. Add it "
+                                    "to say otherwise."
+                                  : "The sensor is assumed to be 36 mm wide, because sensor_width is missing. Add it "
+                                    "to say otherwise."));
+    if (lens)
+        return *lens * side / sensor.value_or(isByHeight ? 24.0 : 36.0);
+    if (isAngle(angle))
+        return side / half(*angle);
+    if (isAngle(across) && !isVertical)
+        return reading.neededSize().width / half(*across);
+    text.fail(tr("the focal length is missing; give lens in millimetres or angle in radians"), "lens");
+}
+
+/// The lens, as Blender computes its view plane: the sensor's side that fits the image's.
+void readBlenderLens(Reading &reading, const Node &text)
+{
+    ForeignCamera &camera = reading.camera;
+    const ImageSize size = reading.neededSize();
+    const double aspectX = text.number("pixelaspectx", 1.0), aspectY = text.number("pixelaspecty", 1.0);
+    const std::string fit = text.word("sensorfit");
+    const double width = size.width, height = size.height, tall = aspectY / aspectX;
+    const bool isVertical = fit == "VERTICAL" || (fit != "HORIZONTAL" && width * aspectX < height * aspectY);
+    const double side = isVertical ? tall * height : width; // Blender's "view factor", in pixels
+    const double shiftX = text.number("shiftx", 0.0) * side, shiftY = text.number("shifty", 0.0) * side / tall;
+    if (hasType(text, "PANO"))
+        text.fail(tr("a panoramic camera has no projection matrix; only PERSP and ORTHO are read"), "type");
+    if (hasType(text, "ORTHO")) {
+        const auto scale = text.number("orthoscale");
+        if (!scale || !camera.nearDistance || !camera.farDistance)
+            text.fail(tr("an orthographic camera needs ortho_scale, clip_start and clip_end"), "type");
+        const double pixel = *scale / side;
+        reading.setProjection(Ortho{pixel * (shiftX - width / 2.0), pixel * (shiftX + width / 2.0),
+                                    pixel * tall * (shiftY - height / 2.0), pixel * tall * (shiftY + height / 2.0),
+                                    *camera.nearDistance, *camera.farDistance},
+                              text.values().find({"type"})->line);
+        return;
+    }
+    const double focal = blenderFocal(reading, text, fit == "VERTICAL", isVertical, side);
+    reading.setCentred(size, focal, focal / tall, -shiftX, shiftY);
+}
+
+void readBlender(Reading &reading, const Found &one)
+{
+    readBlenderPose(reading, one.pose);
+    // The product of whole numbers is exact: 720 * 70 / 100 is 504, but 720 * 0.7 is less.
+    const double percent = one.lens.number("resolutionpercentage", 100.0);
+    const std::vector<double> sides = one.lens.numbers("resolutionx resolutiony", 2);
+    if (const auto size = sides.empty()
+                              ? std::nullopt
+                              : sizeOf(std::floor(sides[0] * percent / 100.0), std::floor(sides[1] * percent / 100.0)))
+        reading.camera.size = size;
+    readBlenderLens(reading, one.lens);
+}
+
+std::vector<Found> blenderCamera(Reading &reading, const Node &text)
+{
+    const bool hasPose =
+        text.has("matrixworld|rotationeuler") || hasWord(reading, "<Matrix 4x4") || hasWord(reading, "Matrix(((");
+    return onlyIf(hasPose && text.has("lens|angle|anglex|orthoscale|sensorwidth|shiftx"), text);
+}
+
+constexpr Keys kPyrenderPose = "cameratransform|camerapose|pose|matrix|transform";
+
+std::vector<Found> pyrenderCamera(Reading &, const Node &text)
+{
+    const bool isTrimesh = text.has("cameratransform") && text.has("fov");
+    return onlyIf(!isTrimesh && text.has("yfov") && !text.numbers(kPyrenderPose).empty(), text);
+}
+
+void setPyrenderPose(Reading &reading, const Node &text)
+{
+    const std::vector<double> matrix = text.numbers(kPyrenderPose);
+    if (matrix.size() != 16)
+        reading.fail(tr("%1 needs %2 numbers; it has %3", "camera_pose", 16, matrix.size()));
+    reading.camera.pose = matrixByRows(matrix);
+}
+
+void readPyrender(Reading &reading, const Found &one)
+{
+    setPyrenderPose(reading, one.pose);
+    const auto angle = one.lens.number("yfov");
+    if (!angle)
+        reading.fail(tr("yfov has no number; give it in radians"));
+    reading.setVerticalAngle(*angle, one.lens.number("aspectratio"));
+}
+
+void readTrimesh(Reading &reading, const Found &one)
+{
+    setPyrenderPose(reading, one.pose);
+    const std::vector<double> angles = one.lens.needed("fov", 2); // across and down, degrees
+    const auto half = [&](std::size_t i) { return std::tan(radiansFromDegrees(angles[i]) / 2.0); };
+    reading.setVerticalAngle(radiansFromDegrees(angles[1]), half(0) / half(1));
+}
+
+/// Scales an axis by -1.
+glm::dmat4 flipped(bool y, bool z)
+{
+    glm::dmat4 m(1.0);
+    m[1][1] = y ? -1.0 : 1.0;
+    m[2][2] = z ? -1.0 : 1.0;
+    return m;
+}
+
+/// The matrix without the entries that are only the rounding of single precision.
+glm::dmat4 withoutNoise(glm::dmat4 m)
+{
+    constexpr double kNoise = 1e-7;
+    double largest = 0.0;
+    for (int i = 0; i < 16; ++i)
+        largest = std::max(largest, std::abs(m[i / 4][i % 4]));
+    for (int i = 0; i < 16; ++i) {
+        if (std::abs(m[i / 4][i % 4]) < kNoise * largest)
+            m[i / 4][i % 4] = 0.0;
+    }
+    return m;
+}
+
+/// The printed matrices of 3-D Gaussian splatting. These are for row vectors, so they are written transposed.
+/// Eyes are OpenCV's, NDC's y points down, and depths are from 0 to 1.
+void readSplatting(Reading &reading, const Found &one)
+{
+    const Node &text = one.lens;
+    ForeignCamera &camera = reading.camera;
+    const auto matrix = [&](const char *name) { return matrixByColumns(text.numbers(name, 16)); };
+    const auto view = matrix("worldviewtransform"), product = matrix("fullprojtransform"),
+               lens = matrix("projectionmatrix");
+    const auto angleX = text.number("fovx"), angleY = text.number("fovy");
+    camera.pose = view;
+    if (view && (lens || product)) {
+        const glm::dmat4 clip = lens ? *lens : withoutNoise(*product * glm::inverse(*view));
+        camera.projection = MatrixProjection{flipped(true, false) * clip * flipped(true, true), NdcDepth::ZeroToOne};
+    } else if (view && angleX && angleY) {
+        reading.setVerticalAngle(*angleY, std::tan(*angleX / 2.0) / std::tan(*angleY / 2.0));
+    } else if (product) {
+        const auto apart = pipeline::decomposed(flipped(true, false) * *product);
+        if (!apart)
+            text.fail(tr("full_proj_transform is not a perspective times a view; give world_view_transform too"),
+                      "fullprojtransform");
+        camera.pose = apart->eyeFromWorld;
+        camera.axes = RightUpBack;
+        camera.projection = MatrixProjection{apart->clipFromEye, NdcDepth::ZeroToOne};
+    } else {
+        reading.fail(tr("world_view_transform needs 16 numbers, and full_proj_transform, projection_matrix or FoVx and "
+                        "FoVy beside it"));
+    }
+}
+
+constexpr Form kForms[]{
+    {.program = "MuJoCo",
+     .format = Format::Print,
+     .marks = "xmat",
+     .direction = CameraToWorld,
+     .axes = RightUpBack,
+     .quirk = readMujoco,
+     .cameras = mujocoCameras},
+    {.program = "MuJoCo",
+     .format = Format::Print,
+     .marks = "frustum_near frustum_top",
+     .direction = CameraToWorld,
+     .axes = RightUpBack,
+     .quirk = readGlCamera,
+     .cameras = [](Reading &,
+                   const Node &text) { return onlyIf(text.has("frustumnear") && text.has("frustumtop"), text); }},
+    {.program = "PyBullet", .format = Format::Print, .axes = RightUpBack, .quirk = readBullet, .cameras = bulletCamera},
+    {.program = "VTK",
+     .format = Format::Print,
+     .marks = "camera_position|cpos|ocal",
+     .direction = CameraToWorld,
+     .axes = RightUpBack,
+     .quirk = readVtk,
+     .cameras =
+         [](Reading &reading, const Node &text) {
+             std::vector<Found> views = sections(reading, text, "CreateView(", "CreateView(", "CameraFocalPoint");
+             if (std::all_of(views.begin(), views.end(), [](const Found &one) { return vtkNumbers(one.pose).empty(); }))
+                 views.clear();
+             return views;
+         }},
+    {.program = "USD",
+     .format = Format::Print,
+     .marks = "horizontalAperture xformOp:",
+     .direction = CameraToWorld,
+     .axes = RightUpBack,
+     .parts = {.planes = "clippingrange"},
+     .quirk = readUsd,
+     .cameras =
+         [](Reading &reading, const Node &text) {
+             std::vector<Found> prims = sections(reading, text, "def Camera", "def ");
+             std::erase_if(prims,
+                           [](const Found &one) { return one.lens.numbers("horizontalaperture focallength").empty(); });
+             return prims;
+         }},
+    {.program = "Godot",
+     .format = Format::Print,
+     .marks = "Transform3D(|[X:",
+     .direction = CameraToWorld,
+     .axes = RightUpBack,
+     .quirk = readGodot,
+     .cameras = godotNodes},
+    {.program = "Blender",
+     .format = Format::Print,
+     .direction = CameraToWorld,
+     .axes = RightUpBack,
+     .parts = {.planes = "clipstart clipend"},
+     .quirk = readBlender,
+     .cameras = blenderCamera},
+    {.program = "Unreal",
+     .format = Format::Print,
+     .direction = CameraToWorld,
+     .axes = AheadRightUp,
+     .quirk = readUnreal,
+     .cameras =
+         [](Reading &, const Node &text) {
+             return onlyIf(unrealPose(text) && (text.number(kUnrealAngle) || text.has("bugitgo")), text);
+         }},
+    {.program = "Unity",
+     .format = Format::Print,
+     .direction = CameraToWorld,
+     .axes = RightUpAhead,
+     .parts = {.planes = "nearclipplane farclipplane"},
+     .quirk = readUnity,
+     .cameras = unityCamera},
+    {.program = "trimesh",
+     .format = Format::Print,
+     .direction = CameraToWorld,
+     .axes = RightUpBack,
+     .parts = {.planes = "znear zfar"},
+     .quirk = readTrimesh,
+     .cameras = [](Reading &,
+                   const Node &text) { return onlyIf(text.has("cameratransform") && text.has("fov"), text); }},
+    {.program = "pyrender",
+     .format = Format::Print,
+     .direction = CameraToWorld,
+     .axes = RightUpBack,
+     .parts = {.planes = "znear zfar"},
+     .quirk = readPyrender,
+     .cameras = pyrenderCamera},
+    {.program = "Gaussian splatting",
+     .format = Format::Print,
+     .marks = "world_view_transform|full_proj_transform",
+     .parts = {.planes = "znear zfar"},
+     .quirk = readSplatting,
+     .cameras = [](Reading &,
+                   const Node &text) { return onlyIf(text.has("worldviewtransform|fullprojtransform"), text); }},
+    {.program = "SAPIEN", .format = Format::Print, .quirk = readSapien, .cameras = sapienCamera},
+    {.program = "Bouguet's toolbox",
+     .format = Format::Print,
+     .marks = "omc_ Tc_",
+     .parts = {.size = "nx ny", .distortion = "kc"},
+     .quirk = readBouguet,
+     .cameras = bouguetImages},
+    {.program = "Anipose",
+     .format = Format::Print,
+     .marks = "distortions [cam",
+     .parts = {.lens = "matrix", .pose = "rotation", .count = 3, .at = "translation"},
+     .quirk = readAnipose,
+     .cameras = aniposeCameras}};
+
+} // namespace
+
+std::span<const Form> printForms()
+{
+    return kForms;
 }
 
 } // namespace unprojector::cameras

@@ -3,6 +3,9 @@
 #include "core/base/number_text.h"
 #include "core/base/text_scanner.h"
 #include "core/base/translation.h"
+#include "core/cameras/camera_matrices.h"
+#include "core/cameras/lens.h"
+#include "core/cameras/node.h"
 #include "core/geometry/error_text.h"
 #include "core/geometry/numbers.h"
 
@@ -67,11 +70,11 @@ std::optional<std::size_t> imageIndex(const std::vector<std::string> &images, co
 
 } // namespace
 
-const NamedValues &Reading::values()
+std::shared_ptr<const NamedValues> Reading::values()
 {
     if (!m_values)
-        m_values.emplace(text.text);
-    return *m_values;
+        m_values = std::make_shared<NamedValues>(text.text);
+    return m_values;
 }
 
 void Reading::begin(const char *program, PoseDirection direction, EyeAxes axes)
@@ -85,12 +88,6 @@ void Reading::begin(const char *program, PoseDirection direction, EyeAxes axes)
 void Reading::fail(std::string reason, std::size_t line) const
 {
     throw base::Error{.text = std::move(reason), .file = text.name, .line = static_cast<int>(line)};
-}
-
-void Reading::failAt(std::string_view name, std::string reason)
-{
-    const NamedValue *value = values().find({name});
-    fail(std::move(reason), value ? value->line : 0);
 }
 
 void Reading::chooseImage(std::span<const std::string> ids)
@@ -121,8 +118,7 @@ void Reading::setAngle(double radians, int ImageSize::*side)
                 base::significantText(geometry::degreesFromRadians(radians), 6)));
     const ImageSize image = neededSize();
     const double focal = image.*side / (2.0 * std::tan(radians / 2.0));
-    camera.intrinsics =
-        Intrinsics{focal, focal, image.width / 2.0, image.height / 2.0, 0.0, PixelCentres::AtHalves, true};
+    setCentred(image, focal, focal);
 }
 
 void Reading::setVerticalAngle(double radians, const std::optional<double> &aspect)
@@ -148,6 +144,70 @@ void Reading::setHorizontalAngle(double radians)
     setAngle(radians, &ImageSize::width);
 }
 
+void Reading::setSize(const Node &node, std::string_view keys)
+{
+    const std::vector<double> sides = node.numbers(keys, 2);
+    camera.size = sides.size() == 2 ? sizeOf(sides[0], sides[1]) : std::nullopt;
+}
+
+void Reading::setPlanes(const Node &node, std::string_view keys)
+{
+    if (const std::size_t blank = keys.find(' '); blank != keys.npos) {
+        camera.nearDistance = node.number(keys.substr(0, blank));
+        camera.farDistance = node.number(keys.substr(blank + 1));
+    } else if (const std::vector<double> range = node.numbers(keys, 2); range.size() == 2) {
+        camera.nearDistance = range[0];
+        camera.farDistance = range[1];
+    }
+}
+
+void Reading::setLens(const Node &node, std::string_view keys, PixelCentres centres)
+{
+    const bool isK = keys.find(' ') == keys.npos;
+    const std::vector<double> k = node.needed(keys, isK ? 9 : 4);
+    const bool isByColumns = isK && k[2] == 0.0 && k[5] == 0.0;
+    camera.intrinsics = !isK          ? Intrinsics{k[0], k[1], k[2], k[3], 0.0, centres}
+                        : isByColumns ? Intrinsics{k[0], k[4], k[6], k[7], k[3], centres}
+                                      : Intrinsics{k[0], k[4], k[2], k[5], k[1], centres};
+}
+
+void Reading::setPose(const Node &node, std::string_view keys, std::size_t count, std::string_view at)
+{
+    const std::vector<double> n = node.needed(keys, count);
+    if (count == 3) {
+        camera.pose = rotationOf(vectorOf(n));
+    } else if (count == 4 || count == 7) { // w, x, y, z; x, y, z, w and a translation
+        const auto turn = count == 4 ? rotationOf(n[0], n[1], n[2], n[3]) : rotationOf(n[3], n[0], n[1], n[2]);
+        if (!turn)
+            node.fail(tr("the image's quaternion is 0; a rotation has the length 1"), keys);
+        camera.pose = count == 4 ? glm::dmat4(*turn) : rigid(*turn, vectorOf(n, 4));
+    } else {
+        camera.pose = matrixByRows(n);
+    }
+    if (!at.empty())
+        (*camera.pose)[3] = glm::dvec4(node.vector(at), 1.0);
+}
+
+void Reading::setLooking(const glm::dvec3 &eye, const glm::dvec3 &back, const glm::dvec3 &up)
+{
+    camera.pose = looking(eye, back, up);
+    if (!camera.pose)
+        fail(tr("forward and up are parallel or 0; they give no axes"));
+}
+
+void Reading::setCentred(const ImageSize &image, double fx, double fy, double right, double down)
+{
+    camera.intrinsics =
+        Intrinsics{fx, fy, image.width / 2.0 + right, image.height / 2.0 + down, 0.0, PixelCentres::AtHalves, true};
+}
+
+void Reading::setFlat(double height, double nearDistance, double farDistance)
+{
+    const ImageSize image = neededSize();
+    const double y = height / 2.0, x = y * image.width / image.height;
+    setProjection(geometry::Ortho{-x, x, -y, y, nearDistance, farDistance}, 0);
+}
+
 void Reading::setProjection(const geometry::Projection &projection, std::size_t line)
 {
     const geometry::Result<glm::dmat4> clip = clipFromEye(projection);
@@ -169,6 +229,40 @@ void setDistortion(Reading &reading, const std::string &model, std::optional<std
     const std::vector<double> &c = *coefficients;
     if (const Distortion distortion{c[0], c[1], c[3], c[4], c[2]}; !distortion.isNone())
         reading.camera.distortion = distortion;
+}
+
+void setDistortion(Reading &reading, const std::vector<double> &coefficients)
+{
+    if (coefficients.empty())
+        return;
+    const auto lens = distortionOf(coefficients);
+    if (!lens && !reading.choices.isUndistorted)
+        reading.fail(lens.error());
+    if (lens && !lens->isNone())
+        reading.camera.distortion = *lens;
+}
+
+bool areZero(const std::vector<double> &numbers)
+{
+    return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0.0; });
+}
+
+void failWithoutLens(const Reading &reading)
+{
+    reading.fail(
+        tr("%1 has no intrinsics in the file; give a file that has them", reading.camera.images[reading.camera.image]));
+}
+
+void sayNoParent(Reading &reading, const char *transform)
+{
+    reading.say(tr("%1 counts as the camera's pose in the world, as for a camera without parent.", transform));
+}
+
+void sayUnity(Reading &reading)
+{
+    reading.camera.rightHandedFromWorld[2][2] = -1.0;
+    reading.say(tr("Unity's world is left-handed. The scene has its z negated: the point (x, y, z) of Unity is "
+                   "(x, y, -z) here."));
 }
 
 std::optional<ImageSize> sizeOf(std::optional<double> width, std::optional<double> height)

@@ -1,18 +1,19 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/cameras/foreign_camera.h"
-#include "core/cameras/named_values.h"
+#include "core/cameras/node.h"
 #include "core/geometry/projection.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 // Parts of the readers of other programs' cameras.
@@ -28,22 +29,41 @@ public:
     const NamedText &text;
     const CameraChoices &choices;
     ForeignCamera camera = {};
+    Node file{};                      ///< the whole text
+    std::string json{};               ///< its JSON, where that is not all of the text
+    std::span<const NamedText> all{}; ///< the texts given with it
 
     /// The names and values of a printed text, read when they are first asked for.
-    const NamedValues &values();
+    std::shared_ptr<const NamedValues> values();
 
     /// Begins the camera of a program that tells the pose's direction and axes.
     void begin(const char *program, PoseDirection direction, EyeAxes axes);
 
     /// @param line  from 1; 0: the whole file
     [[noreturn]] void fail(std::string reason, std::size_t line = 0) const;
-    /// Fails in the line of a named value, if there is one.
-    [[noreturn]] void failAt(std::string_view name, std::string reason);
+    void say(std::string assumed) { camera.assumed.push_back(std::move(assumed)); }
 
     /// Sets the image of a camera whose `images` are set. Adds a sentence where the first of several
     /// is taken. A wrong choice fails with a list of the first images.
     /// @param ids  other names of the images, in their order; empty: none
     void chooseImage(std::span<const std::string> ids = {});
+
+    /// Sets the size of two whole numbers; none for others.
+    void setSize(const Node &node, std::string_view keys);
+    void setPlanes(const Node &node, std::string_view keys);
+    /// Sets the intrinsics: K by rows or by columns, as its last row 0 0 1 tells, or fx, fy, cx and cy.
+    void setLens(const Node &node, std::string_view keys, PixelCentres centres);
+    /// Sets the pose of a matrix of 12 or 16 numbers, or of a rotation (9; x, y, z, w; angle-axis) at a
+    /// translation.
+    /// @param at  a key; empty: the matrix has it, or there is none
+    void setPose(const Node &node, std::string_view keys, std::size_t count, std::string_view at = {});
+    /// Sets right, up and back of an eye. Fails where they are no axes.
+    void setLooking(const glm::dvec3 &eye, const glm::dvec3 &back, const glm::dvec3 &up);
+    /// Sets a lens of this many pixels, with the principal point off the image's centre to the right and
+    /// down.
+    void setCentred(const ImageSize &image, double fx, double fy, double right = 0.0, double down = 0.0);
+    /// Sets a box of this height, as wide as the image has it.
+    void setFlat(double height, double nearDistance, double farDistance);
 
     /// The image's size, by the choices or by the camera's file.
     std::optional<ImageSize> size() const { return choices.size ? choices.size : camera.size; }
@@ -62,12 +82,24 @@ public:
 private:
     void setAngle(double radians, int ImageSize::*side);
 
-    std::optional<NamedValues> m_values;
+    std::shared_ptr<const NamedValues> m_values;
 };
 
 /// Sets coefficients that are those of Brown and Conrady; refuses other models.
 /// @param coefficients  k1, k2, k3, p1, p2, or the first of them; nothing: of another model
 void setDistortion(Reading &reading, const std::string &model, std::optional<std::vector<double>> coefficients);
+
+/// The same for a list in OpenCV's order; empty: none.
+void setDistortion(Reading &reading, const std::vector<double> &coefficients);
+
+bool areZero(const std::vector<double> &numbers);
+
+/// Fails because the file lacks the chosen image's lens.
+[[noreturn]] void failWithoutLens(const Reading &reading);
+/// Says that a pose counts as that of a camera without parent.
+void sayNoParent(Reading &reading, const char *transform);
+/// Negates Unity's z.
+void sayUnity(Reading &reading);
 
 /// The size that two numbers give; nothing for anything but whole numbers above 0.
 std::optional<ImageSize> sizeOf(std::optional<double> width, std::optional<double> height);

@@ -328,94 +328,113 @@ std::optional<ForeignCamera> readTables(std::span<const NamedText> texts, const 
     return std::move(reading.camera);
 }
 
-// Source: MVSNet, README.md, "File Formats": the line below the intrinsics is of depths
-bool readMvsNet(Reading &reading)
-{
-    if (!reading.text.text.starts_with("extrinsic"))
-        return false;
-    const NamedValues &values = reading.values();
-    const std::vector<double> pose = values.numbers({"extrinsic"}, 16), k = values.numbers({"intrinsic"}, 11);
-    if (pose.size() != 16 || k.empty())
-        return false; // without depths, names tell all
-    reading.begin("MVSNet", PoseDirection::WorldToCamera, EyeAxes::RightDownAhead);
-    reading.camera.pose = matrixByRows(pose);
-    reading.camera.intrinsics = lensOf(k);
-    reading.camera.assumed.push_back(tr("The line of depths is not used."));
-    return true;
-}
+namespace {
 
 // Source: Multiface, dataset.py, load_krt: the camera's name, K, distortion and [R t] from the world. Later data
 // sets have the image's size beside the name.
-bool readKrt(Reading &reading)
+constexpr std::size_t kKrtLines = 8;
+
+std::vector<Found> krtCameras(Reading &reading, const Node &text)
 {
-    constexpr std::size_t kLines = 8;
     const std::vector<Row> rows = rowsOf(reading.text.text);
-    ForeignCamera &camera = reading.camera;
-    for (std::size_t i = 0; i < rows.size(); i += kLines) {
+    std::vector<Found> cameras;
+    for (std::size_t i = 0; i < rows.size(); i += kKrtLines) {
         if (!haveCounts(rows, {1, 3, 3, 3, 5, 4, 4, 4}, i) && !haveCounts(rows, {3, 3, 3, 3, 5, 4, 4, 4}, i))
-            return false;
-        camera.images.push_back(rows[i].first);
+            return {};
+        cameras.push_back({rows[i].first, {}, text, text});
     }
-    if (rows.empty())
-        return false;
-    reading.begin("Multiface", PoseDirection::WorldToCamera, EyeAxes::RightDownAhead);
-    reading.chooseImage();
-    const std::size_t at = kLines * camera.image;
+    return cameras;
+}
+
+void readKrt(Reading &reading, const Found &)
+{
+    const std::vector<Row> rows = rowsOf(reading.text.text);
+    const std::size_t at = kKrtLines * reading.camera.image;
     if (const std::vector<double> &head = rows[at].numbers; head.size() == 3)
-        camera.size = sizeOf(head[1], head[2]);
-    camera.intrinsics = lensOf(joined(rows, at + 1, 3));
+        reading.camera.size = sizeOf(head[1], head[2]);
+    reading.camera.intrinsics = lensOf(joined(rows, at + 1, 3));
     if (const auto distortion = distortionOf(rows[at + 4].numbers); distortion && !distortion->isNone())
-        camera.distortion = *distortion;
-    camera.pose = matrixByRows(joined(rows, at + 5, 3));
-    return true;
+        reading.camera.distortion = *distortion;
+    reading.camera.pose = matrixByRows(joined(rows, at + 5, 3));
 }
 
 // Source: vision.middlebury.edu/stereo/data/scenes2014: cam1 is to the right of cam0, in millimetres
-bool readMiddlebury(Reading &reading)
+std::vector<Found> middleburyCameras(Reading &, const Node &text)
 {
-    const NamedValues &values = reading.values();
-    ForeignCamera &camera = reading.camera;
-    if (values.numbers({"cam0"}, 9).size() != 9 || !values.has({"doffs"}))
-        return false;
-    reading.begin("Middlebury", PoseDirection::WorldToCamera, EyeAxes::RightDownAhead);
-    camera.images = {"cam0"};
-    const auto baseline = values.number({"baseline"});
-    if (values.numbers({"cam1"}, 9).size() == 9 && baseline)
-        camera.images.emplace_back("cam1");
-    reading.chooseImage();
-    const bool isSecond = camera.image == 1;
-    camera.intrinsics = lensOf(values.numbers({isSecond ? "cam1" : "cam0"}, 9));
-    camera.size = sizeIn(values);
-    camera.pose = rigid(glm::dmat3(1.0), {isSecond ? -*baseline : 0.0, 0.0, 0.0});
-    camera.assumed.push_back(tr("The world is that of cam0, in millimetres."));
-    return true;
+    if (text.numbers("cam0", 9).size() != 9 || !text.has("doffs"))
+        return {};
+    std::vector<Found> cameras{{"cam0", {}, text, text}};
+    if (text.numbers("cam1", 9).size() == 9 && text.number("baseline"))
+        cameras.push_back({"cam1", {}, text, text});
+    return cameras;
+}
+
+void readMiddlebury(Reading &reading, const Found &one)
+{
+    reading.setLens(one.lens, one.name, PixelCentres::AtIntegers);
+    reading.camera.pose = rigid(glm::dmat3(1.0), {one.name == "cam1" ? -one.lens.needed("baseline") : 0.0, 0.0, 0.0});
+    reading.say(tr("The world is that of cam0, in millimetres."));
 }
 
 // Source: Bundler's User Manual, "Output format": -z is ahead, pixels count from the image's centre
-bool readBundler(Reading &reading)
+constexpr std::size_t kBundlerLines = 5;
+
+std::vector<Found> bundlerCameras(Reading &reading, const Node &text)
 {
-    constexpr std::size_t kLines = 5;
-    const std::string &text = reading.text.text;
-    if (!text.starts_with("# Bundle file"))
-        return false;
-    const std::vector<Row> rows = rowsOf(text);
-    ForeignCamera &camera = reading.camera;
+    if (!reading.text.text.starts_with("# Bundle file"))
+        return {};
+    const std::vector<Row> rows = rowsOf(reading.text.text);
     const double count = haveCounts(rows, {2}) ? rows[0].numbers[0] : 0.0;
-    for (std::size_t i = 1; double(i) < double(kLines) * count && haveCounts(rows, {3, 3, 3, 3, 3}, i); i += kLines)
-        camera.images.push_back(std::to_string(i / kLines));
-    if (camera.images.empty() || double(camera.images.size()) != count)
+    std::vector<Found> cameras;
+    while (double(cameras.size()) < count && haveCounts(rows, {3, 3, 3, 3, 3}, 1 + kBundlerLines * cameras.size()))
+        cameras.push_back({std::to_string(cameras.size()), {}, text, text});
+    if (cameras.empty() || double(cameras.size()) != count)
         reading.fail(tr("the file ends in the middle of an entry; it is incomplete"));
-    reading.begin("Bundler", PoseDirection::WorldToCamera, EyeAxes::RightUpBack);
-    reading.chooseImage();
-    const std::size_t at = 1 + kLines * camera.image;
-    const std::vector<double> &lens = rows[at].numbers, &t = rows[at + 4].numbers;
-    const ImageSize size = reading.neededSize();
-    camera.intrinsics =
-        Intrinsics{lens[0], lens[0], size.width / 2.0, size.height / 2.0, 0.0, PixelCentres::AtHalves, true};
+    return cameras;
+}
+
+void readBundler(Reading &reading, const Found &)
+{
+    const std::vector<Row> rows = rowsOf(reading.text.text);
+    const std::size_t at = 1 + kBundlerLines * reading.camera.image;
+    const std::vector<double> &lens = rows[at].numbers;
+    reading.setCentred(reading.neededSize(), lens[0], lens[0]);
     if (const Distortion distortion{lens[1], lens[2]}; !distortion.isNone())
-        camera.distortion = distortion;
-    camera.pose = rigid(glm::dmat3(*matrixByRows(joined(rows, at + 1, 3))), {t[0], t[1], t[2]});
-    return true;
+        reading.camera.distortion = distortion;
+    reading.camera.pose = rigid(glm::dmat3(*matrixByRows(joined(rows, at + 1, 3))), vectorOf(rows[at + 4].numbers));
+}
+
+constexpr Form kForms[]{
+    {.program = "Bundler",
+     .format = Format::Print,
+     .marks = "Bundle",
+     .axes = EyeAxes::RightUpBack,
+     .quirk = readBundler,
+     .cameras = bundlerCameras},
+    // Source: MVSNet, README.md, "File Formats": the line below the intrinsics is of depths
+    {.program = "MVSNet",
+     .format = Format::Print,
+     .parts = {.pose = "extrinsic", .note = base::marked("The line of depths is not used.")},
+     .quirk = [](Reading &reading,
+                 const Found &one) { reading.camera.intrinsics = lensOf(one.lens.numbers("intrinsic", 11)); },
+     .cameras =
+         [](Reading &reading, const Node &text) {
+             const bool isIt = reading.text.text.starts_with("extrinsic") && text.numbers("extrinsic", 16).size() == 16
+                               && !text.numbers("intrinsic", 11).empty(); // without depths, names tell all
+             return onlyIf(isIt, text);
+         }},
+    {.program = "Multiface", .format = Format::Print, .quirk = readKrt, .cameras = krtCameras},
+    {.program = "Middlebury",
+     .format = Format::Print,
+     .marks = "cam0 doffs",
+     .quirk = readMiddlebury,
+     .cameras = middleburyCameras}};
+
+} // namespace
+
+std::span<const Form> fileForms()
+{
+    return kForms;
 }
 
 } // namespace unprojector::cameras

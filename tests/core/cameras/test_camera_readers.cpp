@@ -333,7 +333,7 @@ private slots:
         row("a distorted sensor", "LGSVL", "\"Distorted\": false\n  },\n  \"transform\": {\n   \"x\": 0.5",
             "\"Distorted\": true\n  },\n  \"transform\": {\n   \"x\": 0.5", "the distortion is DistortionParameters");
         row("a short Tc", "Bouguet's toolbox", "Tc_2  = [ -1.551106e+02 ;", "Tc_2  = [",
-            "Tc_2 needs 3 numbers; it has 0");
+            "Tc_2 needs 3 numbers; it has 2");
     }
 
     void faultsAreNamed()

@@ -1,0 +1,803 @@
+#include "core/base/number_text.h"
+#include "core/base/text_scanner.h"
+#include "core/base/translation.h"
+#include "core/cameras/camera_matrices.h"
+#include "core/cameras/camera_reader.h"
+#include "core/geometry/numbers.h"
+#include "core/geometry/projection.h"
+
+#include <nlohmann/json.hpp>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+// JSON of reconstructions, captures, data sets and scenes.
+
+namespace unprojector::cameras {
+using namespace geometry;
+using base::marked, base::tr;
+using enum PoseDirection;
+using enum EyeAxes;
+using enum PixelCentres;
+using base::Json;
+
+namespace {
+
+/// The size of the lens in the file, which its numbers count in.
+ImageSize lensSize(Reading &reading, const Node &lens)
+{
+    reading.setSize(lens, "width height");
+    return reading.camera.size ? *reading.camera.size : reading.neededSize();
+}
+
+/// Leaves out views without a pose where the file has poses.
+std::vector<Found> posed(Reading &reading, std::vector<Found> views, bool hasPoses)
+{
+    if (hasPoses)
+        std::erase_if(views, [](const Found &view) { return !view.pose; });
+    if (views.empty())
+        reading.fail(tr("there are no cameras"));
+    return views;
+}
+
+bool isOneOf(std::string_view word, std::string_view words)
+{
+    const auto all = split(words, ' ');
+    return std::find(all.begin(), all.end(), word) != all.end();
+}
+
+std::vector<Found> openMvgViews(Reading &reading, const Node &file)
+{
+    auto poses = file.index("extrinsics", "key"), lenses = file.index("intrinsics", "key");
+    std::vector<Found> views;
+    for (const Node &entry : file.list("views")) {
+        const Node view = entry["value/ptr_wrapper/data"];
+        views.push_back({view.word("filename"), view.word("id_view"), poses[view.word("id_pose")]["value"],
+                         lenses[view.word("id_intrinsic")]["value"]});
+    }
+    return posed(reading, std::move(views), !file.list("extrinsics").empty());
+}
+
+void readOpenMvgLens(Reading &reading, const Found &one)
+{
+    const Node lens = one.lens["ptr_wrapper/data"], base = lens.has("value0") ? lens["value0"] : lens; // of a parent
+    // A later lens of the same class has no name, so the coefficients' key tells the model.
+    std::optional<std::vector<double>> coefficients;
+    if (base.has("focal_length") && !lens.has("fisheye"))
+        coefficients = lens.numbers("disto_t2|disto_k3|disto_k1");
+    const std::string name = one.lens.word("polymorphic_name");
+    setDistortion(reading, name.empty() ? "fisheye" : name, coefficients);
+    lensSize(reading, base);
+    const double focal = base.needed("focal_length");
+    const std::vector<double> centre = base.needed("principal_point", 2);
+    reading.camera.intrinsics = Intrinsics{focal, focal, centre[0], centre[1]};
+}
+
+std::vector<Found> aliceVisionViews(Reading &reading, const Node &file)
+{
+    auto poses = file.index("poses", "poseId"), lenses = file.index("intrinsics", "intrinsicId");
+    std::vector<Found> views;
+    for (const Node &view : file.list("views")) {
+        const std::string id = view.word("viewId"), pose = view.word("poseId");
+        views.push_back(
+            {view.word("path"), id, poses[pose.empty() ? id : pose], lenses[view.word("intrinsicId")], view});
+    }
+    return posed(reading, std::move(views), !file.list("poses").empty());
+}
+
+// Source: AliceVision, sfmDataIO/jsonIO.cpp: versions, units and what the principal point counts from.
+void readAliceVisionLens(Reading &reading, const Found &one)
+{
+    const Node &lens = one.lens;
+    const std::vector<double> pixels = lens.numbers("pxFocalLength"), centre = lens.needed("principalPoint", 2),
+                              v = reading.file.numbers("version");
+    const double version = v.size() == 3 ? 1e4 * v[0] + 1e2 * v[1] + v[2] : pixels.empty() ? 10205 : 0;
+    const ImageSize size = lensSize(reading, lens);
+    const glm::dvec2 origin = version < 10201 ? glm::dvec2(0.0) : glm::dvec2(size.width, size.height) / 2.0;
+    Intrinsics k{0.0, 0.0, origin.x + centre[0], origin.y + centre[1]};
+    if (pixels.empty()) {
+        const double ratio = lens.number("pixelRatio", 1.0);
+        k.fx = lens.needed("focalLength") / lens.number("sensorWidth", 36.0) * size.width; // its own default
+        k.fy = version < 10205 ? k.fx / ratio : k.fx * ratio;
+        if (ratio != 1.0)
+            reading.say(tr("The pixel ratio is %1: fy is assumed %2 and fx %3.", base::shortestText(ratio),
+                           base::significantText(k.fy, 6), base::significantText(k.fx, 6)));
+    } else {
+        k.fx = pixels.front();
+        k.fy = pixels.back();
+    }
+    reading.camera.intrinsics = k;
+    // Later versions name the distortion apart from the projection, and keep 3DE's as an undistortion.
+    const std::string type = lens.word("type"), later = lens.word("distortionType");
+    const std::string &model = later.empty() || later == "none" ? type : later;
+    const std::vector<double> c = lens.numbers("distortionParams");
+    const bool isBrown = isOneOf(model, "pinhole radial1 radial3 radialk1 radialk3 brown") || areZero(c);
+    const bool isRead = isBrown && !type.starts_with("fisheye") && !type.starts_with("equi")
+                        && areZero(lens.numbers("undistortionParams"));
+    setDistortion(reading, model, isRead ? std::optional(c) : std::nullopt);
+    if (one.pose && one.own.has("rigId") && isOneOf(one.own.word("isPoseIndependant"), "false 0"))
+        reading.fail(tr("the pose of %1 is that of its rig; poses of rigs are not read", one.name));
+}
+
+std::vector<Found> openSfmShots(Reading &, const Node &file)
+{
+    std::vector<Found> shots;
+    for (const Node &part : file.elements()) {
+        auto lenses = part.index("cameras", "");
+        for (const Node &shot : part.list("shots"))
+            shots.push_back({shot.key(), {}, shot, lenses[shot.word("camera")], part});
+    }
+    return shots;
+}
+
+// Source: OpenSfM, doc/source/geometry.rst: normalized coordinates count from the image's middle, and
+// the larger side is 1; opensfm/io.py: rotation is an angle-axis from world to camera.
+void readOpenSfmLens(Reading &reading, const Found &one)
+{
+    const auto of = [&](const char *key) { return one.lens.number(key, 0.0); };
+    const std::string type = one.lens.word("projection_type");
+    const bool isRead = type.empty() || isOneOf(type, "perspective simple_radial radial brown");
+    setDistortion(reading, type,
+                  isRead ? std::optional(std::vector{of("k1"), of("k2"), of("k3"), of("p1"), of("p2")}) : std::nullopt);
+    const ImageSize size = lensSize(reading, one.lens);
+    const double side = std::max(size.width, size.height);
+    const bool hasTwo = one.lens.has("focal_x");
+    reading.setCentred(size, side * one.lens.needed(hasTwo ? "focal_x" : "focal"),
+                       side * one.lens.needed(hasTwo ? "focal_y" : "focal"), side * of("c_x"), side * of("c_y"));
+    if (one.own.has("reference_lla"))
+        reading.say(tr("The world's axes are metres east, north and up of reference_lla; objects in other coordinates "
+                       "do not fit."));
+}
+
+// Source: nerfstudio, cameras/camera_paths.py; viewer/render_panel.py for its key frames.
+std::vector<Found> pathCameras(Reading &reading, const Node &file)
+{
+    std::vector<Found> cameras;
+    const std::vector<Node> path = file.list("camera_path");
+    for (const Node &one : path.empty() ? file.list("keyframes") : path)
+        cameras.push_back({one.key(), {}, one, one});
+    return posed(reading, std::move(cameras), false);
+}
+
+void readPathLens(Reading &reading, const Found &one)
+{
+    for (const char *key : {"camera_type", "camera_model"}) {
+        if (const std::string type = reading.file.word(key); !type.empty() && type != "perspective")
+            setDistortion(reading, type, {});
+    }
+    reading.setSize(reading.file, "render_width render_height");
+    reading.setVerticalAngle(radiansFromDegrees(one.lens.needed("fov")));
+}
+
+std::vector<Found> nuScenesCameras(Reading &, const Node &file)
+{
+    std::vector<Found> cameras;
+    for (const Node &one : file.elements()) {
+        if (one.numbers("camera_intrinsic").size() == 9) // of a lidar or radar it is empty
+            cameras.push_back({one.word("token"), one.word("sensor_token"), one, one});
+    }
+    return cameras;
+}
+
+// Source: record3d, issues 27, 33 and 36: qx qy qz qw x y z, camera to world, OpenGL's axes; K by columns
+std::vector<Found> recordedFrames(Reading &, const Node &file)
+{
+    std::vector<Found> frames;
+    for (const Node &pose : file.list("poses"))
+        frames.push_back({pose.key(), {}, pose, file});
+    return !frames.empty() && frames[0].pose.json().size() == 7 ? frames : std::vector<Found>();
+}
+
+void readRecordedLens(Reading &reading, const Found &)
+{
+    const std::size_t frame = reading.camera.image;
+    const std::vector<double> own = reading.file.numbers("perFrameIntrinsicCoeffs"); // fx fy cx cy
+    if (own.size() != 4 * reading.camera.images.size())
+        return;
+    const double *k = own.data() + 4 * frame;
+    reading.camera.intrinsics = Intrinsics{k[0], k[1], k[2], k[3], 0.0, AtHalves};
+}
+
+/// Adds the cameras of an object and its children, each with its matrices up the parents.
+void addThreeCameras(const Node &object, const glm::dmat4 &parent, std::vector<Found> &found)
+{
+    if (isOneOf(object.word("type"), "PerspectiveCamera OrthographicCamera")) {
+        const std::string id = object.word("uuid");
+        found.push_back({object.has("name") ? object.word("name") : id, id, object, object, {}, parent});
+    }
+    const auto own = matrixByColumns(object.numbers("matrix"));
+    for (const Node &child : object.json().is_object() ? object.list("children") : std::vector<Node>())
+        addThreeCameras(child, own ? parent * *own : parent, found);
+}
+
+// Source: three.js, Object3D.toJSON, cameras/PerspectiveCamera.js and OrthographicCamera.js; its editor's
+// files have the scene and the camera apart.
+std::vector<Found> threeCameras(Reading &, const Node &file)
+{
+    std::vector<Found> found;
+    for (const Node &root : {file, file["object"], file["scene/object"], file["camera/object"]})
+        addThreeCameras(root, glm::dmat4(1.0), found);
+    return found;
+}
+
+void readThreeLens(Reading &reading, const Found &one)
+{
+    const Node &lens = one.lens;
+    if (lens.number("filmOffset", 0.0) != 0.0 || lens.isTrue("view/enabled"))
+        reading.fail(tr("a camera with filmOffset or setViewOffset is not read; give its projectionMatrix and "
+                        "matrixWorldInverse"));
+    const double zoom = lens.number("zoom", 1.0);
+    if (lens.word("type") == "PerspectiveCamera") {
+        reading.setVerticalAngle(2.0 * std::atan(std::tan(radiansFromDegrees(lens.needed("fov")) / 2.0) / zoom),
+                                 lens.number("aspect"));
+        return;
+    }
+    const std::vector<double> box = lens.needed("left right bottom top near far", 6);
+    const double x = (box[0] + box[1]) / 2.0, y = (box[2] + box[3]) / 2.0, dx = (box[1] - box[0]) / (2.0 * zoom),
+                 dy = (box[3] - box[2]) / (2.0 * zoom);
+    reading.camera.nearDistance = reading.camera.farDistance = {};
+    reading.setProjection(Ortho{x - dx, x + dx, y - dy, y + dy, box[4], box[5]}, 0);
+}
+
+bool hasOnly(const Node &object, std::string_view keys)
+{
+    const Json &json = object.json();
+    return std::all_of(json.items().begin(), json.items().end(),
+                       [&](const auto &item) { return isOneOf(item.key(), keys); });
+}
+
+/// Returns whether an object is an image's record of BOP. Other programs have cam_K, too.
+bool isBopRecord(const Node &record)
+{
+    return record.has("cam_K")
+           && hasOnly(record, "cam_K cam_R_w2c cam_t_w2c depth_scale view_level width height elev azimuth mode");
+}
+
+// Source: bop_toolkit, docs/bop_datasets_format.md: numbers by rows, OpenCV's axes, millimetres.
+std::vector<Found> bopImages(Reading &, const Node &file)
+{
+    if (isBopRecord(file)) // without its id
+        return onlyIf(true, file);
+    std::vector<Found> images;
+    for (const Node &record : file.list("")) {
+        const std::string id = record.key();
+        images.push_back({std::string(id.size() < 6 ? 6 - id.size() : 0, '0') + id, id, record, record}); // 000048.png
+        if (!isBopRecord(record))
+            return {};
+    }
+    return file.json().is_object() ? images : std::vector<Found>();
+}
+
+/// BOP's camera.json. Depth cameras of other programs have more keys.
+std::vector<Found> bopLens(Reading &, const Node &file)
+{
+    const bool isIt = file.json().size() == 7 && hasOnly(file, "cx cy depth_scale fx fy height width");
+    return onlyIf(isIt, file);
+}
+
+constexpr const char *kWholeCentres =
+    marked("Pixel centres are assumed at whole numbers; --pixel-centers half says otherwise.");
+
+void readBop(Reading &reading, const Found &one)
+{
+    for (const NamedText &other : reading.all) {
+        Reading beside(other, reading.choices);
+        Json json;
+        if (&other == &reading.text || !openDocument(beside, Format::LaxJson, "depth_scale fx", json)
+            || bopLens(beside, beside.file).empty())
+            continue;
+        const std::vector<double> sides = beside.file.needed("width height", 2);
+        if (!reading.camera.size)
+            reading.camera.size = sizeOf(sides[0], sides[1]);
+        reading.camera.files.push_back(other.name);
+    }
+    if (one.pose.has("cam_R_w2c")) {
+        reading.setPose(one.pose, "cam_R_w2c", 9, "cam_t_w2c");
+        reading.say(tr("Lengths are in millimetres, as BOP writes cam_t_w2c."));
+    }
+}
+
+std::vector<Found> bopObjects(Reading &reading, const Node &)
+{
+    reading.fail(tr("scene_gt.json has the poses of objects and no camera; give scene_camera.json"));
+}
+
+std::vector<Found> nerfFrames(Reading &reading, const Node &file)
+{
+    if (!file.has("frames") && !file.has("transform_matrix")) {
+        if (file.has("fl_x|camera_angle_x"))
+            reading.fail(tr("there are no poses; give the frames, each with its transform_matrix"));
+        return {};
+    }
+    if (!file.has("frames"))
+        return onlyIf(true, file);
+    std::vector<Found> frames;
+    for (const Node &frame : file.list("frames"))
+        frames.push_back({frame.has("file_path") ? frame.word("file_path") : frame.key(), {}, frame, frame});
+    if (frames.empty())
+        file.fail(tr("there are no frames"), "frames");
+    return frames;
+}
+
+/// transforms.json of NeRF, Instant-NGP and Nerfstudio: a frame's own members, else the file's.
+class NerfReader {
+public:
+    NerfReader(Reading &reading, const Node &frame) : m_reading(reading), m_camera(reading.camera), m_frame(frame) {}
+
+    void read()
+    {
+        m_reading.setPose(m_frame, "transform_matrix", m_frame.numbers("transform_matrix").size() == 12 ? 12 : 16);
+        if (!m_reading.choices.isUndistorted)
+            refuseModel();
+        m_camera.size = sizeOf(value("w"), value("h"));
+        for (const char *key : {"w", "h"}) {
+            if (const Json &side = of(key)[key].json();
+                !side.is_null() && !m_reading.choices.size && !(base::isJsonNumber(side) && sizeOf(value(key), 1.0)))
+                of(key).fail(tr("%1 is %2; it must be a whole number from 1 to 1000000", key, base::compactJson(side)),
+                             key);
+        }
+        readLens();
+        const auto number = [this](const char *key) { return value(key).value_or(0.0); };
+        const Distortion distortion{number("k1"), number("k2"), number("p1"), number("p2"), number("k3")};
+        if (!distortion.isNone())
+            m_camera.distortion = distortion;
+        std::string names;
+        for (const char *key : {"scale", "offset", "aabb_scale", "aabb", "applied_transform", "applied_scale"}) {
+            if (m_reading.file.has(key))
+                names += (names.empty() ? "" : ", ") + std::string(key);
+        }
+        if (!names.empty())
+            m_reading.say(tr("%1: not applied. Coordinates are those of transform_matrix.", names));
+    }
+
+private:
+    const Node &of(const char *key) const { return m_frame.has(key) ? m_frame : m_reading.file; }
+    std::optional<double> value(const char *key) const
+    {
+        const auto own = m_frame.number(key);
+        return own ? own : m_reading.file.number(key);
+    }
+
+    void refuseModel() const
+    {
+        const std::string name = of("camera_model").word("camera_model");
+        if (!name.empty() && !isOneOf(name, "OPENCV PINHOLE SIMPLE_PINHOLE perspective SIMPLE_RADIAL RADIAL"))
+            of("camera_model")
+                .fail(tr("the camera model %1 is not read: it is no pinhole with the distortion of Brown "
+                         "and Conrady. Undistort the images first, then give --undistorted",
+                         name),
+                      "camera_model");
+        for (const char *key : {"is_fisheye", "k4", "k5", "k6"}) {
+            if (m_reading.file.isTrue(key) || value(key).value_or(0.0) != 0.0)
+                of(key).fail(tr("%1 is of a distortion that is not read; undistort the images first, then give "
+                                "--undistorted",
+                                key),
+                             key);
+        }
+    }
+
+    void readLens()
+    {
+        const auto fx = value("fl_x"), fy = value("fl_y"), angleX = value("camera_angle_x"),
+                   angleY = value("camera_angle_y"), cx = value("cx"), cy = value("cy");
+        if (fx || fy) {
+            const double focal = fx.value_or(fy.value_or(1.0));
+            m_camera.intrinsics = Intrinsics{focal, fy.value_or(focal), 0.0, 0.0, 0.0, AtHalves};
+            sayAngle(focal, angleX);
+        } else if (angleX) {
+            m_reading.setHorizontalAngle(*angleX);
+            if (angleY)
+                m_camera.intrinsics->fy = m_reading.neededSize().height / (2.0 * std::tan(*angleY / 2.0));
+        } else if (angleY) {
+            m_reading.setVerticalAngle(*angleY);
+        } else {
+            m_reading.file.fail(tr("there is neither fl_x nor camera_angle_x; give one of them"), "frames");
+        }
+        if (cx.has_value() != cy.has_value())
+            of(cx ? "cx" : "cy")
+                .fail(tr("%1 is given without %2; give both", cx ? "cx" : "cy", cx ? "cy" : "cx"), cx ? "cx" : "cy");
+        m_camera.intrinsics->cx = cx ? *cx : m_reading.neededSize().width / 2.0;
+        m_camera.intrinsics->cy = cy ? *cy : m_reading.neededSize().height / 2.0;
+        m_camera.intrinsics->isCentreComputed = !cx;
+        m_reading.say(tr(cx ? "Pixel centres are read at halves, as COLMAP writes cx and cy; --pixel-centers integer "
+                              "says otherwise."
+                            : "The principal point is assumed in the image's centre, because cx and cy are missing. "
+                              "Write them into the file to say otherwise."));
+    }
+
+    /// Says that the angle is another than the focal length's.
+    void sayAngle(double focal, const std::optional<double> &angle)
+    {
+        constexpr double kSame = 0.01;
+        if (!angle || !m_reading.size())
+            return;
+        const double byAngle = m_reading.size()->width / (2.0 * std::tan(*angle / 2.0));
+        if (std::abs(byAngle / focal - 1.0) > kSame)
+            m_reading.say(tr("fl_x is %1, but camera_angle_x gives %2: fl_x is taken. Remove the wrong one.",
+                             base::significantText(focal, 6), base::significantText(byAngle, 6)));
+    }
+
+    Reading &m_reading;
+    ForeignCamera &m_camera;
+    const Node &m_frame;
+};
+
+void readNerf(Reading &reading, const Found &one)
+{
+    NerfReader(reading, one.pose).read();
+}
+
+/// PinholeCameraParameters, PinholeCameraTrajectory, PinholeCameraIntrinsic, and ViewTrajectory, which
+/// its viewer copies to the clipboard. The name of the class is missing where someone copied the middle
+/// of a file.
+std::vector<Found> open3dCameras(Reading &reading, const Node &file)
+{
+    const std::string kind = file.word("class_name");
+    if (!isOneOf(kind, "PinholeCameraParameters PinholeCameraTrajectory PinholeCameraIntrinsic ViewTrajectory")
+        && !(kind.empty() && reading.text.text.find("\"intrinsic_matrix\"") != std::string::npos))
+        return {};
+    const char *key = kind == "ViewTrajectory" ? "trajectory" : "parameters";
+    std::vector<Found> cameras;
+    for (const Node &one : file.list(key))
+        cameras.push_back({one.key(), {}, one, one});
+    if (cameras.empty() && file.has(key))
+        file.fail(tr("there are no cameras"), key);
+    return cameras.empty() ? onlyIf(true, file) : cameras;
+}
+
+/// The camera of Open3D's viewer, as its ViewControl computes it.
+void readOpen3dView(Reading &reading, const Node &view)
+{
+    ForeignCamera &camera = reading.camera;
+    const glm::dvec3 lowest = view.vector("boundingbox_min"), extents = view.vector("boundingbox_max") - lowest,
+                     front = view.vector("front"), centre = view.vector("lookat"), up = view.vector("up");
+    const auto degrees = view.number("field_of_view"), zoom = view.number("zoom");
+    if (!degrees || !zoom)
+        view.fail(tr("field_of_view and zoom need a number each"), "zoom");
+    const std::string noDistance = tr("the bounding box, zoom and field_of_view give no distance; all must be above 0");
+    const double extent = std::max({extents.x, extents.y, extents.z}), half = *zoom * extent;
+    const double distance = half / std::tan(radiansFromDegrees(*degrees) / 2.0);
+    if (!(extent > 0.0) || !(distance > 0.0))
+        view.fail(noDistance, "zoom");
+    camera.pose = looking(centre + distance * front / glm::length(front), front, up);
+    if (!camera.pose)
+        view.fail(tr("front and up are parallel or 0; they give no axes"), "front");
+    camera.direction = CameraToWorld;
+    camera.axes = RightUpBack;
+    const double nearDistance = distance - 3.0 * extent, farDistance = distance + 3.0 * extent;
+    camera.farDistance = farDistance;
+    camera.nearDistance = std::max(0.01 * extent, nearDistance);
+    constexpr double kOrthographic = 5.0; // this angle stands for a parallel projection
+    if (*degrees != kOrthographic)
+        reading.setVerticalAngle(radiansFromDegrees(*degrees));
+    else if (reading.neededSize(); !(farDistance > nearDistance) || !(half > 0.0))
+        view.fail(noDistance, "zoom");
+    else
+        reading.setFlat(2.0 * half, nearDistance, farDistance);
+}
+
+void readOpen3d(Reading &reading, const Found &one)
+{
+    if (reading.file.word("class_name") == "ViewTrajectory")
+        return readOpen3dView(reading, one.lens);
+    const bool isLens = one.lens.has("intrinsic_matrix");
+    const Node lens = isLens ? one.lens : one.lens["intrinsic"];
+    if (!lens)
+        one.lens.fail(tr("there is no intrinsic; give the focal length there"), "extrinsic");
+    reading.setLens(lens, "intrinsic_matrix", AtIntegers);
+    reading.setSize(lens, "width height");
+    if (isLens)
+        return;
+    reading.setPose(one.pose, "extrinsic", 16);
+    reading.camera.pose = glm::transpose(*reading.camera.pose);
+}
+
+/// The node's own transform: its matrix, or translation, rotation and scale.
+std::optional<glm::dmat4> transformOf(const Node &node)
+{
+    if (node.has("matrix"))
+        return matrixByColumns(node.numbers("matrix"));
+    const auto numbers = [&](const char *key, std::vector<double> otherwise) {
+        return node.has(key) ? node.numbers(key) : std::move(otherwise);
+    };
+    const std::vector<double> t = numbers("translation", {0, 0, 0}), q = numbers("rotation", {0, 0, 0, 1}),
+                              s = numbers("scale", {1, 1, 1});
+    if (t.size() != 3 || q.size() != 4 || s.size() != 3)
+        return std::nullopt;
+    const auto rotation = rotationOf(q[3], q[0], q[1], q[2]);
+    if (!rotation)
+        return std::nullopt;
+    glm::dmat4 m = rigid(*rotation, vectorOf(t));
+    for (int i = 0; i < 3; ++i)
+        m[i] *= s[std::size_t(i)];
+    return m;
+}
+
+std::vector<Found> gltfCameras(Reading &, const Node &file)
+{
+    const std::vector<Node> lenses = file.list("cameras");
+    std::vector<Found> cameras;
+    for (const Node &node : file.list("nodes")) {
+        const auto lens = base::integerFromWord(node.word("camera"));
+        if (lens && *lens >= 0 && std::size_t(*lens) < lenses.size())
+            cameras.push_back(
+                {node.has("name") ? node.word("name") : node.key(), {}, node, lenses[std::size_t(*lens)]});
+    }
+    return cameras;
+}
+
+void readGltf(Reading &reading, const Found &one)
+{
+    const std::vector<Node> nodes = reading.file.list("nodes");
+    std::vector<const Node *> parents(nodes.size());
+    for (const Node &node : nodes) {
+        for (const double child : node.numbers("children")) {
+            if (child >= 0.0 && child < double(nodes.size()))
+                parents[std::size_t(child)] = &node;
+        }
+    }
+    const auto nameOf = [](const Node &node) { return node.has("name") ? node.word("name") : node.key(); };
+    glm::dmat4 pose(1.0);
+    std::size_t steps = 0;
+    for (const Node *node = &one.pose; node; node = parents[std::stoul(node->key())]) {
+        const std::optional<glm::dmat4> own = transformOf(*node);
+        if (!own)
+            node->fail(tr("the transform of the node %1 is incomplete; it needs 16 numbers of a matrix, or "
+                          "translation, rotation and scale",
+                          nameOf(*node)));
+        pose = *own * pose;
+        if (++steps > nodes.size())
+            node->fail(tr("the node %1 is its own parent", nameOf(one.pose)));
+    }
+    reading.camera.pose = pose;
+    if (const Node lens = one.lens["perspective"]) {
+        const auto angle = lens.number("yfov");
+        if (!angle)
+            lens.fail(tr("the camera has no yfov"));
+        reading.setPlanes(lens, "znear zfar");
+        reading.setVerticalAngle(*angle, lens.number("aspectRatio"));
+        return;
+    }
+    const std::vector<double> box = one.lens["orthographic"].numbers("xmag ymag znear zfar", 4);
+    if (box.size() != 4)
+        one.lens.fail(tr("the camera needs perspective with yfov, or orthographic with xmag, ymag, znear and zfar"));
+    reading.setProjection(Ortho{-box[0], box[0], -box[1], box[1], box[2], box[3]}, 0);
+}
+
+std::vector<Found> splattingImages(Reading &, const Node &file)
+{
+    std::vector<Found> images;
+    for (const Node &one : file.json().is_array() ? file.list("") : std::vector<Node>())
+        images.push_back({one.has("img_name") ? one.word("img_name") : one.key(), {}, one, one});
+    return images;
+}
+
+void readSplatting(Reading &reading, const Found &one)
+{
+    if (one.pose.numbers("position").size() != 3 || one.pose.numbers("rotation").size() != 9
+        || one.pose.numbers("fx fy").size() != 2 || !reading.camera.size)
+        one.pose.fail(tr("the camera needs position, rotation, fx, fy, width and height; one of them is missing"));
+    reading.setPose(one.pose, "rotation", 9, "position");
+    reading.setCentred(*reading.camera.size, one.lens.needed("fx"), one.lens.needed("fy"));
+}
+
+// Source: karfly/human36m-camera-parameters, README.md: intrinsics by camera, extrinsics by subject and camera
+std::vector<Found> humanCameras(Reading &, const Node &file)
+{
+    std::vector<Found> cameras;
+    const std::vector<Node> subjects = file.list("extrinsics");
+    auto lenses = file.index("intrinsics", "");
+    for (const Node &subject : subjects) {
+        for (const Node &one : subject.list(""))
+            cameras.push_back({subject.key() + ' ' + one.key(), subjects.size() == 1 ? one.key() : std::string(), one,
+                               lenses[one.key()]});
+    }
+    return cameras;
+}
+
+std::vector<Found> fspyCamera(Reading &, const Node &file)
+{
+    const Node one = file.has("cameraParameters") ? file["cameraParameters"] : file;
+    return onlyIf(one.has("cameraTransform"), one);
+}
+
+// Source: fSpy's importer for Blender, fspy_blender/addon.py: half the longer side is 1, y is up
+void readFspyLens(Reading &reading, const Found &one)
+{
+    const ImageSize size = reading.neededSize();
+    const double half = std::max(size.width, size.height) / 2.0, f = one.lens.needed("relativeFocalLength");
+    reading.setCentred(size, f * half, f * half, one.lens.number("principalPoint/x", 0.0) * half,
+                       -one.lens.number("principalPoint/y", 0.0) * half);
+}
+
+std::vector<Found> dopeCamera(Reading &, const Node &file)
+{
+    const Node one = file["camera_data"];
+    return onlyIf(one.has("camera_look_at"), one);
+}
+
+void readDopePose(Reading &reading, const Found &one)
+{
+    const Node look = one.pose["camera_look_at"];
+    const glm::dvec3 eye = look.vector("eye");
+    reading.setLooking(eye, eye - look.vector("at"), look.vector("up"));
+}
+
+std::vector<Found> lgsvlSensors(Reading &, const Node &file)
+{
+    const std::vector<Node> own = file.list("sensors");
+    std::vector<Found> cameras;
+    for (const Node &one : own.empty() ? file.elements() : own) {
+        if (one.number("params/FieldOfView") && one.has("transform"))
+            cameras.push_back({one.has("name") ? one.word("name") : std::to_string(cameras.size()),
+                               {},
+                               one["transform"],
+                               one["params"]});
+    }
+    return cameras;
+}
+
+void readLgsvl(Reading &reading, const Found &one)
+{
+    const std::vector<double> turn = one.pose.needed("yaw pitch roll", 3);
+    const auto about = [&](int axis, std::size_t i) { return cameras::about(axis, radiansFromDegrees(turn[i])); };
+    reading.camera.pose = rigid(about(1, 0) * about(0, 1) * about(2, 2), one.pose.vector("x y z"));
+    sayNoParent(reading, "transform");
+    sayUnity(reading);
+    if (one.lens.isTrue("Distorted") && !reading.choices.isUndistorted)
+        reading.fail(unknownDistortionText("DistortionParameters"));
+    reading.setVerticalAngle(radiansFromDegrees(one.lens.needed("FieldOfView")));
+}
+
+/// Source: Apple, ARCamera: x right, y up, -z ahead; the principal point from the corner of the image
+constexpr const char *kArKit = marked("Pixel centres are read at halves: ARKit counts the principal point from the "
+                                      "image's corner. --pixel-centers integer says otherwise.");
+
+constexpr Form kForms[]{
+    // Source: OpenMVG, cameras/Camera_Pinhole*_io.hpp, Camera_undistort_image.hpp (pixel centres at whole
+    // numbers), and the documentation of its poses: R from world to camera, and the centre C.
+    {.program = "OpenMVG",
+     .marks = "sfm_data_version views",
+     .parts = {.pose = "rotation", .count = 9, .centre = "center"},
+     .quirk = readOpenMvgLens,
+     .cameras = openMvgViews},
+    // Source: AliceVision, sfmDataIO/jsonIO.cpp: saveMatrix writes Eigen's order, by columns;
+    // image/undistort.cpp has pixel centres at whole numbers.
+    {.program = "AliceVision",
+     .marks = "views intrinsics intrinsicId",
+     .parts = {.pose = "pose/transform/rotation", .count = 9, .isByColumns = true, .centre = "pose/transform/center"},
+     .quirk = readAliceVisionLens,
+     .cameras = aliceVisionViews},
+    {.program = "OpenSfM",
+     .marks = "cameras shots",
+     .parts = {.pose = "rotation", .count = 3, .at = "translation"},
+     .quirk = readOpenSfmLens,
+     .cameras = openSfmShots},
+    {.program = "Nerfstudio",
+     .marks = "camera_path render_height",
+     .direction = CameraToWorld,
+     .axes = RightUpBack,
+     .parts = {.pose = "camera_to_world|matrix",
+               .note = marked("Coordinates are those of Nerfstudio's viewer: its data parser moved and scaled the "
+                              "world, as dataparser_transforms.json tells.")},
+     .quirk = readPathLens,
+     .cameras = pathCameras},
+    {.program = "BOP",
+     .format = Format::LaxJson,
+     .marks = "cam_K",
+     .parts = {.size = "width height", .lens = "cam_K", .note = kWholeCentres},
+     .quirk = readBop,
+     .cameras = bopImages},
+    {.program = "BOP",
+     .format = Format::LaxJson,
+     .marks = "depth_scale fx",
+     .parts = {.size = "width height", .lens = "fx fy cx cy", .note = kWholeCentres},
+     .cameras = bopLens},
+    {.program = "BOP", .marks = "cam_R_m2c", .cameras = bopObjects},
+    // Source: nuscenes-devkit, docs/schema_nuscenes.md
+    {.program = "nuScenes",
+     .marks = "sensor_token camera_intrinsic translation rotation",
+     .direction = CameraToWorld,
+     .parts = {.lens = "camera_intrinsic", .pose = "rotation", .count = 4, .at = "translation", .note = kWholeCentres},
+     .quirk =
+         [](Reading &reading, const Found &) {
+             reading.say(tr("The world is the vehicle's frame, in metres; ego_pose is not applied."));
+         },
+     .cameras = nuScenesCameras},
+    // Source: polyform, README.md: t_ij by rows, ARKit's axes
+    {.program = "Polycam",
+     .marks = "t_00 t_23 fx",
+     .direction = CameraToWorld,
+     .axes = RightUpBack,
+     .centres = AtHalves,
+     .parts = {.size = "width height",
+               .lens = "fx fy cx cy",
+               .pose = "t_00 t_01 t_02 t_03 t_10 t_11 t_12 t_13 t_20 t_21 t_22 t_23",
+               .count = 12,
+               .note = kArKit}},
+    // A frame of 3D Scanner App. Its programs on GitHub reshape both matrices by rows.
+    {.program = "ARKit",
+     .marks = "cameraPoseARFrame intrinsics",
+     .direction = CameraToWorld,
+     .axes = RightUpBack,
+     .centres = AtHalves,
+     .parts = {.lens = "intrinsics", .pose = "cameraPoseARFrame", .note = kArKit}},
+    {.program = "Record3D",
+     .format = Format::LaxJson,
+     .marks = "poses K w h",
+     .direction = CameraToWorld,
+     .axes = RightUpBack,
+     .centres = AtHalves,
+     .parts = {.size = "w h", .lens = "K", .pose = "", .count = 7, .note = kArKit},
+     .quirk = readRecordedLens,
+     .cameras = recordedFrames},
+    {.program = "three.js",
+     .marks = "type matrix PerspectiveCamera|OrthographicCamera",
+     .direction = CameraToWorld,
+     .axes = RightUpBack,
+     .parts = {.planes = "near far", .pose = "matrix", .isByColumns = true},
+     .quirk = readThreeLens,
+     .cameras = threeCameras},
+    {.program = "Human3.6M",
+     .marks = "intrinsics extrinsics calibration_matrix",
+     .parts = {.lens = "calibration_matrix", .pose = "R", .count = 9, .at = "t", .distortion = "distortion"},
+     .cameras = humanCameras},
+    {.program = "fSpy",
+     .marks = "cameraTransform relativeFocalLength imageWidth",
+     .direction = CameraToWorld,
+     .axes = RightUpBack,
+     .parts = {.size = "imageWidth imageHeight", .pose = "cameraTransform/rows"},
+     .quirk = readFspyLens,
+     .cameras = fspyCamera},
+    // Source: NVISII, as Deep_Object_Pose, data_generation, writes it: the rows of camera_view_matrix are
+    // columns, so eye, at and up count
+    {.program = "NVISII",
+     .marks = "camera_data camera_look_at intrinsics",
+     .direction = CameraToWorld,
+     .axes = RightUpBack,
+     .centres = AtHalves,
+     .parts = {.size = "width height", .lens = "intrinsics/fx intrinsics/fy intrinsics/cx intrinsics/cy"},
+     .quirk = readDopePose,
+     .cameras = dopeCamera},
+    // Source: lgsvl/simulator, Assets/Scripts/Sensors, CameraSensorBase.cs: FieldOfView is that of Unity's camera
+    {.program = "LGSVL",
+     .marks = "FieldOfView transform pitch",
+     .direction = CameraToWorld,
+     .axes = RightUpAhead,
+     .parts = {.size = "Width Height", .planes = "MinDistance MaxDistance"},
+     .quirk = readLgsvl,
+     .cameras = lgsvlSensors},
+    {.program = "NeRF",
+     .marks = "transform_matrix|fl_x|camera_angle_x",
+     .direction = CameraToWorld,
+     .axes = RightUpBack,
+     .quirk = readNerf,
+     .cameras = nerfFrames},
+    {.program = "Open3D", .marks = "class_name|intrinsic_matrix", .quirk = readOpen3d, .cameras = open3dCameras},
+    {.program = "glTF",
+     .marks = "cameras asset",
+     .direction = CameraToWorld,
+     .axes = RightUpBack,
+     .quirk = readGltf,
+     .cameras = gltfCameras},
+    {.program = "Gaussian splatting",
+     .marks = "img_name position rotation",
+     .direction = CameraToWorld,
+     .parts = {.size = "width height"},
+     .quirk = readSplatting,
+     .cameras = splattingImages}};
+
+} // namespace
+
+std::span<const Form> jsonForms()
+{
+    return kForms;
+}
+
+} // namespace unprojector::cameras
