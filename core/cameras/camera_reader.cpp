@@ -28,8 +28,15 @@ const std::vector<Form> &forms()
 {
     static const std::vector<Form> all = [] {
         std::vector<Form> list;
-        for (const auto some : {colmapForms(), xmlForms(), fileForms(), jsonForms(), printForms()})
-            list.insert(list.end(), some.begin(), some.end());
+        const auto add = [&list](std::span<const Form> some, Format format = Format::Print) {
+            for (const Form &form : some)
+                list.emplace_back(form).format = format;
+        };
+        add(colmapForms());
+        add(xmlForms(), Format::Xml);
+        add(fileForms());
+        add(jsonForms(), Format::Json);
+        add(printForms());
         list.push_back({.program = "DSO", .readAll = readTables});
         list.push_back({.program = "OpenCV", .readAll = readNamedParts});
         return list;
@@ -37,9 +44,10 @@ const std::vector<Form> &forms()
     return all;
 }
 
-void readParts(Reading &reading, const Form &form, const Found &one)
+void readParts(Reading &reading, const Form &form)
 {
-    const Form::Parts &parts = form.parts;
+    const Parts &parts = form.parts;
+    const Found &one = reading;
     if (!one.lens)
         failWithoutLens(reading);
     if ((*parts.pose || parts.count == 7) && one.pose)
@@ -57,11 +65,11 @@ void readParts(Reading &reading, const Form &form, const Found &one)
     if (*parts.planes)
         reading.setPlanes(one.lens, parts.planes);
     if (*parts.lens)
-        reading.setLens(one.lens, parts.lens, form.centres);
+        reading.setLens(one.lens, parts.lens, parts.centres);
     if (*parts.distortion && one.lens.has(parts.distortion))
         setDistortion(reading, one.lens.numbers(parts.distortion));
     if (form.quirk)
-        form.quirk(reading, one);
+        form.quirk(reading);
     if (*parts.note)
         reading.say(tr(parts.note));
 }
@@ -70,11 +78,13 @@ void readParts(Reading &reading, const Form &form, const Found &one)
 bool readForm(Reading &reading, const Form &form)
 {
     base::Json document;
-    if (!openDocument(reading, form.format, form.marks, document))
+    if (!openDocument(reading, form, document))
         return false;
-    const Node &text = reading.file;
-    const std::vector<Found> found =
-        form.cameras ? form.cameras(reading, text) : std::vector{Found{{}, {}, text, text}};
+    const Cameras found = form.cameras       ? form.cameras(reading, reading.file)
+                          : *form.parts.list ? listed(form.parts, form.format, reading.file)
+                                             : onlyIf(true, reading.file);
+    if (found.empty() && !*form.parts.having && reading.file.has(form.parts.list) && *form.parts.list)
+        reading.fail(tr("there are no cameras"));
     if (found.empty())
         return false;
     std::vector<std::string> ids;
@@ -83,10 +93,11 @@ bool readForm(Reading &reading, const Form &form)
             reading.camera.images.push_back(one.name);
         ids.push_back(one.id);
     }
-    reading.begin(form.program, form.direction, form.axes);
+    reading.begin(form.program, form.frame);
     if (!reading.camera.images.empty())
         reading.chooseImage(ids);
-    readParts(reading, form, found[reading.camera.image]);
+    static_cast<Found &>(reading) = found[reading.camera.image];
+    readParts(reading, form);
     return true;
 }
 
@@ -177,29 +188,29 @@ std::string jsonIn(const std::string &text)
 
 } // namespace
 
-bool openDocument(Reading &reading, Format format, std::string_view marks, base::Json &document)
+bool openDocument(Reading &reading, const Form &form, base::Json &document)
 {
     const std::string &text = reading.text.text;
-    const bool areKeys = format == Format::Json || format == Format::LaxJson;
-    for (const std::string_view mark : split(marks, ' ')) {
-        const std::vector<std::string_view> any = split(mark, '|');
+    const bool areKeys = form.format == Format::Json;
+    for (const std::string_view mark : split(form.marks, ' ')) {
+        const Words any = split(mark, '|');
         if (std::none_of(any.begin(), any.end(), [&](std::string_view one) {
                 return text.find(areKeys ? '"' + std::string(one) + '"' : std::string(one)) != text.npos;
             }))
             return false;
     }
-    if (format == Format::Print) {
+    if (form.format == Format::Print) {
         reading.file = Node(reading, reading.values(), text);
         return true;
     }
-    reading.json = format == Format::Json ? jsonIn(text) : std::string();
+    reading.json = areKeys && !form.parts.isLax ? jsonIn(text) : std::string();
     if (!reading.json.empty() || (areKeys ? isJson(text) : isXml(text))) {
         const NamedText part{reading.text.name, reading.json};
         const NamedText &whole = reading.json.empty() ? reading.text : part;
         try {
             document = areKeys ? parsedJson(whole) : parsedXml(whole);
         } catch (const base::Error &) {
-            if (format != Format::LaxJson)
+            if (!form.parts.isLax)
                 throw;
         }
     }
@@ -207,26 +218,51 @@ bool openDocument(Reading &reading, Format format, std::string_view marks, base:
     return bool(reading.file);
 }
 
-std::vector<Found> onlyIf(bool isIt, const Node &text)
+Cameras onlyIf(bool isIt, const Node &text)
 {
-    return isIt ? std::vector{Found{{}, {}, text, text}} : std::vector<Found>();
+    return isIt ? std::vector{Found{{}, {}, text, text}} : Cameras();
 }
 
-std::vector<Found> sections(const Reading &reading, const Node &text, std::string_view mark, std::string_view end,
-                            std::string_view word)
+Cameras sections(const Reading &reading, const Node &text, std::string_view mark, std::string_view end,
+                 std::string_view word)
 {
-    std::vector<Found> found;
+    Cameras found;
     const std::string_view all = reading.text.text;
     for (std::size_t at = all.find(mark); at != all.npos; at = all.find(mark, at + 1)) {
         const std::string_view part = all.substr(at, all.find(end, at + mark.size()) - at);
         if (part.find(word) == part.npos)
             continue;
-        const std::vector<std::string_view> quoted = split(split(part, '\n')[0], '"');
+        const Words quoted = split(split(part, '\n')[0], '"');
         const std::string name(quoted.size() > 1 ? quoted[1] : "");
         const Node node(reading, std::make_shared<NamedValues>(part), part);
         found.push_back({name.empty() ? std::to_string(found.size()) : name, {}, node, node});
     }
     return found.empty() ? onlyIf(true, text) : found;
+}
+
+Cameras listed(const Parts &parts, Format format, const Node &text)
+{
+    Cameras found;
+    for (const std::string_view path : split(parts.list, '|')) {
+        std::vector<Trail> trails = format == Format::Xml ? trailsTo(text, path) : std::vector<Trail>();
+        const Node value = path == "*" ? text : text[path];
+        for (const Node &one : format == Format::Json && value ? value.elements() : Trail())
+            trails.push_back({one});
+        for (const Trail &trail : trails) {
+            const Node &one = trail.back();
+            const auto named =
+                std::find_if(trail.rbegin(), trail.rend(), [&](const Node &node) { return node.has(parts.name); });
+            const bool isItem = format == Format::Xml ? *parts.name : value.json().is_array();
+            if (one.holds(parts.having))
+                found.push_back({named != trail.rend() ? named->word(parts.name)
+                                 : isItem              ? std::to_string(found.size())
+                                                       : "",
+                                 one.word(parts.id), one, one, {}, glm::dmat4(1.0), trail});
+        }
+        if (!found.empty())
+            break;
+    }
+    return found;
 }
 
 std::optional<base::Expected<ForeignCamera, base::Error>> readCamera(std::span<const NamedText> texts,

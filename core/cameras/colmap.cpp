@@ -70,8 +70,8 @@ struct Entry {
 struct Camera : Entry {
     std::string model{};
     double width = 0.0, height = 0.0;
-    std::vector<double> parameters{}; ///< of a model that is read
-    std::string fault{};              ///< why they are not read
+    Numbers parameters{}; ///< of a model that is read
+    std::string fault{};  ///< why they are not read
 };
 struct Image : Entry {
     std::array<double, 7> pose{}; ///< QW QX QY QZ TX TY TZ
@@ -87,7 +87,7 @@ struct Reconstruction {
 
 struct Line {
     std::size_t number; ///< from 1
-    std::vector<std::string_view> words;
+    Words words;
     std::string_view text;
 };
 
@@ -299,7 +299,7 @@ void setLens(ForeignCamera &camera, const Camera &found)
         found.fail(tr("the camera model %1 is not read: it is no pinhole with the distortion of Brown and Conrady. "
                       "Undistort the images with COLMAP's image_undistorter",
                       found.model));
-    std::vector<double> p = found.parameters;
+    Numbers p = found.parameters;
     if (p.size() != model->parameters)
         found.fail(tr("%1 has %2 parameters; it needs %3", found.model, p.size(), model->parameters));
     if (!found.fault.empty())
@@ -322,9 +322,9 @@ void setLens(ForeignCamera &camera, const Camera &found)
 }
 
 // Source: COLMAP, src/colmap/geometry/rigid3.cc and src/colmap/scene/camera.cc, operator<<
-std::vector<Found> printedPoses(Reading &reading, const Node &text)
+Cameras printedPoses(Reading &reading, const Node &text)
 {
-    std::vector<Found> poses = sections(reading, text, "Rigid3d(", "Rigid3d(");
+    Cameras poses = sections(reading, text, "Rigid3d(", "Rigid3d(");
     for (Found &one : poses) {
         one.lens = text;
         if (one.pose.numbers("rotationxyzw", 4).size() != 4 || one.pose.numbers("translation", 3).size() != 3
@@ -334,13 +334,13 @@ std::vector<Found> printedPoses(Reading &reading, const Node &text)
     return poses;
 }
 
-void readPrinted(Reading &reading, const Found &one)
+void readPrinted(Reading &reading)
 {
-    const NamedValues &values = one.lens.values();
-    const std::vector<double> p = one.lens.numbers("params", 3), q = one.pose.numbers("rotationxyzw", 4),
-                              t = one.pose.numbers("translation", 3);
+    const NamedValues &values = reading.lens.values();
+    const Numbers p = reading.lens.numbers("params", 3), q = reading.pose.numbers("rotationxyzw", 4),
+                  t = reading.pose.numbers("translation", 3);
     const ImageSize size = *sizeIn(values);
-    std::string model = one.lens.word("model");
+    std::string model = reading.lens.word("model");
     model.erase(0, model.rfind('.') + 1); // CameraModelId.PINHOLE
     const bool isUnknown = model.empty() || model == "Camera";
     if (isUnknown) { // older versions print no model
@@ -375,7 +375,7 @@ std::optional<ForeignCamera> readColmap(std::span<const NamedText> texts, const 
         found.cameras.begin()->second.fail(tr("COLMAP's cameras have no poses; give images.txt or images.bin, too"));
     Reading reading(*found.images.front().file, choices);
     ForeignCamera &camera = reading.camera;
-    reading.begin("COLMAP", PoseDirection::WorldToCamera, EyeAxes::RightDownAhead);
+    reading.begin("COLMAP", {});
     for (const Image &image : found.images)
         camera.images.push_back(image.name);
     if (found.cameras.empty())
@@ -400,11 +400,7 @@ std::optional<ForeignCamera> readColmap(std::span<const NamedText> texts, const 
 }
 
 constexpr Form kForms[]{{.program = "COLMAP", .readAll = readColmap},
-                        {.program = "COLMAP",
-                         .format = Format::Print,
-                         .marks = "Rigid3d( params",
-                         .quirk = readPrinted,
-                         .cameras = printedPoses}};
+                        {"COLMAP", "Rigid3d( params", {}, printedPoses, readPrinted}};
 
 } // namespace
 

@@ -26,6 +26,7 @@ using enum PoseDirection;
 using enum EyeAxes;
 using enum PixelCentres;
 using base::Json;
+using glm::dmat3, glm::dmat4, glm::dvec3;
 
 namespace {
 
@@ -37,7 +38,7 @@ ImageSize lensSize(Reading &reading, const Node &lens)
 }
 
 /// Leaves out views without a pose where the file has poses.
-std::vector<Found> posed(Reading &reading, std::vector<Found> views, bool hasPoses)
+Cameras posed(Reading &reading, Cameras views, bool hasPoses)
 {
     if (hasPoses)
         std::erase_if(views, [](const Found &view) { return !view.pose; });
@@ -52,10 +53,10 @@ bool isOneOf(std::string_view word, std::string_view words)
     return std::find(all.begin(), all.end(), word) != all.end();
 }
 
-std::vector<Found> openMvgViews(Reading &reading, const Node &file)
+Cameras openMvgViews(Reading &reading, const Node &file)
 {
     auto poses = file.index("extrinsics", "key"), lenses = file.index("intrinsics", "key");
-    std::vector<Found> views;
+    Cameras views;
     for (const Node &entry : file.list("views")) {
         const Node view = entry["value/ptr_wrapper/data"];
         views.push_back({view.word("filename"), view.word("id_view"), poses[view.word("id_pose")]["value"],
@@ -64,25 +65,26 @@ std::vector<Found> openMvgViews(Reading &reading, const Node &file)
     return posed(reading, std::move(views), !file.list("extrinsics").empty());
 }
 
-void readOpenMvgLens(Reading &reading, const Found &one)
+void readOpenMvgLens(Reading &reading)
 {
-    const Node lens = one.lens["ptr_wrapper/data"], base = lens.has("value0") ? lens["value0"] : lens; // of a parent
+    const Node lens = reading.lens["ptr_wrapper/data"],
+               base = lens.has("value0") ? lens["value0"] : lens; // of a parent
     // A later lens of the same class has no name, so the coefficients' key tells the model.
-    std::optional<std::vector<double>> coefficients;
+    std::optional<Numbers> coefficients;
     if (base.has("focal_length") && !lens.has("fisheye"))
         coefficients = lens.numbers("disto_t2|disto_k3|disto_k1");
-    const std::string name = one.lens.word("polymorphic_name");
+    const std::string name = reading.lens.word("polymorphic_name");
     setDistortion(reading, name.empty() ? "fisheye" : name, coefficients);
     lensSize(reading, base);
     const double focal = base.needed("focal_length");
-    const std::vector<double> centre = base.needed("principal_point", 2);
+    const Numbers centre = base.needed("principal_point", 2);
     reading.camera.intrinsics = Intrinsics{focal, focal, centre[0], centre[1]};
 }
 
-std::vector<Found> aliceVisionViews(Reading &reading, const Node &file)
+Cameras aliceVisionViews(Reading &reading, const Node &file)
 {
     auto poses = file.index("poses", "poseId"), lenses = file.index("intrinsics", "intrinsicId");
-    std::vector<Found> views;
+    Cameras views;
     for (const Node &view : file.list("views")) {
         const std::string id = view.word("viewId"), pose = view.word("poseId");
         views.push_back(
@@ -92,11 +94,11 @@ std::vector<Found> aliceVisionViews(Reading &reading, const Node &file)
 }
 
 // Source: AliceVision, sfmDataIO/jsonIO.cpp: versions, units and what the principal point counts from.
-void readAliceVisionLens(Reading &reading, const Found &one)
+void readAliceVisionLens(Reading &reading)
 {
-    const Node &lens = one.lens;
-    const std::vector<double> pixels = lens.numbers("pxFocalLength"), centre = lens.needed("principalPoint", 2),
-                              v = reading.file.numbers("version");
+    const Node &lens = reading.lens;
+    const Numbers pixels = lens.numbers("pxFocalLength"), centre = lens.needed("principalPoint", 2),
+                  v = reading.file.numbers("version");
     const double version = v.size() == 3 ? 1e4 * v[0] + 1e2 * v[1] + v[2] : pixels.empty() ? 10205 : 0;
     const ImageSize size = lensSize(reading, lens);
     const glm::dvec2 origin = version < 10201 ? glm::dvec2(0.0) : glm::dvec2(size.width, size.height) / 2.0;
@@ -116,18 +118,18 @@ void readAliceVisionLens(Reading &reading, const Found &one)
     // Later versions name the distortion apart from the projection, and keep 3DE's as an undistortion.
     const std::string type = lens.word("type"), later = lens.word("distortionType");
     const std::string &model = later.empty() || later == "none" ? type : later;
-    const std::vector<double> c = lens.numbers("distortionParams");
+    const Numbers c = lens.numbers("distortionParams");
     const bool isBrown = isOneOf(model, "pinhole radial1 radial3 radialk1 radialk3 brown") || areZero(c);
     const bool isRead = isBrown && !type.starts_with("fisheye") && !type.starts_with("equi")
                         && areZero(lens.numbers("undistortionParams"));
     setDistortion(reading, model, isRead ? std::optional(c) : std::nullopt);
-    if (one.pose && one.own.has("rigId") && isOneOf(one.own.word("isPoseIndependant"), "false 0"))
-        reading.fail(tr("the pose of %1 is that of its rig; poses of rigs are not read", one.name));
+    if (reading.pose && reading.own.has("rigId") && isOneOf(reading.own.word("isPoseIndependant"), "false 0"))
+        reading.fail(tr("the pose of %1 is that of its rig; poses of rigs are not read", reading.name));
 }
 
-std::vector<Found> openSfmShots(Reading &, const Node &file)
+Cameras openSfmShots(Reading &, const Node &file)
 {
-    std::vector<Found> shots;
+    Cameras shots;
     for (const Node &part : file.elements()) {
         auto lenses = part.index("cameras", "");
         for (const Node &shot : part.list("shots"))
@@ -138,66 +140,46 @@ std::vector<Found> openSfmShots(Reading &, const Node &file)
 
 // Source: OpenSfM, doc/source/geometry.rst: normalized coordinates count from the image's middle, and
 // the larger side is 1; opensfm/io.py: rotation is an angle-axis from world to camera.
-void readOpenSfmLens(Reading &reading, const Found &one)
+void readOpenSfmLens(Reading &reading)
 {
-    const auto of = [&](const char *key) { return one.lens.number(key, 0.0); };
-    const std::string type = one.lens.word("projection_type");
+    const auto of = [&](const char *key) { return reading.lens.number(key, 0.0); };
+    const std::string type = reading.lens.word("projection_type");
     const bool isRead = type.empty() || isOneOf(type, "perspective simple_radial radial brown");
     setDistortion(reading, type,
                   isRead ? std::optional(std::vector{of("k1"), of("k2"), of("k3"), of("p1"), of("p2")}) : std::nullopt);
-    const ImageSize size = lensSize(reading, one.lens);
+    const ImageSize size = lensSize(reading, reading.lens);
     const double side = std::max(size.width, size.height);
-    const bool hasTwo = one.lens.has("focal_x");
-    reading.setCentred(size, side * one.lens.needed(hasTwo ? "focal_x" : "focal"),
-                       side * one.lens.needed(hasTwo ? "focal_y" : "focal"), side * of("c_x"), side * of("c_y"));
-    if (one.own.has("reference_lla"))
+    const bool hasTwo = reading.lens.has("focal_x");
+    reading.setCentred(size, side * reading.lens.needed(hasTwo ? "focal_x" : "focal"),
+                       side * reading.lens.needed(hasTwo ? "focal_y" : "focal"), side * of("c_x"), side * of("c_y"));
+    if (reading.own.has("reference_lla"))
         reading.say(tr("The world's axes are metres east, north and up of reference_lla; objects in other coordinates "
                        "do not fit."));
 }
 
-// Source: nerfstudio, cameras/camera_paths.py; viewer/render_panel.py for its key frames.
-std::vector<Found> pathCameras(Reading &reading, const Node &file)
-{
-    std::vector<Found> cameras;
-    const std::vector<Node> path = file.list("camera_path");
-    for (const Node &one : path.empty() ? file.list("keyframes") : path)
-        cameras.push_back({one.key(), {}, one, one});
-    return posed(reading, std::move(cameras), false);
-}
-
-void readPathLens(Reading &reading, const Found &one)
+void readPathLens(Reading &reading)
 {
     for (const char *key : {"camera_type", "camera_model"}) {
         if (const std::string type = reading.file.word(key); !type.empty() && type != "perspective")
             setDistortion(reading, type, {});
     }
     reading.setSize(reading.file, "render_width render_height");
-    reading.setVerticalAngle(radiansFromDegrees(one.lens.needed("fov")));
-}
-
-std::vector<Found> nuScenesCameras(Reading &, const Node &file)
-{
-    std::vector<Found> cameras;
-    for (const Node &one : file.elements()) {
-        if (one.numbers("camera_intrinsic").size() == 9) // of a lidar or radar it is empty
-            cameras.push_back({one.word("token"), one.word("sensor_token"), one, one});
-    }
-    return cameras;
+    reading.setDegrees(reading.lens.needed("fov"));
 }
 
 // Source: record3d, issues 27, 33 and 36: qx qy qz qw x y z, camera to world, OpenGL's axes; K by columns
-std::vector<Found> recordedFrames(Reading &, const Node &file)
+Cameras recordedFrames(Reading &, const Node &file)
 {
-    std::vector<Found> frames;
+    Cameras frames;
     for (const Node &pose : file.list("poses"))
         frames.push_back({pose.key(), {}, pose, file});
-    return !frames.empty() && frames[0].pose.json().size() == 7 ? frames : std::vector<Found>();
+    return !frames.empty() && frames[0].pose.json().size() == 7 ? frames : Cameras();
 }
 
-void readRecordedLens(Reading &reading, const Found &)
+void readRecordedLens(Reading &reading)
 {
     const std::size_t frame = reading.camera.image;
-    const std::vector<double> own = reading.file.numbers("perFrameIntrinsicCoeffs"); // fx fy cx cy
+    const Numbers own = reading.file.numbers("perFrameIntrinsicCoeffs"); // fx fy cx cy
     if (own.size() != 4 * reading.camera.images.size())
         return;
     const double *k = own.data() + 4 * frame;
@@ -205,7 +187,7 @@ void readRecordedLens(Reading &reading, const Found &)
 }
 
 /// Adds the cameras of an object and its children, each with its matrices up the parents.
-void addThreeCameras(const Node &object, const glm::dmat4 &parent, std::vector<Found> &found)
+void addThreeCameras(const Node &object, const dmat4 &parent, Cameras &found)
 {
     if (isOneOf(object.word("type"), "PerspectiveCamera OrthographicCamera")) {
         const std::string id = object.word("uuid");
@@ -218,17 +200,17 @@ void addThreeCameras(const Node &object, const glm::dmat4 &parent, std::vector<F
 
 // Source: three.js, Object3D.toJSON, cameras/PerspectiveCamera.js and OrthographicCamera.js; its editor's
 // files have the scene and the camera apart.
-std::vector<Found> threeCameras(Reading &, const Node &file)
+Cameras threeCameras(Reading &, const Node &file)
 {
-    std::vector<Found> found;
+    Cameras found;
     for (const Node &root : {file, file["object"], file["scene/object"], file["camera/object"]})
-        addThreeCameras(root, glm::dmat4(1.0), found);
+        addThreeCameras(root, dmat4(1.0), found);
     return found;
 }
 
-void readThreeLens(Reading &reading, const Found &one)
+void readThreeLens(Reading &reading)
 {
-    const Node &lens = one.lens;
+    const Node &lens = reading.lens;
     if (lens.number("filmOffset", 0.0) != 0.0 || lens.isTrue("view/enabled"))
         reading.fail(tr("a camera with filmOffset or setViewOffset is not read; give its projectionMatrix and "
                         "matrixWorldInverse"));
@@ -238,7 +220,7 @@ void readThreeLens(Reading &reading, const Found &one)
                                  lens.number("aspect"));
         return;
     }
-    const std::vector<double> box = lens.needed("left right bottom top near far", 6);
+    const Numbers box = lens.needed("left right bottom top near far", 6);
     const double x = (box[0] + box[1]) / 2.0, y = (box[2] + box[3]) / 2.0, dx = (box[1] - box[0]) / (2.0 * zoom),
                  dy = (box[3] - box[2]) / (2.0 * zoom);
     reading.camera.nearDistance = reading.camera.farDistance = {};
@@ -260,22 +242,22 @@ bool isBopRecord(const Node &record)
 }
 
 // Source: bop_toolkit, docs/bop_datasets_format.md: numbers by rows, OpenCV's axes, millimetres.
-std::vector<Found> bopImages(Reading &, const Node &file)
+Cameras bopImages(Reading &, const Node &file)
 {
     if (isBopRecord(file)) // without its id
         return onlyIf(true, file);
-    std::vector<Found> images;
+    Cameras images;
     for (const Node &record : file.list("")) {
         const std::string id = record.key();
         images.push_back({std::string(id.size() < 6 ? 6 - id.size() : 0, '0') + id, id, record, record}); // 000048.png
         if (!isBopRecord(record))
             return {};
     }
-    return file.json().is_object() ? images : std::vector<Found>();
+    return file.json().is_object() ? images : Cameras();
 }
 
 /// BOP's camera.json. Depth cameras of other programs have more keys.
-std::vector<Found> bopLens(Reading &, const Node &file)
+Cameras bopLens(Reading &, const Node &file)
 {
     const bool isIt = file.json().size() == 7 && hasOnly(file, "cx cy depth_scale fx fy height width");
     return onlyIf(isIt, file);
@@ -284,31 +266,35 @@ std::vector<Found> bopLens(Reading &, const Node &file)
 constexpr const char *kWholeCentres =
     marked("Pixel centres are assumed at whole numbers; --pixel-centers half says otherwise.");
 
-void readBop(Reading &reading, const Found &one)
+constexpr Form kBopLens{"BOP",   "depth_scale fx",
+                        {},      bopLens,
+                        nullptr, {.isLax = true, .size = "width height", .lens = "fx fy cx cy", .note = kWholeCentres},
+                        nullptr, Format::Json};
+
+void readBop(Reading &reading)
 {
     for (const NamedText &other : reading.all) {
         Reading beside(other, reading.choices);
         Json json;
-        if (&other == &reading.text || !openDocument(beside, Format::LaxJson, "depth_scale fx", json)
-            || bopLens(beside, beside.file).empty())
+        if (&other == &reading.text || !openDocument(beside, kBopLens, json) || bopLens(beside, beside.file).empty())
             continue;
-        const std::vector<double> sides = beside.file.needed("width height", 2);
+        const Numbers sides = beside.file.needed("width height", 2);
         if (!reading.camera.size)
             reading.camera.size = sizeOf(sides[0], sides[1]);
         reading.camera.files.push_back(other.name);
     }
-    if (one.pose.has("cam_R_w2c")) {
-        reading.setPose(one.pose, "cam_R_w2c", 9, "cam_t_w2c");
+    if (reading.pose.has("cam_R_w2c")) {
+        reading.setPose(reading.pose, "cam_R_w2c", 9, "cam_t_w2c");
         reading.say(tr("Lengths are in millimetres, as BOP writes cam_t_w2c."));
     }
 }
 
-std::vector<Found> bopObjects(Reading &reading, const Node &)
+Cameras bopObjects(Reading &reading, const Node &)
 {
     reading.fail(tr("scene_gt.json has the poses of objects and no camera; give scene_camera.json"));
 }
 
-std::vector<Found> nerfFrames(Reading &reading, const Node &file)
+Cameras nerfFrames(Reading &reading, const Node &file)
 {
     if (!file.has("frames") && !file.has("transform_matrix")) {
         if (file.has("fl_x|camera_angle_x"))
@@ -317,7 +303,7 @@ std::vector<Found> nerfFrames(Reading &reading, const Node &file)
     }
     if (!file.has("frames"))
         return onlyIf(true, file);
-    std::vector<Found> frames;
+    Cameras frames;
     for (const Node &frame : file.list("frames"))
         frames.push_back({frame.has("file_path") ? frame.word("file_path") : frame.key(), {}, frame, frame});
     if (frames.empty())
@@ -328,7 +314,7 @@ std::vector<Found> nerfFrames(Reading &reading, const Node &file)
 /// transforms.json of NeRF, Instant-NGP and Nerfstudio: a frame's own members, else the file's.
 class NerfReader {
 public:
-    NerfReader(Reading &reading, const Node &frame) : m_reading(reading), m_camera(reading.camera), m_frame(frame) {}
+    explicit NerfReader(Reading &reading) : m_reading(reading), m_camera(reading.camera), m_frame(reading.pose) {}
 
     void read()
     {
@@ -428,22 +414,22 @@ private:
     const Node &m_frame;
 };
 
-void readNerf(Reading &reading, const Found &one)
+void readNerf(Reading &reading)
 {
-    NerfReader(reading, one.pose).read();
+    NerfReader(reading).read();
 }
 
 /// PinholeCameraParameters, PinholeCameraTrajectory, PinholeCameraIntrinsic, and ViewTrajectory, which
 /// its viewer copies to the clipboard. The name of the class is missing where someone copied the middle
 /// of a file.
-std::vector<Found> open3dCameras(Reading &reading, const Node &file)
+Cameras open3dCameras(Reading &reading, const Node &file)
 {
     const std::string kind = file.word("class_name");
     if (!isOneOf(kind, "PinholeCameraParameters PinholeCameraTrajectory PinholeCameraIntrinsic ViewTrajectory")
         && !(kind.empty() && reading.text.text.find("\"intrinsic_matrix\"") != std::string::npos))
         return {};
     const char *key = kind == "ViewTrajectory" ? "trajectory" : "parameters";
-    std::vector<Found> cameras;
+    Cameras cameras;
     for (const Node &one : file.list(key))
         cameras.push_back({one.key(), {}, one, one});
     if (cameras.empty() && file.has(key))
@@ -455,8 +441,8 @@ std::vector<Found> open3dCameras(Reading &reading, const Node &file)
 void readOpen3dView(Reading &reading, const Node &view)
 {
     ForeignCamera &camera = reading.camera;
-    const glm::dvec3 lowest = view.vector("boundingbox_min"), extents = view.vector("boundingbox_max") - lowest,
-                     front = view.vector("front"), centre = view.vector("lookat"), up = view.vector("up");
+    const dvec3 lowest = view.vector("boundingbox_min"), extents = view.vector("boundingbox_max") - lowest,
+                front = view.vector("front"), centre = view.vector("lookat"), up = view.vector("up");
     const auto degrees = view.number("field_of_view"), zoom = view.number("zoom");
     if (!degrees || !zoom)
         view.fail(tr("field_of_view and zoom need a number each"), "zoom");
@@ -475,54 +461,54 @@ void readOpen3dView(Reading &reading, const Node &view)
     camera.nearDistance = std::max(0.01 * extent, nearDistance);
     constexpr double kOrthographic = 5.0; // this angle stands for a parallel projection
     if (*degrees != kOrthographic)
-        reading.setVerticalAngle(radiansFromDegrees(*degrees));
+        reading.setDegrees(*degrees);
     else if (reading.neededSize(); !(farDistance > nearDistance) || !(half > 0.0))
         view.fail(noDistance, "zoom");
     else
         reading.setFlat(2.0 * half, nearDistance, farDistance);
 }
 
-void readOpen3d(Reading &reading, const Found &one)
+void readOpen3d(Reading &reading)
 {
     if (reading.file.word("class_name") == "ViewTrajectory")
-        return readOpen3dView(reading, one.lens);
-    const bool isLens = one.lens.has("intrinsic_matrix");
-    const Node lens = isLens ? one.lens : one.lens["intrinsic"];
+        return readOpen3dView(reading, reading.lens);
+    const bool isLens = reading.lens.has("intrinsic_matrix");
+    const Node lens = isLens ? reading.lens : reading.lens["intrinsic"];
     if (!lens)
-        one.lens.fail(tr("there is no intrinsic; give the focal length there"), "extrinsic");
+        reading.lens.fail(tr("there is no intrinsic; give the focal length there"), "extrinsic");
     reading.setLens(lens, "intrinsic_matrix", AtIntegers);
     reading.setSize(lens, "width height");
     if (isLens)
         return;
-    reading.setPose(one.pose, "extrinsic", 16);
+    reading.setPose(reading.pose, "extrinsic", 16);
     reading.camera.pose = glm::transpose(*reading.camera.pose);
 }
 
 /// The node's own transform: its matrix, or translation, rotation and scale.
-std::optional<glm::dmat4> transformOf(const Node &node)
+std::optional<dmat4> transformOf(const Node &node)
 {
     if (node.has("matrix"))
         return matrixByColumns(node.numbers("matrix"));
-    const auto numbers = [&](const char *key, std::vector<double> otherwise) {
+    const auto numbers = [&](const char *key, Numbers otherwise) {
         return node.has(key) ? node.numbers(key) : std::move(otherwise);
     };
-    const std::vector<double> t = numbers("translation", {0, 0, 0}), q = numbers("rotation", {0, 0, 0, 1}),
-                              s = numbers("scale", {1, 1, 1});
+    const Numbers t = numbers("translation", {0, 0, 0}), q = numbers("rotation", {0, 0, 0, 1}),
+                  s = numbers("scale", {1, 1, 1});
     if (t.size() != 3 || q.size() != 4 || s.size() != 3)
         return std::nullopt;
     const auto rotation = rotationOf(q[3], q[0], q[1], q[2]);
     if (!rotation)
         return std::nullopt;
-    glm::dmat4 m = rigid(*rotation, vectorOf(t));
+    dmat4 m = rigid(*rotation, vectorOf(t));
     for (int i = 0; i < 3; ++i)
         m[i] *= s[std::size_t(i)];
     return m;
 }
 
-std::vector<Found> gltfCameras(Reading &, const Node &file)
+Cameras gltfCameras(Reading &, const Node &file)
 {
     const std::vector<Node> lenses = file.list("cameras");
-    std::vector<Found> cameras;
+    Cameras cameras;
     for (const Node &node : file.list("nodes")) {
         const auto lens = base::integerFromWord(node.word("camera"));
         if (lens && *lens >= 0 && std::size_t(*lens) < lenses.size())
@@ -532,7 +518,7 @@ std::vector<Found> gltfCameras(Reading &, const Node &file)
     return cameras;
 }
 
-void readGltf(Reading &reading, const Found &one)
+void readGltf(Reading &reading)
 {
     const std::vector<Node> nodes = reading.file.list("nodes");
     std::vector<const Node *> parents(nodes.size());
@@ -543,20 +529,20 @@ void readGltf(Reading &reading, const Found &one)
         }
     }
     const auto nameOf = [](const Node &node) { return node.has("name") ? node.word("name") : node.key(); };
-    glm::dmat4 pose(1.0);
+    dmat4 pose(1.0);
     std::size_t steps = 0;
-    for (const Node *node = &one.pose; node; node = parents[std::stoul(node->key())]) {
-        const std::optional<glm::dmat4> own = transformOf(*node);
+    for (const Node *node = &reading.pose; node; node = parents[std::stoul(node->key())]) {
+        const std::optional<dmat4> own = transformOf(*node);
         if (!own)
             node->fail(tr("the transform of the node %1 is incomplete; it needs 16 numbers of a matrix, or "
                           "translation, rotation and scale",
                           nameOf(*node)));
         pose = *own * pose;
         if (++steps > nodes.size())
-            node->fail(tr("the node %1 is its own parent", nameOf(one.pose)));
+            node->fail(tr("the node %1 is its own parent", nameOf(reading.pose)));
     }
     reading.camera.pose = pose;
-    if (const Node lens = one.lens["perspective"]) {
+    if (const Node lens = reading.lens["perspective"]) {
         const auto angle = lens.number("yfov");
         if (!angle)
             lens.fail(tr("the camera has no yfov"));
@@ -564,33 +550,26 @@ void readGltf(Reading &reading, const Found &one)
         reading.setVerticalAngle(*angle, lens.number("aspectRatio"));
         return;
     }
-    const std::vector<double> box = one.lens["orthographic"].numbers("xmag ymag znear zfar", 4);
+    const Numbers box = reading.lens["orthographic"].numbers("xmag ymag znear zfar", 4);
     if (box.size() != 4)
-        one.lens.fail(tr("the camera needs perspective with yfov, or orthographic with xmag, ymag, znear and zfar"));
+        reading.lens.fail(
+            tr("the camera needs perspective with yfov, or orthographic with xmag, ymag, znear and zfar"));
     reading.setProjection(Ortho{-box[0], box[0], -box[1], box[1], box[2], box[3]}, 0);
 }
 
-std::vector<Found> splattingImages(Reading &, const Node &file)
+void readSplatting(Reading &reading)
 {
-    std::vector<Found> images;
-    for (const Node &one : file.json().is_array() ? file.list("") : std::vector<Node>())
-        images.push_back({one.has("img_name") ? one.word("img_name") : one.key(), {}, one, one});
-    return images;
-}
-
-void readSplatting(Reading &reading, const Found &one)
-{
-    if (one.pose.numbers("position").size() != 3 || one.pose.numbers("rotation").size() != 9
-        || one.pose.numbers("fx fy").size() != 2 || !reading.camera.size)
-        one.pose.fail(tr("the camera needs position, rotation, fx, fy, width and height; one of them is missing"));
-    reading.setPose(one.pose, "rotation", 9, "position");
-    reading.setCentred(*reading.camera.size, one.lens.needed("fx"), one.lens.needed("fy"));
+    if (reading.pose.numbers("position").size() != 3 || reading.pose.numbers("rotation").size() != 9
+        || reading.pose.numbers("fx fy").size() != 2 || !reading.camera.size)
+        reading.pose.fail(tr("the camera needs position, rotation, fx, fy, width and height; one of them is missing"));
+    reading.setPose(reading.pose, "rotation", 9, "position");
+    reading.setCentred(*reading.camera.size, reading.lens.needed("fx"), reading.lens.needed("fy"));
 }
 
 // Source: karfly/human36m-camera-parameters, README.md: intrinsics by camera, extrinsics by subject and camera
-std::vector<Found> humanCameras(Reading &, const Node &file)
+Cameras humanCameras(Reading &, const Node &file)
 {
-    std::vector<Found> cameras;
+    Cameras cameras;
     const std::vector<Node> subjects = file.list("extrinsics");
     auto lenses = file.index("intrinsics", "");
     for (const Node &subject : subjects) {
@@ -601,58 +580,33 @@ std::vector<Found> humanCameras(Reading &, const Node &file)
     return cameras;
 }
 
-std::vector<Found> fspyCamera(Reading &, const Node &file)
-{
-    const Node one = file.has("cameraParameters") ? file["cameraParameters"] : file;
-    return onlyIf(one.has("cameraTransform"), one);
-}
-
 // Source: fSpy's importer for Blender, fspy_blender/addon.py: half the longer side is 1, y is up
-void readFspyLens(Reading &reading, const Found &one)
+void readFspyLens(Reading &reading)
 {
     const ImageSize size = reading.neededSize();
-    const double half = std::max(size.width, size.height) / 2.0, f = one.lens.needed("relativeFocalLength");
-    reading.setCentred(size, f * half, f * half, one.lens.number("principalPoint/x", 0.0) * half,
-                       -one.lens.number("principalPoint/y", 0.0) * half);
+    const double half = std::max(size.width, size.height) / 2.0, f = reading.lens.needed("relativeFocalLength");
+    reading.setCentred(size, f * half, f * half, reading.lens.number("principalPoint/x", 0.0) * half,
+                       -reading.lens.number("principalPoint/y", 0.0) * half);
 }
 
-std::vector<Found> dopeCamera(Reading &, const Node &file)
+void readDopePose(Reading &reading)
 {
-    const Node one = file["camera_data"];
-    return onlyIf(one.has("camera_look_at"), one);
-}
-
-void readDopePose(Reading &reading, const Found &one)
-{
-    const Node look = one.pose["camera_look_at"];
-    const glm::dvec3 eye = look.vector("eye");
+    const Node look = reading.pose["camera_look_at"];
+    const dvec3 eye = look.vector("eye");
     reading.setLooking(eye, eye - look.vector("at"), look.vector("up"));
 }
 
-std::vector<Found> lgsvlSensors(Reading &, const Node &file)
+void readLgsvl(Reading &reading)
 {
-    const std::vector<Node> own = file.list("sensors");
-    std::vector<Found> cameras;
-    for (const Node &one : own.empty() ? file.elements() : own) {
-        if (one.number("params/FieldOfView") && one.has("transform"))
-            cameras.push_back({one.has("name") ? one.word("name") : std::to_string(cameras.size()),
-                               {},
-                               one["transform"],
-                               one["params"]});
-    }
-    return cameras;
-}
-
-void readLgsvl(Reading &reading, const Found &one)
-{
-    const std::vector<double> turn = one.pose.needed("yaw pitch roll", 3);
+    const Numbers turn = reading.pose.needed("transform/yaw transform/pitch transform/roll", 3);
     const auto about = [&](int axis, std::size_t i) { return cameras::about(axis, radiansFromDegrees(turn[i])); };
-    reading.camera.pose = rigid(about(1, 0) * about(0, 1) * about(2, 2), one.pose.vector("x y z"));
+    reading.camera.pose =
+        rigid(about(1, 0) * about(0, 1) * about(2, 2), reading.pose.vector("transform/x transform/y transform/z"));
     sayNoParent(reading, "transform");
     sayUnity(reading);
-    if (one.lens.isTrue("Distorted") && !reading.choices.isUndistorted)
+    if (reading.lens.isTrue("params/Distorted") && !reading.choices.isUndistorted)
         reading.fail(unknownDistortionText("DistortionParameters"));
-    reading.setVerticalAngle(radiansFromDegrees(one.lens.needed("FieldOfView")));
+    reading.setDegrees(reading.lens.needed("params/FieldOfView"));
 }
 
 /// Source: Apple, ARCamera: x right, y up, -z ahead; the principal point from the corner of the image
@@ -662,136 +616,143 @@ constexpr const char *kArKit = marked("Pixel centres are read at halves: ARKit c
 constexpr Form kForms[]{
     // Source: OpenMVG, cameras/Camera_Pinhole*_io.hpp, Camera_undistort_image.hpp (pixel centres at whole
     // numbers), and the documentation of its poses: R from world to camera, and the centre C.
-    {.program = "OpenMVG",
-     .marks = "sfm_data_version views",
-     .parts = {.pose = "rotation", .count = 9, .centre = "center"},
-     .quirk = readOpenMvgLens,
-     .cameras = openMvgViews},
+    {"OpenMVG",
+     "sfm_data_version views",
+     {},
+     openMvgViews,
+     readOpenMvgLens,
+     {.pose = "rotation", .count = 9, .centre = "center"}},
+
     // Source: AliceVision, sfmDataIO/jsonIO.cpp: saveMatrix writes Eigen's order, by columns;
     // image/undistort.cpp has pixel centres at whole numbers.
-    {.program = "AliceVision",
-     .marks = "views intrinsics intrinsicId",
-     .parts = {.pose = "pose/transform/rotation", .count = 9, .isByColumns = true, .centre = "pose/transform/center"},
-     .quirk = readAliceVisionLens,
-     .cameras = aliceVisionViews},
-    {.program = "OpenSfM",
-     .marks = "cameras shots",
-     .parts = {.pose = "rotation", .count = 3, .at = "translation"},
-     .quirk = readOpenSfmLens,
-     .cameras = openSfmShots},
-    {.program = "Nerfstudio",
-     .marks = "camera_path render_height",
-     .direction = CameraToWorld,
-     .axes = RightUpBack,
-     .parts = {.pose = "camera_to_world|matrix",
-               .note = marked("Coordinates are those of Nerfstudio's viewer: its data parser moved and scaled the "
-                              "world, as dataparser_transforms.json tells.")},
-     .quirk = readPathLens,
-     .cameras = pathCameras},
-    {.program = "BOP",
-     .format = Format::LaxJson,
-     .marks = "cam_K",
-     .parts = {.size = "width height", .lens = "cam_K", .note = kWholeCentres},
-     .quirk = readBop,
-     .cameras = bopImages},
-    {.program = "BOP",
-     .format = Format::LaxJson,
-     .marks = "depth_scale fx",
-     .parts = {.size = "width height", .lens = "fx fy cx cy", .note = kWholeCentres},
-     .cameras = bopLens},
-    {.program = "BOP", .marks = "cam_R_m2c", .cameras = bopObjects},
+    {"AliceVision",
+     "views intrinsics intrinsicId",
+     {},
+     aliceVisionViews,
+     readAliceVisionLens,
+     {.pose = "pose/transform/rotation", .count = 9, .isByColumns = true, .centre = "pose/transform/center"}},
+    {"OpenSfM",
+     "cameras shots",
+     {},
+     openSfmShots,
+     readOpenSfmLens,
+     {.pose = "rotation", .count = 3, .at = "translation"}},
+    // Source: nerfstudio, cameras/camera_paths.py; viewer/render_panel.py for its key frames.
+    {"Nerfstudio",
+     "camera_path render_height",
+     kOpenGl,
+     nullptr,
+     readPathLens,
+     {.list = "camera_path|keyframes",
+      .pose = "camera_to_world|matrix",
+      .note = marked("Coordinates are those of Nerfstudio's viewer: its data parser moved and scaled the "
+                     "world, as dataparser_transforms.json tells.")}},
+    {"BOP",
+     "cam_K",
+     {},
+     bopImages,
+     readBop,
+     {.isLax = true, .size = "width height", .lens = "cam_K", .note = kWholeCentres}},
+    kBopLens,
+    {"BOP", "cam_R_m2c", {}, bopObjects},
+
     // Source: nuscenes-devkit, docs/schema_nuscenes.md
-    {.program = "nuScenes",
-     .marks = "sensor_token camera_intrinsic translation rotation",
-     .direction = CameraToWorld,
-     .parts = {.lens = "camera_intrinsic", .pose = "rotation", .count = 4, .at = "translation", .note = kWholeCentres},
-     .quirk =
-         [](Reading &reading, const Found &) {
-             reading.say(tr("The world is the vehicle's frame, in metres; ego_pose is not applied."));
-         },
-     .cameras = nuScenesCameras},
+    {"nuScenes",
+     "sensor_token camera_intrinsic translation rotation",
+     {CameraToWorld},
+     nullptr,
+     [](Reading &reading) { reading.say(tr("The world is the vehicle's frame, in metres; ego_pose is not applied.")); },
+     {.list = "*",
+      .name = "token",
+      .id = "sensor_token",
+      .having = "camera_intrinsic", // of a lidar or radar it is empty
+      .lens = "camera_intrinsic",
+      .pose = "rotation",
+      .count = 4,
+      .at = "translation",
+      .note = kWholeCentres}},
+
     // Source: polyform, README.md: t_ij by rows, ARKit's axes
-    {.program = "Polycam",
-     .marks = "t_00 t_23 fx",
-     .direction = CameraToWorld,
-     .axes = RightUpBack,
-     .centres = AtHalves,
-     .parts = {.size = "width height",
-               .lens = "fx fy cx cy",
-               .pose = "t_00 t_01 t_02 t_03 t_10 t_11 t_12 t_13 t_20 t_21 t_22 t_23",
-               .count = 12,
-               .note = kArKit}},
+    {"Polycam",
+     "t_00 t_23 fx",
+     kOpenGl,
+     nullptr,
+     nullptr,
+     {.centres = AtHalves,
+      .size = "width height",
+      .lens = "fx fy cx cy",
+      .pose = "t_00 t_01 t_02 t_03 t_10 t_11 t_12 t_13 t_20 t_21 t_22 t_23",
+      .count = 12,
+      .note = kArKit}},
+
     // A frame of 3D Scanner App. Its programs on GitHub reshape both matrices by rows.
-    {.program = "ARKit",
-     .marks = "cameraPoseARFrame intrinsics",
-     .direction = CameraToWorld,
-     .axes = RightUpBack,
-     .centres = AtHalves,
-     .parts = {.lens = "intrinsics", .pose = "cameraPoseARFrame", .note = kArKit}},
-    {.program = "Record3D",
-     .format = Format::LaxJson,
-     .marks = "poses K w h",
-     .direction = CameraToWorld,
-     .axes = RightUpBack,
-     .centres = AtHalves,
-     .parts = {.size = "w h", .lens = "K", .pose = "", .count = 7, .note = kArKit},
-     .quirk = readRecordedLens,
-     .cameras = recordedFrames},
-    {.program = "three.js",
-     .marks = "type matrix PerspectiveCamera|OrthographicCamera",
-     .direction = CameraToWorld,
-     .axes = RightUpBack,
-     .parts = {.planes = "near far", .pose = "matrix", .isByColumns = true},
-     .quirk = readThreeLens,
-     .cameras = threeCameras},
-    {.program = "Human3.6M",
-     .marks = "intrinsics extrinsics calibration_matrix",
-     .parts = {.lens = "calibration_matrix", .pose = "R", .count = 9, .at = "t", .distortion = "distortion"},
-     .cameras = humanCameras},
-    {.program = "fSpy",
-     .marks = "cameraTransform relativeFocalLength imageWidth",
-     .direction = CameraToWorld,
-     .axes = RightUpBack,
-     .parts = {.size = "imageWidth imageHeight", .pose = "cameraTransform/rows"},
-     .quirk = readFspyLens,
-     .cameras = fspyCamera},
+    {"ARKit",
+     "cameraPoseARFrame intrinsics",
+     kOpenGl,
+     nullptr,
+     nullptr,
+     {.centres = AtHalves, .lens = "intrinsics", .pose = "cameraPoseARFrame", .note = kArKit}},
+    {"Record3D",
+     "poses K w h",
+     kOpenGl,
+     recordedFrames,
+     readRecordedLens,
+     {.isLax = true, .centres = AtHalves, .size = "w h", .lens = "K", .pose = "", .count = 7, .note = kArKit}},
+    {"three.js",
+     "type matrix PerspectiveCamera|OrthographicCamera",
+     kOpenGl,
+     threeCameras,
+     readThreeLens,
+     {.planes = "near far", .pose = "matrix", .isByColumns = true}},
+    {"Human3.6M",
+     "intrinsics extrinsics calibration_matrix",
+     {},
+     humanCameras,
+     nullptr,
+     {.lens = "calibration_matrix", .pose = "R", .count = 9, .at = "t", .distortion = "distortion"}},
+    {"fSpy",
+     "cameraTransform relativeFocalLength imageWidth",
+     kOpenGl,
+     nullptr,
+     readFspyLens,
+     {.list = "cameraParameters|*",
+      .having = "cameraTransform",
+      .size = "imageWidth imageHeight",
+      .pose = "cameraTransform/rows"}},
+
     // Source: NVISII, as Deep_Object_Pose, data_generation, writes it: the rows of camera_view_matrix are
     // columns, so eye, at and up count
-    {.program = "NVISII",
-     .marks = "camera_data camera_look_at intrinsics",
-     .direction = CameraToWorld,
-     .axes = RightUpBack,
-     .centres = AtHalves,
-     .parts = {.size = "width height", .lens = "intrinsics/fx intrinsics/fy intrinsics/cx intrinsics/cy"},
-     .quirk = readDopePose,
-     .cameras = dopeCamera},
+    {"NVISII",
+     "camera_data camera_look_at intrinsics",
+     kOpenGl,
+     nullptr,
+     readDopePose,
+     {.centres = AtHalves,
+      .list = "camera_data",
+      .having = "camera_look_at",
+      .size = "width height",
+      .lens = "intrinsics/fx intrinsics/fy intrinsics/cx intrinsics/cy"}},
+
     // Source: lgsvl/simulator, Assets/Scripts/Sensors, CameraSensorBase.cs: FieldOfView is that of Unity's camera
-    {.program = "LGSVL",
-     .marks = "FieldOfView transform pitch",
-     .direction = CameraToWorld,
-     .axes = RightUpAhead,
-     .parts = {.size = "Width Height", .planes = "MinDistance MaxDistance"},
-     .quirk = readLgsvl,
-     .cameras = lgsvlSensors},
-    {.program = "NeRF",
-     .marks = "transform_matrix|fl_x|camera_angle_x",
-     .direction = CameraToWorld,
-     .axes = RightUpBack,
-     .quirk = readNerf,
-     .cameras = nerfFrames},
-    {.program = "Open3D", .marks = "class_name|intrinsic_matrix", .quirk = readOpen3d, .cameras = open3dCameras},
-    {.program = "glTF",
-     .marks = "cameras asset",
-     .direction = CameraToWorld,
-     .axes = RightUpBack,
-     .quirk = readGltf,
-     .cameras = gltfCameras},
-    {.program = "Gaussian splatting",
-     .marks = "img_name position rotation",
-     .direction = CameraToWorld,
-     .parts = {.size = "width height"},
-     .quirk = readSplatting,
-     .cameras = splattingImages}};
+    {"LGSVL",
+     "FieldOfView transform pitch",
+     {CameraToWorld, RightUpAhead},
+     nullptr,
+     readLgsvl,
+     {.list = "sensors|*",
+      .name = "name",
+      .having = "params/FieldOfView",
+      .size = "params/Width params/Height",
+      .planes = "params/MinDistance params/MaxDistance"}},
+    {"NeRF", "transform_matrix|fl_x|camera_angle_x", kOpenGl, nerfFrames, readNerf},
+    {"Open3D", "class_name|intrinsic_matrix", {}, open3dCameras, readOpen3d},
+    {"glTF", "cameras asset", kOpenGl, gltfCameras, readGltf},
+    {"Gaussian splatting",
+     "img_name position rotation",
+     {CameraToWorld},
+     nullptr,
+     readSplatting,
+     {.list = "*", .name = "img_name", .size = "width height"}}};
 
 } // namespace
 

@@ -118,8 +118,7 @@ public:
             if (m_values.hasAny(text.name))
                 m_camera.files.push_back(text.name);
         }
-        m_reading.begin(m_values.isCameraInfo() ? "ROS camera_info" : "OpenCV", PoseDirection::WorldToCamera,
-                        EyeAxes::RightDownAhead);
+        m_reading.begin(m_values.isCameraInfo() ? "ROS camera_info" : "OpenCV", {});
         countImages();
         readIntrinsics();
         readSize();

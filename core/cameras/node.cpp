@@ -32,7 +32,7 @@ const Json *firstElement(const Json *value)
     return isIt ? &value->front() : nullptr;
 }
 
-bool addNumbers(const Json *value, std::vector<double> &numbers)
+bool addNumbers(const Json *value, Numbers &numbers)
 {
     constexpr std::size_t kMost = std::size_t{1} << 20;
     if (const Json *element = firstElement(value))
@@ -72,9 +72,9 @@ std::string leafOf(Keys path)
 
 } // namespace
 
-std::vector<std::string_view> split(std::string_view text, char at)
+Words split(std::string_view text, char at)
 {
-    std::vector<std::string_view> parts;
+    Words parts;
     for (std::size_t end = text.find(at); end != text.npos; end = text.find(at)) {
         parts.push_back(text.substr(0, end));
         text.remove_prefix(end + 1);
@@ -83,7 +83,7 @@ std::vector<std::string_view> split(std::string_view text, char at)
     return parts;
 }
 
-glm::dvec3 vectorOf(const std::vector<double> &numbers, std::size_t from)
+glm::dvec3 vectorOf(const Numbers &numbers, std::size_t from)
 {
     return {numbers[from], numbers[from + 1], numbers[from + 2]};
 }
@@ -186,7 +186,17 @@ std::map<std::string, Node> Node::index(Keys path, Keys key) const
 bool Node::has(Keys keys) const
 {
     for (const std::string_view key : split(keys, '|')) {
-        if (m_values ? m_values->has({plain(key)}) : member(key) != nullptr)
+        if (m_values ? m_values->has({plain(key)}) : !key.empty() && member(key))
+            return true;
+    }
+    return false;
+}
+
+bool Node::holds(Keys keys) const
+{
+    for (const std::string_view key : split(keys, '|')) {
+        const Json *value = member(key);
+        if (value && !value->empty())
             return true;
     }
     return false;
@@ -200,7 +210,7 @@ std::string Node::word(Keys keys) const
                 return value->word;
             continue;
         }
-        const Json *value = member(key);
+        const Json *value = key.empty() ? nullptr : member(key);
         if (const Json *element = firstElement(value))
             value = memberOf(element, "");
         if (value)
@@ -217,12 +227,12 @@ bool Node::isTrue(Keys keys) const
     return word(keys) == "true" || number(keys, 0.0) != 0.0;
 }
 
-std::vector<double> Node::numbers(Keys keys, std::size_t fewest) const
+Numbers Node::numbers(Keys keys, std::size_t fewest) const
 {
     for (const std::string_view one : split(keys, '|')) {
-        const std::vector<std::string_view> sequence = split(one, ' ');
+        const Words sequence = split(one, ' ');
         const std::size_t each = std::max<std::size_t>(fewest / sequence.size(), 1);
-        std::vector<double> found;
+        Numbers found;
         bool isWhole = true;
         for (const std::string_view key : sequence) {
             if (!m_values) {
@@ -230,9 +240,9 @@ std::vector<double> Node::numbers(Keys keys, std::size_t fewest) const
                 continue;
             }
             const std::string name = plain(key);
-            std::vector<double> own = each == 3   ? m_values->numbers({name}, 3, {"x", "y", "z"})
-                                      : each == 4 ? m_values->numbers({name}, 4, {"x", "y", "z", "w"})
-                                                  : m_values->numbers({name}, each);
+            Numbers own = each == 3   ? m_values->numbers({name}, 3, {"x", "y", "z"})
+                          : each == 4 ? m_values->numbers({name}, 4, {"x", "y", "z", "w"})
+                                      : m_values->numbers({name}, each);
             if (each == 1 && sequence.size() > 1 && !own.empty())
                 own.resize(1);
             isWhole = isWhole && !own.empty() && (sequence.size() == 1 || own.size() == each);
@@ -246,17 +256,17 @@ std::vector<double> Node::numbers(Keys keys, std::size_t fewest) const
 
 std::optional<double> Node::number(Keys keys) const
 {
-    const std::vector<double> found = numbers(keys);
+    const Numbers found = numbers(keys);
     return found.size() == 1 || (m_values && !found.empty()) ? std::optional(found[0]) : std::nullopt;
 }
 
-std::vector<double> Node::needed(Keys keys, std::size_t count) const
+Numbers Node::needed(Keys keys, std::size_t count) const
 {
-    const std::vector<std::string_view> sequence = split(keys, ' ');
-    std::vector<double> found;
+    const Words sequence = split(keys, ' ');
+    Numbers found;
     for (const std::string_view key : sequence) {
         const std::size_t each = count / sequence.size();
-        std::vector<double> own = numbers(key, each);
+        Numbers own = numbers(key, each);
         if (own.empty())
             own = numbers(key);
         if (m_values && each == 1 && !own.empty())
@@ -299,6 +309,19 @@ void Node::fail(std::string reason, Keys key) const
 }
 
 namespace {
+
+void addTrails(const Node &element, std::string_view tag, const Trail &outer, std::vector<Trail> &found)
+{
+    for (auto member = element.json().begin(); member != element.json().end(); ++member) {
+        for (const Node &inner : member->is_array() ? element.list(member.key()) : Trail()) {
+            Trail trail = outer;
+            trail.push_back(inner);
+            if (member.key() == tag)
+                found.push_back(trail);
+            addTrails(inner, tag, trail, found);
+        }
+    }
+}
 
 constexpr std::size_t kMost =
     256; // levels, because readers recurse; names in an element, which are searched one by one
@@ -461,6 +484,15 @@ char firstOf(std::string_view text)
 }
 
 } // namespace
+
+std::vector<Trail> trailsTo(const Node &document, std::string_view tag)
+{
+    std::vector<Trail> found;
+    addTrails(document, tag, {}, found);
+    std::sort(found.begin(), found.end(),
+              [](const Trail &a, const Trail &b) { return a.back().number("@") < b.back().number("@"); });
+    return found;
+}
 
 bool isJson(std::string_view text)
 {

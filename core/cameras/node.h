@@ -20,6 +20,8 @@ class Reading;
 /// The keys of a value. "a/b" is b inside a; "x y" are the numbers of both, one after the other; of
 /// "x|y" the first that is there counts.
 using Keys = std::string_view;
+using Numbers = std::vector<double>;
+using Words = std::vector<std::string_view>;
 
 /// A part of a text: a value of JSON, an element of XML, or the named values of a printed text. XML is
 /// read as JSON: an element is an object, its attributes are texts, "" is its own text, "@" the offset
@@ -51,6 +53,8 @@ public:
     std::map<std::string, Node> index(Keys path, Keys key) const;
 
     bool has(Keys keys) const;
+    /// Returns whether a value is there and no empty list or object.
+    bool holds(Keys keys) const;
     /// A text, or JSON's value as it is written; empty without one.
     std::string word(Keys keys) const;
     /// Returns whether a value is true or a number other than 0.
@@ -58,12 +62,12 @@ public:
     /// Finite numbers: of nested lists one after the other, and in texts between blanks or commas. Empty if
     /// there is anything else, or less than the fewest. A vector of a printed text may have its x, y and z
     /// apart.
-    std::vector<double> numbers(Keys keys, std::size_t fewest = 1) const;
+    Numbers numbers(Keys keys, std::size_t fewest = 1) const;
     /// A value that is one number; of a printed text, its first one.
     std::optional<double> number(Keys keys) const;
     double number(Keys keys, double otherwise) const { return number(keys).value_or(otherwise); }
     /// The same; another count of numbers fails in the line of the key.
-    std::vector<double> needed(Keys keys, std::size_t count) const;
+    Numbers needed(Keys keys, std::size_t count) const;
     double needed(Keys key) const { return needed(key, 1)[0]; }
     glm::dvec3 vector(Keys keys) const;
 
@@ -82,11 +86,16 @@ private:
     base::JsonPath m_path; ///< from the document
 };
 
+/// An element of XML, behind those around it, from a root on.
+using Trail = std::vector<Node>;
+/// The trails to all elements with a tag, in the text's order.
+std::vector<Trail> trailsTo(const Node &document, std::string_view tag);
+
 /// The parts of a text between two characters: "a|b" has a and b.
-std::vector<std::string_view> split(std::string_view text, char at);
+Words split(std::string_view text, char at);
 
 /// A vector from three of the numbers.
-glm::dvec3 vectorOf(const std::vector<double> &numbers, std::size_t from = 0);
+glm::dvec3 vectorOf(const Numbers &numbers, std::size_t from = 0);
 
 /// Returns whether a text begins as a JSON object or list, or as XML.
 bool isJson(std::string_view text);

@@ -22,6 +22,7 @@ using base::marked, base::tr;
 using enum PoseDirection;
 using enum EyeAxes;
 using enum PixelCentres;
+using glm::dmat3, glm::dmat4, glm::dvec3;
 
 namespace {
 
@@ -30,7 +31,7 @@ bool hasWord(const Reading &reading, std::string_view word)
     return reading.text.text.find(word) != std::string::npos;
 }
 
-void setMatrix(Reading &reading, const glm::dmat4 &projection)
+void setMatrix(Reading &reading, const dmat4 &projection)
 {
     reading.camera.projection = MatrixProjection{projection, NdcDepth::MinusOneToOne};
 }
@@ -39,24 +40,24 @@ void setMatrix(Reading &reading, const glm::dmat4 &projection)
 // is half the height. ParaView's views and PyVista's camera_position have the same numbers.
 constexpr Keys kVtkNames = "cameraposition|position camerafocalpoint|focalpoint cameraviewup|viewup|up";
 
-std::vector<double> vtkNumbers(const Node &view)
+Numbers vtkNumbers(const Node &view)
 {
-    std::vector<double> all = view.numbers("cameraposition|cpos", 9);
-    for (const std::string_view key : all.size() == 9 ? std::vector<std::string_view>() : split(kVtkNames, ' ')) {
-        const std::vector<double> one = view.numbers(key, 3);
+    Numbers all = view.numbers("cameraposition|cpos", 9);
+    for (const std::string_view key : all.size() == 9 ? Words() : split(kVtkNames, ' ')) {
+        const Numbers one = view.numbers(key, 3);
         all.insert(all.end(), one.begin(), one.end());
     }
-    return all.size() == 9 ? all : std::vector<double>();
+    return all.size() == 9 ? all : Numbers();
 }
 
-void readVtk(Reading &reading, const Found &found)
+void readVtk(Reading &reading)
 {
     ForeignCamera &camera = reading.camera;
-    const Node &view = found.lens;
-    const std::vector<double> n = vtkNumbers(view);
+    const Node &view = reading.lens;
+    const Numbers n = vtkNumbers(view);
     if (n.empty())
         reading.fail(tr("the camera's position is missing; give its x, y and z"));
-    const glm::dvec3 eye = vectorOf(n), back = eye - vectorOf(n, 3);
+    const dvec3 eye = vectorOf(n), back = eye - vectorOf(n, 3);
     reading.setLooking(eye, back, vectorOf(n, 6));
     reading.setSize(view, "viewsize|windowsize");
     reading.setPlanes(view, "clippingrange|cameraclippingrange");
@@ -76,33 +77,33 @@ void readVtk(Reading &reading, const Found &found)
     if (!degrees)
         reading.say(tr("The vertical field of view is assumed to be %1 degrees, as in a new camera of %2.",
                        base::shortestText(kUsualAngle), "VTK"));
-    reading.setVerticalAngle(radiansFromDegrees(degrees.value_or(kUsualAngle)));
+    reading.setDegrees(degrees.value_or(kUsualAngle));
 }
 
 // Source: Bouguet, Camera Calibration Toolbox for Matlab, "Description of the calibration parameters":
 // pixels count from 0, the skew is alpha_c fc(1)
-std::vector<Found> bouguetImages(Reading &, const Node &text)
+Cameras bouguetImages(Reading &, const Node &text)
 {
-    std::vector<Found> images;
+    Cameras images;
     for (const NamedValue &value : text.values().all()) {
         if (value.written.starts_with("omc_") && value.written.find("error") == value.written.npos
             && value.numbers.size() == 3)
             images.push_back({value.written, {}, text, text});
     }
-    return text.numbers("fc", 2).size() == 2 && text.numbers("cc", 2).size() == 2 ? images : std::vector<Found>();
+    return text.numbers("fc", 2).size() == 2 && text.numbers("cc", 2).size() == 2 ? images : Cameras();
 }
 
-void readBouguet(Reading &reading, const Found &one)
+void readBouguet(Reading &reading)
 {
-    reading.setPose(one.pose, one.name, 3, "Tc_" + one.name.substr(4));
-    reading.setLens(one.lens, "fc cc", AtIntegers);
-    reading.camera.intrinsics->skew = one.lens.number("alpha_c", 0.0) * reading.camera.intrinsics->fx;
+    reading.setPose(reading.pose, reading.name, 3, "Tc_" + reading.name.substr(4));
+    reading.setLens(reading.lens, "fc cc", AtIntegers);
+    reading.camera.intrinsics->skew = reading.lens.number("alpha_c", 0.0) * reading.camera.intrinsics->fx;
 }
 
 // Source: aniposelib, cameras.py, Camera.get_dict: OpenCV's rotation vector and distortion
-std::vector<Found> aniposeCameras(Reading &reading, const Node &text)
+Cameras aniposeCameras(Reading &reading, const Node &text)
 {
-    std::vector<Found> cameras = sections(reading, text, "[cam", "\n[cam");
+    Cameras cameras = sections(reading, text, "[cam", "\n[cam");
     for (Found &one : cameras) {
         const Node &own = one.lens;
         const std::string_view part = own.text();
@@ -115,20 +116,20 @@ std::vector<Found> aniposeCameras(Reading &reading, const Node &text)
     return cameras;
 }
 
-void readAnipose(Reading &reading, const Found &one)
+void readAnipose(Reading &reading)
 {
-    if (!one.lens.isTrue("fisheye"))
-        setDistortion(reading, one.lens.numbers("distortions", 4));
+    if (!reading.lens.isTrue("fisheye"))
+        setDistortion(reading, reading.lens.numbers("distortions", 4));
     else if (!reading.choices.isUndistorted)
         reading.fail(unknownDistortionText("fisheye"));
 }
 
 /// The pose of USD's xformOps: a transform for row vectors; or translate with rotateXYZ, which turns about x
 /// first, or with orient, w x y z.
-std::optional<glm::dmat4> usdPose(const Node &prim)
+std::optional<dmat4> usdPose(const Node &prim)
 {
-    const std::vector<double> at = prim.numbers("translate", 3), angles = prim.numbers("rotatexyz", 3),
-                              q = prim.numbers("orient", 4);
+    const Numbers at = prim.numbers("translate", 3), angles = prim.numbers("rotatexyz", 3),
+                  q = prim.numbers("orient", 4);
     if (const auto matrix = prim.numbers("transform", 16); matrix.size() == 16)
         return matrixByColumns(matrix);
     if (at.size() != 3)
@@ -149,9 +150,9 @@ std::optional<glm::dmat4> usdPose(const Node &prim)
 }
 
 // Source: OpenUSD, UsdGeomCamera: the aperture and the focal length have one unit; matrices are for row vectors
-void readUsd(Reading &reading, const Found &found)
+void readUsd(Reading &reading)
 {
-    const Node &prim = found.lens;
+    const Node &prim = reading.lens;
     reading.camera.pose = usdPose(prim);
     if (!reading.camera.pose)
         prim.fail(tr("the camera's pose is missing; give %1", "xformOp:transform, or translate and rotateXYZ"),
@@ -168,35 +169,35 @@ void readUsd(Reading &reading, const Found &found)
 
 /// The pose of a scene, with the basis by rows, or of a print, which has its axes.
 /// Source: Godot, core/math/transform_3d.cpp and core/variant/variant_parser.cpp
-std::optional<glm::dmat4> godotPose(const Node &node)
+std::optional<dmat4> godotPose(const Node &node)
 {
     const std::string_view text = node.text();
     if (const std::size_t at = text.find("Transform3D("); at != text.npos) {
         const NamedValues values(text.substr(at + 11, text.find(')', at) - at - 11));
-        const std::vector<double> &m = values.all().front().numbers;
+        const Numbers &m = values.all().front().numbers;
         if (m.size() == 12)
-            return rigid(glm::dmat3(*matrixByRows(std::span(m).first(9))), vectorOf(m, 9));
+            return rigid(dmat3(*matrixByRows(std::span(m).first(9))), vectorOf(m, 9));
     }
-    const std::vector<double> axes = node.numbers("x y z o", 12);
-    return axes.size() == 12 ? std::optional(
-               rigid(glm::dmat3(vectorOf(axes), vectorOf(axes, 3), vectorOf(axes, 6)), vectorOf(axes, 9)))
-                             : std::nullopt;
+    const Numbers axes = node.numbers("x y z o", 12);
+    return axes.size() == 12
+               ? std::optional(rigid(dmat3(vectorOf(axes), vectorOf(axes, 3), vectorOf(axes, 6)), vectorOf(axes, 9)))
+               : std::nullopt;
 }
 
-std::vector<Found> godotNodes(Reading &reading, const Node &text)
+Cameras godotNodes(Reading &reading, const Node &text)
 {
-    std::vector<Found> nodes = sections(reading, text, "[node", "\n[", "Camera3D\"");
+    Cameras nodes = sections(reading, text, "[node", "\n[", "Camera3D\"");
     std::erase_if(nodes,
                   [&](const Found &one) { return !godotPose(one.pose) || (one.name.empty() && !one.lens.has("fov")); });
     return nodes;
 }
 
 // Source: Godot, class Camera3D: fov is vertical while keep_aspect is 1
-void readGodot(Reading &reading, const Found &one)
+void readGodot(Reading &reading)
 {
-    const Node &node = one.lens;
+    const Node &node = reading.lens;
     ForeignCamera &camera = reading.camera;
-    camera.pose = godotPose(one.pose);
+    camera.pose = godotPose(reading.pose);
     camera.nearDistance = node.number("near", 0.05);
     camera.farDistance = node.number("far", 4000.0);
     sayNoParent(reading, "Transform3D");
@@ -216,10 +217,10 @@ void readGodot(Reading &reading, const Found &one)
 }
 
 /// One or all cameras of mjData: cam_xpos, cam_xmat by rows, and mjModel's cam_fovy in degrees.
-std::vector<Found> mujocoCameras(Reading &, const Node &text)
+Cameras mujocoCameras(Reading &, const Node &text)
 {
-    const std::vector<double> axes = text.numbers("camxmat|xmat", 9), positions = text.numbers("camxpos|xpos", 3),
-                              angles = text.numbers("camfovy|fovy");
+    const Numbers axes = text.numbers("camxmat|xmat", 9), positions = text.numbers("camxpos|xpos", 3),
+                  angles = text.numbers("camfovy|fovy");
     const std::size_t count = axes.size() / 9;
     if (!text.has("camxmat|xmat"))
         return {};
@@ -229,18 +230,18 @@ std::vector<Found> mujocoCameras(Reading &, const Node &text)
         text.fail(tr("%1 needs %2 numbers; it has %3", "cam_xpos", 3 * count, positions.size()), "xpos");
     if (angles.size() != count)
         text.fail(tr("%1 needs %2 numbers; it has %3", "cam_fovy", count, angles.size()), "fovy");
-    std::vector<Found> cameras;
+    Cameras cameras;
     for (std::size_t i = 0; i < count; ++i)
         cameras.push_back({count > 1 ? std::to_string(i) : std::string(), {}, text, text});
     return cameras;
 }
 
-void readMujoco(Reading &reading, const Found &one)
+void readMujoco(Reading &reading)
 {
     ForeignCamera &camera = reading.camera;
-    const Node &text = one.lens;
+    const Node &text = reading.lens;
     const std::size_t i = camera.image;
-    const std::vector<double> axes = text.numbers("camxmat|xmat", 9);
+    const Numbers axes = text.numbers("camxmat|xmat", 9);
     camera.pose = matrixByRows(std::span(axes).subspan(9 * i, 9));
     (*camera.pose)[3] = glm::dvec4(vectorOf(text.numbers("camxpos|xpos", 3), 3 * i), 1.0);
     // The planes are given as shares of the model's extent.
@@ -249,15 +250,15 @@ void readMujoco(Reading &reading, const Found &one)
         camera.nearDistance = *nearShare * *extent;
     if (extent && farShare)
         camera.farDistance = *farShare * *extent;
-    reading.setVerticalAngle(radiansFromDegrees(text.numbers("camfovy|fovy")[i]));
+    reading.setDegrees(text.numbers("camfovy|fovy")[i]);
 }
 
 /// mjvGLCamera: pos, forward, up and the frustum at its near plane.
-void readGlCamera(Reading &reading, const Found &one)
+void readGlCamera(Reading &reading)
 {
-    const Node &text = one.lens;
-    const std::vector<double> axes = text.numbers("pos forward up", 9),
-                              box = text.numbers("frustumbottom frustumtop frustumnear frustumfar", 4);
+    const Node &text = reading.lens;
+    const Numbers axes = text.numbers("pos forward up", 9),
+                  box = text.numbers("frustumbottom frustumtop frustumnear frustumfar", 4);
     if (axes.empty() || box.empty())
         reading.fail(tr("mjvGLCamera needs pos, forward, up, frustum_bottom, frustum_top, frustum_near and "
                         "frustum_far; one of them is missing"));
@@ -276,10 +277,10 @@ void readGlCamera(Reading &reading, const Found &one)
 }
 
 /// The list of getDebugVisualizerCamera: width, height, view, projection and what follows from them.
-std::vector<double> visualizerOf(const Node &text)
+Numbers visualizerOf(const Node &text)
 {
     for (const NamedValue &value : text.values().all()) {
-        const std::vector<double> &n = value.numbers;
+        const Numbers &n = value.numbers;
         if (n.size() == 52 && n[2 + 15] == 1.0 && n[18 + 11] == -1.0)
             return n;
     }
@@ -290,7 +291,7 @@ constexpr Keys kBulletViews = "computeviewmatrix|computeviewmatrixfromyawpitchro
                kBulletProjections =
                    "computeprojectionmatrixfov|computeprojectionmatrix|projectionmatrix|projmatrix|projection";
 
-std::vector<Found> bulletCamera(Reading &reading, const Node &text)
+Cameras bulletCamera(Reading &reading, const Node &text)
 {
     const bool isNamed =
         hasWord(reading, "pybullet") || hasWord(reading, "PyBullet") || hasWord(reading, "computeViewMatrix");
@@ -300,14 +301,14 @@ std::vector<Found> bulletCamera(Reading &reading, const Node &text)
                   text);
 }
 
-void readBullet(Reading &reading, const Found &one)
+void readBullet(Reading &reading)
 {
-    const std::vector<double> all = visualizerOf(one.lens);
+    const Numbers all = visualizerOf(reading.lens);
     if (!all.empty())
         reading.camera.size = sizeOf(all[0], all[1]);
     const auto matrix = [&](std::size_t at, Keys keys) {
         return *matrixByColumns(
-            all.empty() ? one.lens.numbers(keys, 16)
+            all.empty() ? reading.lens.numbers(keys, 16)
                         : std::vector(all.begin() + std::ptrdiff_t(at), all.begin() + std::ptrdiff_t(at + 16)));
     };
     reading.camera.pose = matrix(2, kBulletViews);
@@ -316,27 +317,27 @@ void readBullet(Reading &reading, const Found &one)
 
 constexpr Keys kSapienLens = "intrinsiccv|intrinsic|k", kSapienMatrix = "projectionmatrix|projection";
 
-std::vector<Found> sapienCamera(Reading &, const Node &text)
+Cameras sapienCamera(Reading &, const Node &text)
 {
     const bool hasPose = matrixByRows(text.numbers("extrinsiccv", 12)) || matrixByRows(text.numbers("cam2worldgl", 12));
     return onlyIf(
         hasPose && (text.numbers(kSapienLens, 9).size() == 9 || matrixByRows(text.numbers(kSapienMatrix, 16))), text);
 }
 
-void readSapien(Reading &reading, const Found &one)
+void readSapien(Reading &reading)
 {
-    const auto extrinsic = matrixByRows(one.pose.numbers("extrinsiccv", 12));
-    reading.camera.pose = extrinsic ? extrinsic : matrixByRows(one.pose.numbers("cam2worldgl", 12));
+    const auto extrinsic = matrixByRows(reading.pose.numbers("extrinsiccv", 12));
+    reading.camera.pose = extrinsic ? extrinsic : matrixByRows(reading.pose.numbers("cam2worldgl", 12));
     if (!extrinsic)
-        reading.begin("SAPIEN", CameraToWorld, RightUpBack);
-    if (one.lens.numbers(kSapienLens, 9).size() == 9)
-        reading.setLens(one.lens, kSapienLens, AtHalves);
+        reading.begin("SAPIEN", kOpenGl);
+    if (reading.lens.numbers(kSapienLens, 9).size() == 9)
+        reading.setLens(reading.lens, kSapienLens, AtHalves);
     else
-        setMatrix(reading, *matrixByRows(one.lens.numbers(kSapienMatrix, 16)));
+        setMatrix(reading, *matrixByRows(reading.lens.numbers(kSapienMatrix, 16)));
 }
 
 /// A rotation about an axis, counter-clockwise as seen against a right-handed axis.
-glm::dmat3 aboutByDegrees(int axis, double degrees)
+dmat3 aboutByDegrees(int axis, double degrees)
 {
     return about(axis, radiansFromDegrees(degrees));
 }
@@ -349,7 +350,7 @@ void sayParent(Reading &reading, const char *at, const char *turn, const char *i
                    at, turn, instead));
 }
 
-std::vector<Found> unityCamera(Reading &, const Node &text)
+Cameras unityCamera(Reading &, const Node &text)
 {
     const bool hasMatrices =
         text.has("worldtocameramatrix|cameratoworldmatrix") && text.has("projectionmatrix|fieldofview");
@@ -360,9 +361,9 @@ std::vector<Found> unityCamera(Reading &, const Node &text)
 }
 
 /// Sixteen numbers by rows, of a name with numbers.
-std::optional<glm::dmat4> unityMatrix(const Node &text, const char *name)
+std::optional<dmat4> unityMatrix(const Node &text, const char *name)
 {
-    const std::vector<double> numbers = text.numbers(name);
+    const Numbers numbers = text.numbers(name);
     const auto matrix = numbers.size() == 16 ? matrixByRows(numbers) : std::nullopt;
     if (!matrix && !numbers.empty())
         text.fail(tr("%1 needs %2 numbers; it has %3", text.values().find({name})->written, 16, numbers.size()), name);
@@ -380,9 +381,8 @@ void readUnityPose(Reading &reading, const Node &text)
             return;
         }
     }
-    const std::vector<double> at = text.numbers("position|mlocalposition", 3),
-                              q = text.numbers("rotation|mlocalrotation", 4),
-                              angles = text.numbers("eulerangles|rotation|mlocaleulerangleshint", 3);
+    const Numbers at = text.numbers("position|mlocalposition", 3), q = text.numbers("rotation|mlocalrotation", 4),
+                  angles = text.numbers("eulerangles|rotation|mlocaleulerangleshint", 3);
     if (at.size() != 3)
         text.fail(tr("the camera's position is missing; give its x, y and z"), "position");
     const auto rotation =
@@ -400,9 +400,9 @@ void readUnityPose(Reading &reading, const Node &text)
         sayParent(reading, "m_LocalPosition", "m_LocalRotation", "position and rotation");
 }
 
-void readUnity(Reading &reading, const Found &one)
+void readUnity(Reading &reading)
 {
-    const Node &text = one.lens;
+    const Node &text = reading.lens;
     ForeignCamera &camera = reading.camera;
     sayUnity(reading);
     readUnityPose(reading, text);
@@ -425,19 +425,19 @@ void readUnity(Reading &reading, const Found &one)
 /// Three values of one number each that follow one another under these names: "P=-10 Y=45 R=0".
 /// @param parent  the name before them; others count where it is missing
 /// @param ending  of the first name where others count: "X" leaves x out
-std::optional<glm::dvec3> inSequence(const NamedValues &values, Keys names, std::string_view parent,
-                                     std::string_view ending = {})
+std::optional<dvec3> inSequence(const NamedValues &values, Keys names, std::string_view parent,
+                                std::string_view ending = {})
 {
     const std::vector<NamedValue> &all = values.all();
-    const std::vector<std::string_view> three = split(names, ' ');
-    std::optional<glm::dvec3> elsewhere;
+    const Words three = split(names, ' ');
+    std::optional<dvec3> elsewhere;
     for (std::size_t i = 0; i + 3 <= all.size(); ++i) {
         bool isIt = true;
         for (std::size_t k = 0; k < 3; ++k)
             isIt = isIt && all[i + k].isNamed(three[k]) && !all[i + k].numbers.empty();
         if (!isIt)
             continue;
-        const glm::dvec3 found(all[i].numbers[0], all[i + 1].numbers[0], all[i + 2].numbers[0]);
+        const dvec3 found(all[i].numbers[0], all[i + 1].numbers[0], all[i + 2].numbers[0]);
         if (all[i].parent.ends_with(parent))
             return found;
         if (!elsewhere && all[i].written.ends_with(ending))
@@ -448,13 +448,13 @@ std::optional<glm::dvec3> inSequence(const NamedValues &values, Keys names, std:
 
 /// Unreal's location, and its pitch, yaw and roll in degrees.
 struct UnrealPose {
-    glm::dvec3 location, rotation;
+    dvec3 location, rotation;
 };
 
 std::optional<UnrealPose> unrealPose(const Node &text)
 {
     // As the console command BugIt writes them.
-    if (const std::vector<double> n = text.numbers("bugitgo", 6); n.size() == 6)
+    if (const Numbers n = text.numbers("bugitgo", 6); n.size() == 6)
         return UnrealPose{vectorOf(n), vectorOf(n, 3)};
     // Other programs write x, y, z and pitch, yaw, roll, too, in worlds of their own.
     const auto location = inSequence(text.values(), "x y z", "location", "X");
@@ -462,15 +462,15 @@ std::optional<UnrealPose> unrealPose(const Node &text)
     if (!rotation)
         rotation = inSequence(text.values(), "pitch yaw roll", "rotation");
     if (const auto turned = inSequence(text.values(), "roll pitch yaw", "rotation"); turned && !rotation)
-        rotation = glm::dvec3(turned->y, turned->z, turned->x);
+        rotation = dvec3(turned->y, turned->z, turned->x);
     return location && rotation ? std::optional(UnrealPose{*location, *rotation}) : std::nullopt;
 }
 
 constexpr Keys kUnrealAngle = "fov|fieldofview|fovangle";
 
-void readUnreal(Reading &reading, const Found &one)
+void readUnreal(Reading &reading)
 {
-    const Node &text = one.lens;
+    const Node &text = reading.lens;
     const UnrealPose pose = *unrealPose(text);
     reading.camera.rightHandedFromWorld[1][1] = -1.0;
     // FRotator turns about x by roll, about y by pitch, then about z by yaw. Pitch and roll count
@@ -486,7 +486,7 @@ void readUnreal(Reading &reading, const Found &one)
     if (!degrees)
         reading.say(tr("The horizontal field of view is assumed to be 90 degrees, because FOV is missing. Add FOV=90 "
                        "with the right value to say otherwise."));
-    reading.setHorizontalAngle(radiansFromDegrees(degrees.value_or(90.0)));
+    reading.setDegrees(degrees.value_or(90.0), true);
 }
 
 /// Returns whether any type is this one: the object's own type, CAMERA, may stand before its camera's.
@@ -500,15 +500,15 @@ bool hasType(const Node &text, std::string_view type)
 void readBlenderPose(Reading &reading, const Node &text)
 {
     ForeignCamera &camera = reading.camera;
-    const std::vector<double> matrix = text.numbers("matrixworld|worldmatrix");
-    const std::vector<double> &unnamed = text.values().all().front().numbers;
+    const Numbers matrix = text.numbers("matrixworld|worldmatrix");
+    const Numbers &unnamed = text.values().all().front().numbers;
     if (!matrix.empty() || unnamed.size() == 16) {
         camera.pose = matrixByRows(matrix.empty() ? unnamed : matrix);
         if (matrix.size() == 9 || !camera.pose)
             text.fail(tr("%1 needs %2 numbers; it has %3", "matrix_world", 16, matrix.size()), "matrixworld");
         return;
     }
-    const std::vector<double> angles = text.numbers("rotationeuler", 3), at = text.numbers("location", 3);
+    const Numbers angles = text.numbers("rotationeuler", 3), at = text.numbers("location", 3);
     if (angles.size() != 3 || at.size() != 3)
         text.fail(tr("the camera's matrix_world is missing; give it, or location and rotation_euler"), "rotationeuler");
     for (const char *order : {"XZY", "YXZ", "YZX", "ZXY", "ZYX"}) {
@@ -571,20 +571,20 @@ void readBlenderLens(Reading &reading, const Node &text)
     reading.setCentred(size, focal, focal / tall, -shiftX, shiftY);
 }
 
-void readBlender(Reading &reading, const Found &one)
+void readBlender(Reading &reading)
 {
-    readBlenderPose(reading, one.pose);
+    readBlenderPose(reading, reading.pose);
     // The product of whole numbers is exact: 720 * 70 / 100 is 504, but 720 * 0.7 is less.
-    const double percent = one.lens.number("resolutionpercentage", 100.0);
-    const std::vector<double> sides = one.lens.numbers("resolutionx resolutiony", 2);
+    const double percent = reading.lens.number("resolutionpercentage", 100.0);
+    const Numbers sides = reading.lens.numbers("resolutionx resolutiony", 2);
     if (const auto size = sides.empty()
                               ? std::nullopt
                               : sizeOf(std::floor(sides[0] * percent / 100.0), std::floor(sides[1] * percent / 100.0)))
         reading.camera.size = size;
-    readBlenderLens(reading, one.lens);
+    readBlenderLens(reading, reading.lens);
 }
 
-std::vector<Found> blenderCamera(Reading &reading, const Node &text)
+Cameras blenderCamera(Reading &reading, const Node &text)
 {
     const bool hasPose =
         text.has("matrixworld|rotationeuler") || hasWord(reading, "<Matrix 4x4") || hasWord(reading, "Matrix(((");
@@ -593,7 +593,7 @@ std::vector<Found> blenderCamera(Reading &reading, const Node &text)
 
 constexpr Keys kPyrenderPose = "cameratransform|camerapose|pose|matrix|transform";
 
-std::vector<Found> pyrenderCamera(Reading &, const Node &text)
+Cameras pyrenderCamera(Reading &, const Node &text)
 {
     const bool isTrimesh = text.has("cameratransform") && text.has("fov");
     return onlyIf(!isTrimesh && text.has("yfov") && !text.numbers(kPyrenderPose).empty(), text);
@@ -601,40 +601,40 @@ std::vector<Found> pyrenderCamera(Reading &, const Node &text)
 
 void setPyrenderPose(Reading &reading, const Node &text)
 {
-    const std::vector<double> matrix = text.numbers(kPyrenderPose);
+    const Numbers matrix = text.numbers(kPyrenderPose);
     if (matrix.size() != 16)
         reading.fail(tr("%1 needs %2 numbers; it has %3", "camera_pose", 16, matrix.size()));
     reading.camera.pose = matrixByRows(matrix);
 }
 
-void readPyrender(Reading &reading, const Found &one)
+void readPyrender(Reading &reading)
 {
-    setPyrenderPose(reading, one.pose);
-    const auto angle = one.lens.number("yfov");
+    setPyrenderPose(reading, reading.pose);
+    const auto angle = reading.lens.number("yfov");
     if (!angle)
         reading.fail(tr("yfov has no number; give it in radians"));
-    reading.setVerticalAngle(*angle, one.lens.number("aspectratio"));
+    reading.setVerticalAngle(*angle, reading.lens.number("aspectratio"));
 }
 
-void readTrimesh(Reading &reading, const Found &one)
+void readTrimesh(Reading &reading)
 {
-    setPyrenderPose(reading, one.pose);
-    const std::vector<double> angles = one.lens.needed("fov", 2); // across and down, degrees
+    setPyrenderPose(reading, reading.pose);
+    const Numbers angles = reading.lens.needed("fov", 2); // across and down, degrees
     const auto half = [&](std::size_t i) { return std::tan(radiansFromDegrees(angles[i]) / 2.0); };
     reading.setVerticalAngle(radiansFromDegrees(angles[1]), half(0) / half(1));
 }
 
 /// Scales an axis by -1.
-glm::dmat4 flipped(bool y, bool z)
+dmat4 flipped(bool y, bool z)
 {
-    glm::dmat4 m(1.0);
+    dmat4 m(1.0);
     m[1][1] = y ? -1.0 : 1.0;
     m[2][2] = z ? -1.0 : 1.0;
     return m;
 }
 
 /// The matrix without the entries that are only the rounding of single precision.
-glm::dmat4 withoutNoise(glm::dmat4 m)
+dmat4 withoutNoise(dmat4 m)
 {
     constexpr double kNoise = 1e-7;
     double largest = 0.0;
@@ -649,9 +649,9 @@ glm::dmat4 withoutNoise(glm::dmat4 m)
 
 /// The printed matrices of 3-D Gaussian splatting. These are for row vectors, so they are written transposed.
 /// Eyes are OpenCV's, NDC's y points down, and depths are from 0 to 1.
-void readSplatting(Reading &reading, const Found &one)
+void readSplatting(Reading &reading)
 {
-    const Node &text = one.lens;
+    const Node &text = reading.lens;
     ForeignCamera &camera = reading.camera;
     const auto matrix = [&](const char *name) { return matrixByColumns(text.numbers(name, 16)); };
     const auto view = matrix("worldviewtransform"), product = matrix("fullprojtransform"),
@@ -659,7 +659,7 @@ void readSplatting(Reading &reading, const Found &one)
     const auto angleX = text.number("fovx"), angleY = text.number("fovy");
     camera.pose = view;
     if (view && (lens || product)) {
-        const glm::dmat4 clip = lens ? *lens : withoutNoise(*product * glm::inverse(*view));
+        const dmat4 clip = lens ? *lens : withoutNoise(*product * glm::inverse(*view));
         camera.projection = MatrixProjection{flipped(true, false) * clip * flipped(true, true), NdcDepth::ZeroToOne};
     } else if (view && angleX && angleY) {
         reading.setVerticalAngle(*angleY, std::tan(*angleX / 2.0) / std::tan(*angleY / 2.0));
@@ -678,114 +678,61 @@ void readSplatting(Reading &reading, const Found &one)
 }
 
 constexpr Form kForms[]{
-    {.program = "MuJoCo",
-     .format = Format::Print,
-     .marks = "xmat",
-     .direction = CameraToWorld,
-     .axes = RightUpBack,
-     .quirk = readMujoco,
-     .cameras = mujocoCameras},
-    {.program = "MuJoCo",
-     .format = Format::Print,
-     .marks = "frustum_near frustum_top",
-     .direction = CameraToWorld,
-     .axes = RightUpBack,
-     .quirk = readGlCamera,
-     .cameras = [](Reading &,
-                   const Node &text) { return onlyIf(text.has("frustumnear") && text.has("frustumtop"), text); }},
-    {.program = "PyBullet", .format = Format::Print, .axes = RightUpBack, .quirk = readBullet, .cameras = bulletCamera},
-    {.program = "VTK",
-     .format = Format::Print,
-     .marks = "camera_position|cpos|ocal",
-     .direction = CameraToWorld,
-     .axes = RightUpBack,
-     .quirk = readVtk,
-     .cameras =
-         [](Reading &reading, const Node &text) {
-             std::vector<Found> views = sections(reading, text, "CreateView(", "CreateView(", "CameraFocalPoint");
-             if (std::all_of(views.begin(), views.end(), [](const Found &one) { return vtkNumbers(one.pose).empty(); }))
-                 views.clear();
-             return views;
-         }},
-    {.program = "USD",
-     .format = Format::Print,
-     .marks = "horizontalAperture xformOp:",
-     .direction = CameraToWorld,
-     .axes = RightUpBack,
-     .parts = {.planes = "clippingrange"},
-     .quirk = readUsd,
-     .cameras =
-         [](Reading &reading, const Node &text) {
-             std::vector<Found> prims = sections(reading, text, "def Camera", "def ");
-             std::erase_if(prims,
-                           [](const Found &one) { return one.lens.numbers("horizontalaperture focallength").empty(); });
-             return prims;
-         }},
-    {.program = "Godot",
-     .format = Format::Print,
-     .marks = "Transform3D(|[X:",
-     .direction = CameraToWorld,
-     .axes = RightUpBack,
-     .quirk = readGodot,
-     .cameras = godotNodes},
-    {.program = "Blender",
-     .format = Format::Print,
-     .direction = CameraToWorld,
-     .axes = RightUpBack,
-     .parts = {.planes = "clipstart clipend"},
-     .quirk = readBlender,
-     .cameras = blenderCamera},
-    {.program = "Unreal",
-     .format = Format::Print,
-     .direction = CameraToWorld,
-     .axes = AheadRightUp,
-     .quirk = readUnreal,
-     .cameras =
-         [](Reading &, const Node &text) {
-             return onlyIf(unrealPose(text) && (text.number(kUnrealAngle) || text.has("bugitgo")), text);
-         }},
-    {.program = "Unity",
-     .format = Format::Print,
-     .direction = CameraToWorld,
-     .axes = RightUpAhead,
-     .parts = {.planes = "nearclipplane farclipplane"},
-     .quirk = readUnity,
-     .cameras = unityCamera},
-    {.program = "trimesh",
-     .format = Format::Print,
-     .direction = CameraToWorld,
-     .axes = RightUpBack,
-     .parts = {.planes = "znear zfar"},
-     .quirk = readTrimesh,
-     .cameras = [](Reading &,
-                   const Node &text) { return onlyIf(text.has("cameratransform") && text.has("fov"), text); }},
-    {.program = "pyrender",
-     .format = Format::Print,
-     .direction = CameraToWorld,
-     .axes = RightUpBack,
-     .parts = {.planes = "znear zfar"},
-     .quirk = readPyrender,
-     .cameras = pyrenderCamera},
-    {.program = "Gaussian splatting",
-     .format = Format::Print,
-     .marks = "world_view_transform|full_proj_transform",
-     .parts = {.planes = "znear zfar"},
-     .quirk = readSplatting,
-     .cameras = [](Reading &,
-                   const Node &text) { return onlyIf(text.has("worldviewtransform|fullprojtransform"), text); }},
-    {.program = "SAPIEN", .format = Format::Print, .quirk = readSapien, .cameras = sapienCamera},
-    {.program = "Bouguet's toolbox",
-     .format = Format::Print,
-     .marks = "omc_ Tc_",
-     .parts = {.size = "nx ny", .distortion = "kc"},
-     .quirk = readBouguet,
-     .cameras = bouguetImages},
-    {.program = "Anipose",
-     .format = Format::Print,
-     .marks = "distortions [cam",
-     .parts = {.lens = "matrix", .pose = "rotation", .count = 3, .at = "translation"},
-     .quirk = readAnipose,
-     .cameras = aniposeCameras}};
+    {"MuJoCo", "xmat", kOpenGl, mujocoCameras, readMujoco},
+    {"MuJoCo", "frustum_near frustum_top", kOpenGl,
+     [](Reading &, const Node &text) { return onlyIf(text.has("frustumnear") && text.has("frustumtop"), text); },
+     readGlCamera},
+    {"PyBullet", "", {WorldToCamera, RightUpBack}, bulletCamera, readBullet},
+    {"VTK", "camera_position|cpos|ocal", kOpenGl,
+     [](Reading &reading, const Node &text) {
+         Cameras views = sections(reading, text, "CreateView(", "CreateView(", "CameraFocalPoint");
+         if (std::all_of(views.begin(), views.end(), [](const Found &one) { return vtkNumbers(one.pose).empty(); }))
+             views.clear();
+         return views;
+     },
+     readVtk},
+    {"USD",
+     "horizontalAperture xformOp:",
+     kOpenGl,
+     [](Reading &reading, const Node &text) {
+         Cameras prims = sections(reading, text, "def Camera", "def ");
+         std::erase_if(prims,
+                       [](const Found &one) { return one.lens.numbers("horizontalaperture focallength").empty(); });
+         return prims;
+     },
+     readUsd,
+     {.planes = "clippingrange"}},
+    {"Godot", "Transform3D(|[X:", kOpenGl, godotNodes, readGodot},
+    {"Blender", "", kOpenGl, blenderCamera, readBlender, {.planes = "clipstart clipend"}},
+    {"Unreal",
+     "",
+     {CameraToWorld, AheadRightUp},
+     [](Reading &, const Node &text) {
+         return onlyIf(unrealPose(text) && (text.number(kUnrealAngle) || text.has("bugitgo")), text);
+     },
+     readUnreal},
+    {"Unity", "", {CameraToWorld, RightUpAhead}, unityCamera, readUnity, {.planes = "nearclipplane farclipplane"}},
+    {"trimesh",
+     "",
+     kOpenGl,
+     [](Reading &, const Node &text) { return onlyIf(text.has("cameratransform") && text.has("fov"), text); },
+     readTrimesh,
+     {.planes = "znear zfar"}},
+    {"pyrender", "", kOpenGl, pyrenderCamera, readPyrender, {.planes = "znear zfar"}},
+    {"Gaussian splatting",
+     "world_view_transform|full_proj_transform",
+     {},
+     [](Reading &, const Node &text) { return onlyIf(text.has("worldviewtransform|fullprojtransform"), text); },
+     readSplatting,
+     {.planes = "znear zfar"}},
+    {"SAPIEN", "", {}, sapienCamera, readSapien},
+    {"Bouguet's toolbox", "omc_ Tc_", {}, bouguetImages, readBouguet, {.size = "nx ny", .distortion = "kc"}},
+    {"Anipose",
+     "distortions [cam",
+     {},
+     aniposeCameras,
+     readAnipose,
+     {.lens = "matrix", .pose = "rotation", .count = 3, .at = "translation"}}};
 
 } // namespace
 

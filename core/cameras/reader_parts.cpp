@@ -77,11 +77,11 @@ std::shared_ptr<const NamedValues> Reading::values()
     return m_values;
 }
 
-void Reading::begin(const char *program, PoseDirection direction, EyeAxes axes)
+void Reading::begin(const char *program, const Frame &frame)
 {
     camera.program = program;
-    camera.direction = direction;
-    camera.axes = axes;
+    camera.direction = frame.direction;
+    camera.axes = frame.axes;
     camera.isDirectionCertain = camera.areAxesCertain = true;
 }
 
@@ -92,9 +92,9 @@ void Reading::fail(std::string reason, std::size_t line) const
 
 void Reading::chooseImage(std::span<const std::string> ids)
 {
-    const auto id = std::find(ids.begin(), ids.end(), choices.image);
-    const bool isId = id != ids.end() && !choices.image.empty();
-    const auto index = isId ? std::size_t(id - ids.begin()) : imageIndex(camera.images, choices.image);
+    const auto known = std::find(ids.begin(), ids.end(), choices.image);
+    const bool isId = known != ids.end() && !choices.image.empty();
+    const auto index = isId ? std::size_t(known - ids.begin()) : imageIndex(camera.images, choices.image);
     if (!index)
         fail(tr("there is no image %1 among %2 (%3); give one of their names or an index from 0 with --image",
                 base::quoted(choices.image), camera.images.size(), firstNames(camera.images)));
@@ -146,7 +146,7 @@ void Reading::setHorizontalAngle(double radians)
 
 void Reading::setSize(const Node &node, std::string_view keys)
 {
-    const std::vector<double> sides = node.numbers(keys, 2);
+    const Numbers sides = node.numbers(keys, 2);
     camera.size = sides.size() == 2 ? sizeOf(sides[0], sides[1]) : std::nullopt;
 }
 
@@ -155,7 +155,7 @@ void Reading::setPlanes(const Node &node, std::string_view keys)
     if (const std::size_t blank = keys.find(' '); blank != keys.npos) {
         camera.nearDistance = node.number(keys.substr(0, blank));
         camera.farDistance = node.number(keys.substr(blank + 1));
-    } else if (const std::vector<double> range = node.numbers(keys, 2); range.size() == 2) {
+    } else if (const Numbers range = node.numbers(keys, 2); range.size() == 2) {
         camera.nearDistance = range[0];
         camera.farDistance = range[1];
     }
@@ -164,7 +164,7 @@ void Reading::setPlanes(const Node &node, std::string_view keys)
 void Reading::setLens(const Node &node, std::string_view keys, PixelCentres centres)
 {
     const bool isK = keys.find(' ') == keys.npos;
-    const std::vector<double> k = node.needed(keys, isK ? 9 : 4);
+    const Numbers k = node.needed(keys, isK ? 9 : 4);
     const bool isByColumns = isK && k[2] == 0.0 && k[5] == 0.0;
     camera.intrinsics = !isK          ? Intrinsics{k[0], k[1], k[2], k[3], 0.0, centres}
                         : isByColumns ? Intrinsics{k[0], k[4], k[6], k[7], k[3], centres}
@@ -173,7 +173,7 @@ void Reading::setLens(const Node &node, std::string_view keys, PixelCentres cent
 
 void Reading::setPose(const Node &node, std::string_view keys, std::size_t count, std::string_view at)
 {
-    const std::vector<double> n = node.needed(keys, count);
+    const Numbers n = node.needed(keys, count);
     if (count == 3) {
         camera.pose = rotationOf(vectorOf(n));
     } else if (count == 4 || count == 7) { // w, x, y, z; x, y, z, w and a translation
@@ -216,7 +216,7 @@ void Reading::setProjection(const geometry::Projection &projection, std::size_t 
     camera.projection = geometry::MatrixProjection{*clip, geometry::NdcDepth::MinusOneToOne};
 }
 
-void setDistortion(Reading &reading, const std::string &model, std::optional<std::vector<double>> coefficients)
+void setDistortion(Reading &reading, const std::string &model, std::optional<Numbers> coefficients)
 {
     if (!coefficients) {
         if (!reading.choices.isUndistorted)
@@ -226,12 +226,12 @@ void setDistortion(Reading &reading, const std::string &model, std::optional<std
         return;
     }
     coefficients->resize(5, 0.0);
-    const std::vector<double> &c = *coefficients;
+    const Numbers &c = *coefficients;
     if (const Distortion distortion{c[0], c[1], c[3], c[4], c[2]}; !distortion.isNone())
         reading.camera.distortion = distortion;
 }
 
-void setDistortion(Reading &reading, const std::vector<double> &coefficients)
+void setDistortion(Reading &reading, const Numbers &coefficients)
 {
     if (coefficients.empty())
         return;
@@ -242,7 +242,7 @@ void setDistortion(Reading &reading, const std::vector<double> &coefficients)
         reading.camera.distortion = *lens;
 }
 
-bool areZero(const std::vector<double> &numbers)
+bool areZero(const Numbers &numbers)
 {
     return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0.0; });
 }

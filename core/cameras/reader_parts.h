@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/angle.h"
 #include "core/base/error.h"
 #include "core/cameras/node.h"
 #include "core/geometry/projection.h"
@@ -20,9 +21,25 @@
 
 namespace unprojector::cameras {
 
-/// A text, and the camera that a program's reader fills from it. What the reader cannot use, it
+/// A camera of a text, with the names that choose it and the nodes of its parts.
+struct Found {
+    std::string name, id; ///< the name is empty in a text of one camera
+    Node pose{}, lens{}, own{};
+    glm::dmat4 parent{1.0};     ///< the transform of what the pose is in
+    Trail around{}; ///< to an element of XML
+};
+using Cameras = std::vector<Found>;
+
+/// What the poses of a program are. The default is that of OpenCV.
+struct Frame {
+    PoseDirection direction = PoseDirection::WorldToCamera;
+    EyeAxes axes = EyeAxes::RightDownAhead;
+};
+inline constexpr Frame kOpenGl{PoseDirection::CameraToWorld, EyeAxes::RightUpBack};
+
+/// A text, its chosen camera, and what a program's reader fills from it. What the reader cannot use, it
 /// throws as a base::Error.
-class Reading {
+class Reading : public Found {
 public:
     Reading(const NamedText &given, const CameraChoices &chosen) : text(given), choices(chosen) {}
 
@@ -37,7 +54,7 @@ public:
     std::shared_ptr<const NamedValues> values();
 
     /// Begins the camera of a program that tells the pose's direction and axes.
-    void begin(const char *program, PoseDirection direction, EyeAxes axes);
+    void begin(const char *program, const Frame &frame);
 
     /// @param line  from 1; 0: the whole file
     [[noreturn]] void fail(std::string reason, std::size_t line = 0) const;
@@ -76,6 +93,12 @@ public:
     void setVerticalAngle(double radians, const std::optional<double> &aspect = {});
     /// The same for a horizontal angle.
     void setHorizontalAngle(double radians);
+    /// The same in degrees.
+    void setDegrees(double degrees, bool isAcross = false)
+    {
+        const double radians = base::radiansFromDegrees(degrees);
+        isAcross ? setHorizontalAngle(radians) : setVerticalAngle(radians);
+    }
     /// Sets OpenGL's matrix of a projection. Fails where it has none.
     void setProjection(const geometry::Projection &projection, std::size_t line);
 
@@ -87,12 +110,12 @@ private:
 
 /// Sets coefficients that are those of Brown and Conrady; refuses other models.
 /// @param coefficients  k1, k2, k3, p1, p2, or the first of them; nothing: of another model
-void setDistortion(Reading &reading, const std::string &model, std::optional<std::vector<double>> coefficients);
+void setDistortion(Reading &reading, const std::string &model, std::optional<Numbers> coefficients);
 
 /// The same for a list in OpenCV's order; empty: none.
-void setDistortion(Reading &reading, const std::vector<double> &coefficients);
+void setDistortion(Reading &reading, const Numbers &coefficients);
 
-bool areZero(const std::vector<double> &numbers);
+bool areZero(const Numbers &numbers);
 
 /// Fails because the file lacks the chosen image's lens.
 [[noreturn]] void failWithoutLens(const Reading &reading);

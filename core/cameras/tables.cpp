@@ -18,12 +18,14 @@
 
 namespace unprojector::cameras {
 using base::tr;
+using enum PoseDirection;
+using enum EyeAxes;
 
 namespace {
 
 struct Row {
     std::string first; ///< its first word
-    std::vector<double> numbers;
+    Numbers numbers;
 };
 
 /// The first lines of a text that has only numbers, and comments behind #; empty for another text.
@@ -60,9 +62,9 @@ bool haveCounts(const std::vector<Row> &rows, std::initializer_list<std::size_t>
 }
 
 /// The numbers of some rows, one after the other.
-std::vector<double> joined(const std::vector<Row> &rows, std::size_t from, std::size_t count)
+Numbers joined(const std::vector<Row> &rows, std::size_t from, std::size_t count)
 {
-    std::vector<double> numbers;
+    Numbers numbers;
     for (std::size_t i = from; i < from + count; ++i)
         numbers.insert(numbers.end(), rows[i].numbers.begin(), rows[i].numbers.end());
     return numbers;
@@ -120,7 +122,7 @@ Poses posesOf(const NamedText &text)
     if (count != 8 && !(count == 16 && isNamed) && !(count == 12 && (isNamed || isNumbered)))
         return poses;
     for (const Row &row : rows) {
-        const std::vector<double> &n = row.numbers;
+        const Numbers &n = row.numbers;
         if (n.size() != count)
             return {};
         std::optional<glm::dmat4> pose = matrixByRows(n);
@@ -194,7 +196,7 @@ NamedLens dsoLens(const NamedText &text, const CameraChoices &choices)
     base::TextScanner scanner(text.text);
     std::string_view word = scanner.nextWord();
     const std::string model(base::doubleFromWord(word) ? std::string_view() : word);
-    std::vector<double> n;
+    Numbers n;
     for (word = model.empty() ? word : scanner.nextWordInLine(); !word.empty(); word = scanner.nextWordInLine()) {
         const auto number = base::doubleFromWord(word);
         if (!number || n.size() == 8)
@@ -235,20 +237,20 @@ NamedLens lensBeside(const NamedText &text)
     const std::vector<Row> rows = rowsOf(text.text);
     const bool isWide = rows.size() == 4 && haveCounts(rows, {4, 4, 4, 4});
     if (isWide || (rows.size() == 3 && haveCounts(rows, {3, 3, 3}))) {
-        const std::vector<double> &x = rows[0].numbers, &y = rows[1].numbers;
+        const Numbers &x = rows[0].numbers, &y = rows[1].numbers;
         const bool isLens = x[0] > 1.0 && x[2] > 1.0 && y[0] == 0.0 && y[1] > 1.0 && rows[2].numbers[2] == 1.0;
-        const std::vector<double> k{x[0], y[1], x[2], y[2]};
+        const Numbers k{x[0], y[1], x[2], y[2]};
         return isLens ? NamedLens{namedText({"fx", "fy", "cx", "cy"}, k)} : NamedLens();
     }
     if (text.text.find("P0:") == text.text.npos && text.text.find("P2:") == text.text.npos)
         return {};
     const NamedValues values(text.text);
-    const std::vector<double> p = values.numbers({"p0", "p2", "p1", "p3"}, 12);
+    const Numbers p = values.numbers({"p0", "p2", "p1", "p3"}, 12);
     const auto parts = p.size() == 12 ? partsOf(p) : std::nullopt;
     if (!parts)
         return {};
     const Intrinsics &k = parts->intrinsics;
-    const std::vector<double> numbers{k.fx, k.fy, k.cx, k.cy};
+    const Numbers numbers{k.fx, k.fy, k.cx, k.cy};
     return {namedText({"fx", "fy", "cx", "cy"}, numbers), false, parts->cameraFromWorld};
 }
 
@@ -315,7 +317,7 @@ std::optional<ForeignCamera> readTables(std::span<const NamedText> texts, const 
     const NamedText ofPoses{poses.files.front(), {}};
     Reading reading(ofPoses, ofPose);
     reading.camera = *std::move(camera);
-    reading.begin(poses.program, PoseDirection::CameraToWorld, EyeAxes::RightDownAhead);
+    reading.begin(poses.program, {PoseDirection::CameraToWorld});
     reading.camera.images = poses.names;
     reading.chooseImage();
     if (ofPose.image != choices.image)
@@ -334,10 +336,10 @@ namespace {
 // sets have the image's size beside the name.
 constexpr std::size_t kKrtLines = 8;
 
-std::vector<Found> krtCameras(Reading &reading, const Node &text)
+Cameras krtCameras(Reading &reading, const Node &text)
 {
     const std::vector<Row> rows = rowsOf(reading.text.text);
-    std::vector<Found> cameras;
+    Cameras cameras;
     for (std::size_t i = 0; i < rows.size(); i += kKrtLines) {
         if (!haveCounts(rows, {1, 3, 3, 3, 5, 4, 4, 4}, i) && !haveCounts(rows, {3, 3, 3, 3, 5, 4, 4, 4}, i))
             return {};
@@ -346,11 +348,11 @@ std::vector<Found> krtCameras(Reading &reading, const Node &text)
     return cameras;
 }
 
-void readKrt(Reading &reading, const Found &)
+void readKrt(Reading &reading)
 {
     const std::vector<Row> rows = rowsOf(reading.text.text);
     const std::size_t at = kKrtLines * reading.camera.image;
-    if (const std::vector<double> &head = rows[at].numbers; head.size() == 3)
+    if (const Numbers &head = rows[at].numbers; head.size() == 3)
         reading.camera.size = sizeOf(head[1], head[2]);
     reading.camera.intrinsics = lensOf(joined(rows, at + 1, 3));
     if (const auto distortion = distortionOf(rows[at + 4].numbers); distortion && !distortion->isNone())
@@ -359,33 +361,34 @@ void readKrt(Reading &reading, const Found &)
 }
 
 // Source: vision.middlebury.edu/stereo/data/scenes2014: cam1 is to the right of cam0, in millimetres
-std::vector<Found> middleburyCameras(Reading &, const Node &text)
+Cameras middleburyCameras(Reading &, const Node &text)
 {
     if (text.numbers("cam0", 9).size() != 9 || !text.has("doffs"))
         return {};
-    std::vector<Found> cameras{{"cam0", {}, text, text}};
+    Cameras cameras{{"cam0", {}, text, text}};
     if (text.numbers("cam1", 9).size() == 9 && text.number("baseline"))
         cameras.push_back({"cam1", {}, text, text});
     return cameras;
 }
 
-void readMiddlebury(Reading &reading, const Found &one)
+void readMiddlebury(Reading &reading)
 {
-    reading.setLens(one.lens, one.name, PixelCentres::AtIntegers);
-    reading.camera.pose = rigid(glm::dmat3(1.0), {one.name == "cam1" ? -one.lens.needed("baseline") : 0.0, 0.0, 0.0});
+    reading.setLens(reading.lens, reading.name, PixelCentres::AtIntegers);
+    reading.camera.pose =
+        rigid(glm::dmat3(1.0), {reading.name == "cam1" ? -reading.lens.needed("baseline") : 0.0, 0.0, 0.0});
     reading.say(tr("The world is that of cam0, in millimetres."));
 }
 
 // Source: Bundler's User Manual, "Output format": -z is ahead, pixels count from the image's centre
 constexpr std::size_t kBundlerLines = 5;
 
-std::vector<Found> bundlerCameras(Reading &reading, const Node &text)
+Cameras bundlerCameras(Reading &reading, const Node &text)
 {
     if (!reading.text.text.starts_with("# Bundle file"))
         return {};
     const std::vector<Row> rows = rowsOf(reading.text.text);
     const double count = haveCounts(rows, {2}) ? rows[0].numbers[0] : 0.0;
-    std::vector<Found> cameras;
+    Cameras cameras;
     while (double(cameras.size()) < count && haveCounts(rows, {3, 3, 3, 3, 3}, 1 + kBundlerLines * cameras.size()))
         cameras.push_back({std::to_string(cameras.size()), {}, text, text});
     if (cameras.empty() || double(cameras.size()) != count)
@@ -393,11 +396,11 @@ std::vector<Found> bundlerCameras(Reading &reading, const Node &text)
     return cameras;
 }
 
-void readBundler(Reading &reading, const Found &)
+void readBundler(Reading &reading)
 {
     const std::vector<Row> rows = rowsOf(reading.text.text);
     const std::size_t at = 1 + kBundlerLines * reading.camera.image;
-    const std::vector<double> &lens = rows[at].numbers;
+    const Numbers &lens = rows[at].numbers;
     reading.setCentred(reading.neededSize(), lens[0], lens[0]);
     if (const Distortion distortion{lens[1], lens[2]}; !distortion.isNone())
         reading.camera.distortion = distortion;
@@ -405,30 +408,21 @@ void readBundler(Reading &reading, const Found &)
 }
 
 constexpr Form kForms[]{
-    {.program = "Bundler",
-     .format = Format::Print,
-     .marks = "Bundle",
-     .axes = EyeAxes::RightUpBack,
-     .quirk = readBundler,
-     .cameras = bundlerCameras},
+    {"Bundler", "Bundle", {WorldToCamera, RightUpBack}, bundlerCameras, readBundler},
+
     // Source: MVSNet, README.md, "File Formats": the line below the intrinsics is of depths
-    {.program = "MVSNet",
-     .format = Format::Print,
-     .parts = {.pose = "extrinsic", .note = base::marked("The line of depths is not used.")},
-     .quirk = [](Reading &reading,
-                 const Found &one) { reading.camera.intrinsics = lensOf(one.lens.numbers("intrinsic", 11)); },
-     .cameras =
-         [](Reading &reading, const Node &text) {
-             const bool isIt = reading.text.text.starts_with("extrinsic") && text.numbers("extrinsic", 16).size() == 16
-                               && !text.numbers("intrinsic", 11).empty(); // without depths, names tell all
-             return onlyIf(isIt, text);
-         }},
-    {.program = "Multiface", .format = Format::Print, .quirk = readKrt, .cameras = krtCameras},
-    {.program = "Middlebury",
-     .format = Format::Print,
-     .marks = "cam0 doffs",
-     .quirk = readMiddlebury,
-     .cameras = middleburyCameras}};
+    {"MVSNet",
+     "",
+     {},
+     [](Reading &reading, const Node &text) {
+         const bool isIt = reading.text.text.starts_with("extrinsic") && text.numbers("extrinsic", 16).size() == 16
+                           && !text.numbers("intrinsic", 11).empty(); // without depths, names tell all
+         return onlyIf(isIt, text);
+     },
+     [](Reading &reading) { reading.camera.intrinsics = lensOf(reading.lens.numbers("intrinsic", 11)); },
+     {.pose = "extrinsic", .note = base::marked("The line of depths is not used.")}},
+    {"Multiface", "", {}, krtCameras, readKrt},
+    {"Middlebury", "cam0 doffs", {}, middleburyCameras, readMiddlebury}};
 
 } // namespace
 

@@ -22,46 +22,9 @@ using enum PoseDirection;
 using enum EyeAxes;
 using enum PixelCentres;
 using base::Json;
+using glm::dmat3, glm::dmat4, glm::dvec3;
 
 namespace {
-
-/// An element with those around it, from a root on.
-using Trail = std::vector<Node>;
-
-void addTrails(const Node &element, std::string_view tag, const Trail &outer, std::vector<Trail> &found)
-{
-    for (auto member = element.json().begin(); member != element.json().end(); ++member) {
-        for (const Node &inner : member->is_array() ? element.list(member.key()) : Trail()) {
-            Trail trail = outer;
-            trail.push_back(inner);
-            if (member.key() == tag)
-                found.push_back(trail);
-            addTrails(inner, tag, trail, found);
-        }
-    }
-}
-
-/// The trails to all elements with a tag, in the text's order.
-std::vector<Trail> trailsTo(const Node &document, std::string_view tag)
-{
-    std::vector<Trail> found;
-    addTrails(document, tag, {}, found);
-    std::sort(found.begin(), found.end(),
-              [](const Trail &a, const Trail &b) { return a.back().number("@") < b.back().number("@"); });
-    return found;
-}
-
-/// Cameras whose name is the attribute of the element or of the nearest around it.
-std::vector<Found> named(const std::vector<Trail> &trails, const char *name)
-{
-    std::vector<Found> found;
-    for (const Trail &trail : trails) {
-        const auto own = std::find_if(trail.rbegin(), trail.rend(), [&](const Node &node) { return node.has(name); });
-        found.push_back(
-            {own == trail.rend() ? std::to_string(found.size()) : own->word(name), {}, trail.back(), trail.back()});
-    }
-    return found;
-}
 
 /// Fails for an element that has another word than the only one that is read.
 void refuseOther(const Node &element, std::string_view keys, std::string_view only)
@@ -78,7 +41,7 @@ void refuseOther(const Node &element, std::string_view keys, std::string_view on
 void refuseDistortion(const Reading &reading, const Node &lens, std::string_view keys, const std::string &name)
 {
     for (const std::string_view key : split(keys, ' ')) {
-        const std::vector<double> numbers = lens.numbers(key);
+        const Numbers numbers = lens.numbers(key);
         if (!areZero(numbers) && !reading.choices.isUndistorted)
             reading.fail(
                 tr("the distortion of %1 is not read. Undistort the images first, then give --undistorted", name));
@@ -87,13 +50,13 @@ void refuseDistortion(const Reading &reading, const Node &lens, std::string_view
 
 // Source: nerfstudio, metashape_utils.py, for the transforms: from the camera to the chunk, and the chunk's
 // or its component's, s R x + t.
-std::vector<Found> metashapeCameras(Reading &reading, const Node &file)
+Cameras metashapeCameras(Reading &reading, const Node &file)
 {
     const Node chunk = file["document/chunk"], cameras = chunk["cameras"];
     if (!chunk)
         return {};
     auto sensors = chunk.index("sensors/sensor", "id"), components = chunk.index("components/component", "id");
-    std::vector<Found> posed;
+    Cameras posed;
     std::vector<Node> groups = cameras.list("group");
     groups.insert(groups.begin(), cameras);
     for (const Node &group : groups) {
@@ -110,11 +73,11 @@ std::vector<Found> metashapeCameras(Reading &reading, const Node &file)
 
 /// Source: Metashape's user manual, Camera models: u = w/2 + cx + x' (f + B1) + y' B2, v = h/2 + cy + y' f;
 /// P1 goes with r^2 + 2x^2, which is OpenCV's p2 (nerfstudio, issue 3714).
-void readMetashape(Reading &reading, const Found &one)
+void readMetashape(Reading &reading)
 {
     ForeignCamera &camera = reading.camera;
-    auto calibrations = one.lens.index("calibration", "class");
-    const Node &sensor = one.lens, adjusted = calibrations["adjusted"],
+    auto calibrations = reading.lens.index("calibration", "class");
+    const Node &sensor = reading.lens, adjusted = calibrations["adjusted"],
                lens = adjusted ? adjusted : sensor["calibration"];
     const auto of = [&lens](const char *key) { return lens.number(key, 0.0); };
     const std::string type = (lens ? lens : sensor).word("type"); // a sphere has no calibration
@@ -131,23 +94,23 @@ void readMetashape(Reading &reading, const Found &one)
     const double f = lens.needed("f");
     camera.intrinsics = Intrinsics{
         f + of("b1"), f, size.width / 2.0 + of("cx"), size.height / 2.0 + of("cy"), of("b2"), AtHalves, true};
-    const Node placed = one.own["transform"] ? one.own["transform"] : reading.file["document/chunk/transform"];
+    const Node placed = reading.own["transform"] ? reading.own["transform"] : reading.file["document/chunk/transform"];
     if (!placed)
         return;
-    const glm::dmat3 turn(*matrixByRows(placed.needed("rotation", 9)));
-    const glm::dvec3 centre = placed.number("scale", 1.0) * (turn * glm::dvec3((*camera.pose)[3]));
-    camera.pose = rigid(turn * glm::dmat3(*camera.pose), centre + placed.vector("translation"));
+    const dmat3 turn(*matrixByRows(placed.needed("rotation", 9)));
+    const dvec3 centre = placed.number("scale", 1.0) * (turn * dvec3((*camera.pose)[3]));
+    camera.pose = rigid(turn * dmat3(*camera.pose), centre + placed.vector("translation"));
     reading.say(tr("The chunk's transform is applied. Where it has a geographic reference, the world is geocentric; "
                    "objects exported in other coordinates do not fit."));
 }
 
-void readMeshLab(Reading &reading, const Found &found)
+void readMeshLab(Reading &reading)
 {
-    const Node &one = found.lens;
+    const Node &one = reading.lens;
     refuseOther(one, "BinaryData CameraType", "0"); // base64; orthographic and others
     refuseDistortion(reading, one, "LensDistortion", "MeshLab");
-    const std::vector<double> viewport = one.needed("ViewportPx", 2), centre = one.needed("CenterPx", 2),
-                              pixel = one.needed("PixelSizeMm", 2), t = one.needed("TranslationVector", 4);
+    const Numbers viewport = one.needed("ViewportPx", 2), centre = one.needed("CenterPx", 2),
+                  pixel = one.needed("PixelSizeMm", 2), t = one.needed("TranslationVector", 4);
     const double focal = one.needed("FocalMm");
     reading.camera.size = sizeOf(viewport[0], viewport[1]);
     reading.camera.intrinsics =
@@ -155,9 +118,9 @@ void readMeshLab(Reading &reading, const Found &found)
     reading.camera.center = -vectorOf(t);
 }
 
-void readRealityCapture(Reading &reading, const Found &found)
+void readRealityCapture(Reading &reading)
 {
-    const Node &one = found.lens;
+    const Node &one = reading.lens;
     refuseOther(one, "Skew", "0");
     refuseOther(one, "AspectRatio", "1");
     refuseDistortion(reading, one, "DistortionCoeficients", "RealityCapture (" + one.word("DistortionModel") + ')');
@@ -169,36 +132,29 @@ void readRealityCapture(Reading &reading, const Found &found)
 }
 
 /// The pose of an SDF element in the one around it: x y z, then roll, pitch and yaw about fixed axes.
-glm::dmat4 sdfPose(const Node &element)
+dmat4 sdfPose(const Node &element)
 {
     const Node pose = element["pose"];
     refuseOther(pose, "relative_to frame", "");
     refuseOther(pose, "rotation_format", "euler_rpy");
-    const std::vector<double> p = element.needed("pose", 6);
+    const Numbers p = element.needed("pose", 6);
     const double unit = pose.word("degrees") == "true" ? kRadiansPerDegree : 1.0;
     return rigid(about(2, unit * p[5]) * about(1, unit * p[4]) * about(0, unit * p[3]), vectorOf(p));
 }
 
-std::vector<Trail> sdfTrails(const Node &file)
-{
-    std::vector<Trail> trails = trailsTo(file, "camera");
-    std::erase_if(trails, [](const Trail &trail) { return trail.back().word("horizontal_fov").empty(); });
-    return trails;
-}
-
 // Source: SDFormat, camera.sdf and pose.sdf, in metres and radians; gz-math, Quaternion::SetFromEuler; sensors
 // look along x, with z up.
-void readGazebo(Reading &reading, const Found &found)
+void readGazebo(Reading &reading)
 {
     ForeignCamera &camera = reading.camera;
-    const Node &one = found.lens;
-    const Trail trail = sdfTrails(reading.file)[camera.image];
+    const Node &one = reading.lens;
+    const Trail &trail = reading.around;
     if (const std::string type = one.word("lens/type"); !type.empty() && type != "gnomonical")
         setDistortion(reading, type, {});
     refuseDistortion(reading, one["distortion"], "k1 k2 k3 p1 p2", "Gazebo");
     for (const Node &step : trail) {
         if (!step.word("pose").empty())
-            camera.pose = camera.pose.value_or(glm::dmat4(1.0)) * sdfPose(step);
+            camera.pose = camera.pose.value_or(dmat4(1.0)) * sdfPose(step);
     }
     if (camera.pose && trail.front().tag() != "sdf" && trail.front().tag() != "world")
         reading.say(tr("The pose is that of this part of a file, without what stands around it."));
@@ -215,14 +171,14 @@ void readGazebo(Reading &reading, const Found &found)
 
 /// The place of an MJCF element in the one around it.
 /// Source: MuJoCo, user_objects.cc, ResolveOrientation; user_util.cc, mjuu_z2quat
-glm::dmat4 mjcfPose(const Node &element, const Node &compiler)
+dmat4 mjcfPose(const Node &element, const Node &compiler)
 {
     const auto numbers = [&](const char *key, std::size_t count) {
-        return element.has(key) ? element.needed(key, count) : std::vector<double>();
+        return element.has(key) ? element.needed(key, count) : Numbers();
     };
     const double unit = compiler.word("angle") == "radian" ? 1.0 : kRadiansPerDegree;
     const std::string given = compiler.word("eulerseq"), order = given.empty() ? "xyz" : given;
-    glm::dmat3 turn(1.0);
+    dmat3 turn(1.0);
     if (const auto q = numbers("quat", 4); !q.empty())
         turn = rotationOf(q[0], q[1], q[2], q[3]).value_or(turn);
     if (const auto a = numbers("axisangle", 4); !a.empty())
@@ -230,45 +186,34 @@ glm::dmat4 mjcfPose(const Node &element, const Node &compiler)
     const auto euler = numbers("euler", 3);
     for (std::size_t i = 0; i < euler.size() && i < order.size(); ++i) {
         const bool isFixed = order[i] < 'a'; // an upper-case letter
-        const glm::dmat3 step = about(std::clamp((order[i] | 0x20) - 'x', 0, 2), unit * euler[i]);
+        const dmat3 step = about(std::clamp((order[i] | 0x20) - 'x', 0, 2), unit * euler[i]);
         turn = isFixed ? step * turn : turn * step;
     }
     if (const auto a = numbers("xyaxes", 6); !a.empty()) {
-        const glm::dvec3 x = glm::normalize(vectorOf(a)), z = glm::normalize(glm::cross(x, vectorOf(a, 3)));
-        turn = glm::dmat3(x, glm::cross(z, x), z);
+        const dvec3 x = glm::normalize(vectorOf(a)), z = glm::normalize(glm::cross(x, vectorOf(a, 3)));
+        turn = dmat3(x, glm::cross(z, x), z);
     }
     if (const auto a = numbers("zaxis", 3); !a.empty()) { // the smallest rotation that takes z there
-        const glm::dvec3 z = glm::normalize(vectorOf(a)), axis(-z.y, z.x, 0.0);
+        const dvec3 z = glm::normalize(vectorOf(a)), axis(-z.y, z.x, 0.0);
         const double sine = glm::length(axis);
-        turn = rotationOf(std::atan2(sine, z.z) * (sine < 1e-10 ? glm::dvec3(1.0, 0.0, 0.0) : axis / sine));
+        turn = rotationOf(std::atan2(sine, z.z) * (sine < 1e-10 ? dvec3(1.0, 0.0, 0.0) : axis / sine));
     }
     const auto p = numbers("pos", 3);
-    return rigid(turn, p.empty() ? glm::dvec3(0.0) : vectorOf(p));
-}
-
-std::vector<Trail> mjcfTrails(const Node &file)
-{
-    std::vector<Trail> trails = trailsTo(file, "camera");
-    std::erase_if(trails, [&](const Trail &trail) {
-        const bool isOther = !trail.back().has("pos|quat|euler|xyaxes|zaxis|axisangle|fovy");
-        return (isOther && !file.has("mujoco"))
-               || std::any_of(trail.begin(), trail.end(), [](const Node &step) { return step.tag() == "default"; });
-    });
-    return trails;
+    return rigid(turn, p.empty() ? dvec3(0.0) : vectorOf(p));
 }
 
 // Source: MuJoCo's XML reference, body/camera, compiler, visual/map, statistic: a camera looks along -z, with y up.
-void readMjcf(Reading &reading, const Found &)
+void readMjcf(Reading &reading)
 {
     ForeignCamera &camera = reading.camera;
-    const Trail trail = mjcfTrails(reading.file)[camera.image];
+    const Trail &trail = reading.around;
     const Node model = reading.file["mujoco"], defaults = model["default/camera"], compiler = model["compiler"];
     Json whole = defaults ? defaults.json() : Json::object();
     whole.update(trail.back().json());
     const Node one(reading, whole);
     if (const std::string mode = one.word("mode"); mode.starts_with("targetbody"))
         reading.fail(tr("%1 %2 is not read", "mode", mode));
-    camera.pose = glm::dmat4(1.0);
+    camera.pose = dmat4(1.0);
     bool isOnBody = trail.front().tag() == "camera", hasClass = false;
     for (const Node &step : trail) {
         const bool isLast = &step == &trail.back();
@@ -285,7 +230,7 @@ void readMjcf(Reading &reading, const Found &)
     refuseOther(one, "sensorsize", "");
     refuseOther(one, "orthographic", "false");
     refuseOther(one, "projection", "perspective");
-    if (const std::vector<double> sides = one.numbers("resolution"); sides.size() == 2)
+    if (const Numbers sides = one.numbers("resolution"); sides.size() == 2)
         camera.size = sizeOf(sides[0], sides[1]);
     // The planes are given as shares of the model's extent.
     if (const double extent = model.number("statistic/extent", 0.0); extent > 0.0) {
@@ -294,13 +239,18 @@ void readMjcf(Reading &reading, const Found &)
     }
     if (!one.has("fovy"))
         reading.say(tr("fovy is 45 degrees, MuJoCo's default."));
-    reading.setVerticalAngle(radiansFromDegrees(one.has("fovy") ? one.needed("fovy") : 45.0));
+    reading.setDegrees(one.has("fovy") ? one.needed("fovy") : 45.0);
 }
 
-std::vector<Found> mjcfCameras(Reading &reading, const Node &file)
+/// The cameras of a model; those of its defaults are none.
+Cameras mjcfCameras(Reading &reading, const Node &text)
 {
-    const std::vector<Found> cameras = named(mjcfTrails(file), "name");
-    if (cameras.empty() && file.has("mujoco"))
+    Cameras cameras = listed({.list = "camera", .name = "name"}, Format::Xml, text);
+    std::erase_if(cameras, [](const Found &one) {
+        return std::any_of(one.around.begin(), one.around.end(),
+                           [](const Node &step) { return step.tag() == "default"; });
+    });
+    if (cameras.empty())
         reading.fail(tr("there are no cameras"));
     return cameras;
 }
@@ -321,23 +271,23 @@ std::string propertyOf(const Node &file, const Node &object, const char *name)
 }
 
 /// "value" of three numbers or of one for all, or x, y and z.
-glm::dvec3 mitsubaVector(const Node &element, double otherwise)
+dvec3 mitsubaVector(const Node &element, double otherwise)
 {
-    const std::vector<double> v = element.numbers("value");
+    const Numbers v = element.numbers("value");
     if (v.size() == 3)
         return vectorOf(v);
     if (v.size() == 1)
-        return glm::dvec3(v[0]);
+        return dvec3(v[0]);
     return {element.number("x", otherwise), element.number("y", otherwise), element.number("z", otherwise)};
 }
 
 /// Source: Mitsuba 3, core/transform.h: look_at has the columns left, up, ahead
-glm::dmat4 mitsubaStep(Reading &reading, const Node &step)
+dmat4 mitsubaStep(Reading &reading, const Node &step)
 {
     const std::string tag = step.tag();
-    glm::dmat4 m(1.0);
+    dmat4 m(1.0);
     if (tag == "lookat" || tag == "look_at") {
-        const glm::dvec3 origin = step.vector("origin");
+        const dvec3 origin = step.vector("origin");
         reading.setLooking(origin, origin - step.vector("target"), step.vector("up"));
         m = *reading.camera.pose;
         m[0] = -m[0];
@@ -347,9 +297,9 @@ glm::dmat4 mitsubaStep(Reading &reading, const Node &step)
     } else if (tag == "translate") {
         m[3] = glm::dvec4(mitsubaVector(step, 0.0), 1.0);
     } else if (tag == "rotate") {
-        m = glm::dmat4(rotationOf(radiansFromDegrees(step.needed("angle")) * glm::normalize(mitsubaVector(step, 0.0))));
+        m = dmat4(rotationOf(radiansFromDegrees(step.needed("angle")) * glm::normalize(mitsubaVector(step, 0.0))));
     } else { // scale
-        const glm::dvec3 factor = mitsubaVector(step, 1.0);
+        const dvec3 factor = mitsubaVector(step, 1.0);
         for (int i = 0; i < 3; ++i)
             m[i] *= factor[i];
     }
@@ -357,14 +307,16 @@ glm::dmat4 mitsubaStep(Reading &reading, const Node &step)
 }
 
 /// The steps of a transform, one after the other, with the columns right, up, back.
-glm::dmat4 mitsubaPose(Reading &reading, const Node &transform)
+dmat4 mitsubaPose(Reading &reading, const Node &transform)
 {
     std::vector<Trail> steps;
-    for (const char *tag : {"lookat", "look_at", "matrix", "translate", "rotate", "scale"})
-        addTrails(transform, tag, {}, steps);
+    for (const char *tag : {"lookat", "look_at", "matrix", "translate", "rotate", "scale"}) {
+        for (const Trail &step : trailsTo(transform, tag))
+            steps.push_back(step);
+    }
     std::sort(steps.begin(), steps.end(),
               [](const Trail &a, const Trail &b) { return a[0].number("@") < b[0].number("@"); });
-    glm::dmat4 pose(1.0);
+    dmat4 pose(1.0);
     for (const Trail &step : steps)
         pose = mitsubaStep(reading, step[0]) * pose;
     pose[0] = -pose[0];
@@ -373,10 +325,10 @@ glm::dmat4 mitsubaPose(Reading &reading, const Node &transform)
 }
 
 // Source: Mitsuba 3, sensors/perspective.cpp (x left, y up, z ahead) and render/sensor.cpp, parse_fov.
-void readMitsuba(Reading &reading, const Found &found)
+void readMitsuba(Reading &reading)
 {
     ForeignCamera &camera = reading.camera;
-    const Node &one = found.lens, film = one["film"];
+    const Node &one = reading.lens, film = one["film"];
     if (const std::string type = one.word("type"); type != "perspective" && type != "thinlens")
         reading.fail(tr("%1 %2 is not read", "sensor", type));
     const auto property = [&](const Node &object, const char *name) { return propertyOf(reading.file, object, name); };
@@ -414,57 +366,41 @@ void readMitsuba(Reading &reading, const Found &found)
 }
 
 constexpr Form kForms[]{
-    {.program = "Metashape",
-     .format = Format::Xml,
-     .marks = "<chunk <sensor",
-     .direction = CameraToWorld,
-     .parts = {.pose = "transform"},
-     .quirk = readMetashape,
-     .cameras = metashapeCameras},
+    {"Metashape", "<chunk <sensor", {CameraToWorld}, metashapeCameras, readMetashape, {.pose = "transform"}},
     // Source: vcglib, wrap/qt/shot_qt.h (the translation is negated) and vcg/math/shot.h, camera.h: rows of the
     // rotation are the camera's axes, and pixels count from the lower left corner.
-    {.program = "MeshLab",
-     .format = Format::Xml,
-     .marks = "<VCGCamera",
-     .axes = RightUpBack,
-     .parts = {.pose = "RotationMatrix"},
-     .quirk = readMeshLab,
-     .cameras = [](Reading &, const Node &file) { return named(trailsTo(file, "VCGCamera"), "label"); }},
+    {"MeshLab",
+     "<VCGCamera",
+     {WorldToCamera, RightUpBack},
+     nullptr,
+     readMeshLab,
+     {.list = "VCGCamera", .name = "label", .pose = "RotationMatrix"}},
     // Source: RealityCapture Support, XMP Camera Math: R by rows, from world to camera, and the position; lengths
     // in shares of the image's larger side, of which 35 mm film has 36 mm. What the coefficients count in is open.
-    {.program = "RealityCapture",
-     .format = Format::Xml,
-     .marks = "FocalLength35mm capturingreality",
-     .parts = {.pose = "Rotation", .count = 9, .centre = "Position"},
-     .quirk = readRealityCapture,
-     .cameras =
-         [](Reading &, const Node &file) {
-             const std::vector<Trail> trails = trailsTo(file, "Description");
-             return trails.empty() ? std::vector<Found>()
-                                   : std::vector{Found{{}, {}, trails[0].back(), trails[0].back()}};
-         }},
-    {.program = "Gazebo",
-     .format = Format::Xml,
-     .marks = "<camera <horizontal_fov",
-     .direction = CameraToWorld,
-     .axes = AheadLeftUp,
-     .parts = {.size = "image/width image/height", .planes = "clip/near clip/far"},
-     .quirk = readGazebo,
-     .cameras = [](Reading &, const Node &file) { return named(sdfTrails(file), "name"); }},
-    {.program = "MuJoCo",
-     .format = Format::Xml,
-     .marks = "<mujoco|<camera",
-     .direction = CameraToWorld,
-     .axes = RightUpBack,
-     .quirk = readMjcf,
-     .cameras = mjcfCameras},
-    {.program = "Mitsuba",
-     .format = Format::Xml,
-     .marks = "<sensor <film",
-     .direction = CameraToWorld,
-     .axes = RightUpBack,
-     .quirk = readMitsuba,
-     .cameras = [](Reading &, const Node &file) { return named(trailsTo(file, "sensor"), "id"); }}};
+    {"RealityCapture",
+     "FocalLength35mm capturingreality",
+     {},
+     nullptr,
+     readRealityCapture,
+     {.list = "Description", .having = "FocalLength35mm", .pose = "Rotation", .count = 9, .centre = "Position"}},
+    {"Gazebo",
+     "<camera <horizontal_fov",
+     {CameraToWorld, AheadLeftUp},
+     nullptr,
+     readGazebo,
+     {.list = "camera",
+      .name = "name",
+      .having = "horizontal_fov",
+      .size = "image/width image/height",
+      .planes = "clip/near clip/far"}},
+    {"MuJoCo", "<mujoco", kOpenGl, mjcfCameras, readMjcf, {.list = "camera", .name = "name"}},
+    {"MuJoCo",
+     "<camera",
+     kOpenGl,
+     nullptr,
+     readMjcf,
+     {.list = "camera", .name = "name", .having = "pos|quat|euler|xyaxes|zaxis|axisangle|fovy"}},
+    {"Mitsuba", "<sensor <film", kOpenGl, nullptr, readMitsuba, {.list = "sensor", .name = "id"}}};
 
 } // namespace
 
