@@ -51,9 +51,7 @@ void readParts(Reading &reading, const Form &form)
     if (!one.lens)
         failWithoutLens(reading);
     if ((*parts.pose || parts.count == 7) && one.pose)
-        reading.setPose(one.pose, parts.pose, parts.count, parts.at);
-    if (parts.isByColumns && one.pose)
-        reading.camera.pose = glm::transpose(*reading.camera.pose);
+        reading.setPose(one.pose, parts.pose, parts.count, parts.at, parts.isByColumns);
     if (reading.camera.pose)
         reading.camera.pose = one.parent * *reading.camera.pose;
     if (*parts.centre && one.pose)
@@ -80,9 +78,8 @@ bool readForm(Reading &reading, const Form &form)
     base::Json document;
     if (!openDocument(reading, form, document))
         return false;
-    const Cameras found = form.cameras       ? form.cameras(reading, reading.file)
-                          : *form.parts.list ? listed(form.parts, form.format, reading.file)
-                                             : onlyIf(true, reading.file);
+    const Cameras found =
+        form.cameras ? form.cameras(reading, reading.file) : listed(form.parts, form.format, reading.file);
     if (found.empty() && !*form.parts.having && reading.file.has(form.parts.list) && *form.parts.list)
         reading.fail(tr("there are no cameras"));
     if (found.empty())
@@ -242,6 +239,11 @@ Cameras sections(const Reading &reading, const Node &text, std::string_view mark
 
 Cameras listed(const Parts &parts, Format format, const Node &text)
 {
+    if (!*parts.list) {
+        const Words all = split(parts.having, ' ');
+        return onlyIf(!*parts.having || std::all_of(all.begin(), all.end(), [&](Keys keys) { return text.has(keys); }),
+                      text);
+    }
     Cameras found;
     for (const std::string_view path : split(parts.list, '|')) {
         std::vector<Trail> trails = format == Format::Xml ? trailsTo(text, path) : std::vector<Trail>();
@@ -257,7 +259,12 @@ Cameras listed(const Parts &parts, Format format, const Node &text)
                 found.push_back({named != trail.rend() ? named->word(parts.name)
                                  : isItem              ? std::to_string(found.size())
                                                        : "",
-                                 one.word(parts.id), one, one, {}, glm::dmat4(1.0), trail});
+                                 one.word(parts.id),
+                                 one,
+                                 one,
+                                 {},
+                                 glm::dmat4(1.0),
+                                 trail});
         }
         if (!found.empty())
             break;

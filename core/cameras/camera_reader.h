@@ -16,7 +16,8 @@ struct Parts {
     bool isLax = false; ///< the keys are other programs', too: a mistake in JSON's syntax is left to other readers
     PixelCentres centres = PixelCentres::AtIntegers;
     /// Of the cameras: a list, as "a|b" the first that is not empty, and "" the text's; elements of XML by their
-    /// tag, named as themselves or the nearest around them. Those count that have a value under a key.
+    /// tag, named as themselves or the nearest around them. Those count that have a value under a key; a text
+    /// without a list has the names "a b".
     const char *list = "", *name = "", *id = "", *having = "";
     const char *size = "", *planes = "", *lens = "";
     const char *pose = "";       ///< as for Reading::setPose()

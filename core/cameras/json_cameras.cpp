@@ -47,12 +47,6 @@ Cameras posed(Reading &reading, Cameras views, bool hasPoses)
     return views;
 }
 
-bool isOneOf(std::string_view word, std::string_view words)
-{
-    const auto all = split(words, ' ');
-    return std::find(all.begin(), all.end(), word) != all.end();
-}
-
 Cameras openMvgViews(Reading &reading, const Node &file)
 {
     auto poses = file.index("extrinsics", "key"), lenses = file.index("intrinsics", "key");
@@ -318,7 +312,7 @@ public:
 
     void read()
     {
-        m_reading.setPose(m_frame, "transform_matrix", m_frame.numbers("transform_matrix").size() == 12 ? 12 : 16);
+        m_reading.setPose(m_frame, "transform_matrix", 16);
         if (!m_reading.choices.isUndistorted)
             refuseModel();
         m_camera.size = sizeOf(value("w"), value("h"));
@@ -480,8 +474,7 @@ void readOpen3d(Reading &reading)
     reading.setSize(lens, "width height");
     if (isLens)
         return;
-    reading.setPose(reading.pose, "extrinsic", 16);
-    reading.camera.pose = glm::transpose(*reading.camera.pose);
+    reading.setPose(reading.pose, "extrinsic", 16, {}, true);
 }
 
 /// The node's own transform: its matrix, or translation, rotation and scale.

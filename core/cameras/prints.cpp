@@ -315,25 +315,13 @@ void readBullet(Reading &reading)
     setMatrix(reading, matrix(18, kBulletProjections));
 }
 
-constexpr Keys kSapienLens = "intrinsiccv|intrinsic|k", kSapienMatrix = "projectionmatrix|projection";
-
-Cameras sapienCamera(Reading &, const Node &text)
-{
-    const bool hasPose = matrixByRows(text.numbers("extrinsiccv", 12)) || matrixByRows(text.numbers("cam2worldgl", 12));
-    return onlyIf(
-        hasPose && (text.numbers(kSapienLens, 9).size() == 9 || matrixByRows(text.numbers(kSapienMatrix, 16))), text);
-}
-
 void readSapien(Reading &reading)
 {
-    const auto extrinsic = matrixByRows(reading.pose.numbers("extrinsiccv", 12));
-    reading.camera.pose = extrinsic ? extrinsic : matrixByRows(reading.pose.numbers("cam2worldgl", 12));
-    if (!extrinsic)
-        reading.begin("SAPIEN", kOpenGl);
-    if (reading.lens.numbers(kSapienLens, 9).size() == 9)
-        reading.setLens(reading.lens, kSapienLens, AtHalves);
+    const Numbers clip = reading.lens.numbers("projection_matrix|projection", 16);
+    if (reading.lens.numbers("intrinsic_cv|intrinsic|K", 9).size() == 9 || clip.size() != 16)
+        reading.setLens(reading.lens, "intrinsic_cv|intrinsic|K", AtHalves);
     else
-        setMatrix(reading, *matrixByRows(reading.lens.numbers(kSapienMatrix, 16)));
+        setMatrix(reading, *matrixByRows(clip));
 }
 
 /// A rotation about an axis, counter-clockwise as seen against a right-handed axis.
@@ -348,16 +336,6 @@ void sayParent(Reading &reading, const char *at, const char *turn, const char *i
     reading.say(tr("%1 and %2 count as the camera's pose in the world, as for a camera without parent. Give %3 if it "
                    "has one.",
                    at, turn, instead));
-}
-
-Cameras unityCamera(Reading &, const Node &text)
-{
-    const bool hasMatrices =
-        text.has("worldtocameramatrix|cameratoworldmatrix") && text.has("projectionmatrix|fieldofview");
-    return onlyIf(hasMatrices
-                      || (text.has("position|mlocalposition") && text.has("rotation|eulerangles|mlocalrotation")
-                          && text.has("fieldofview|orthographicsize")),
-                  text);
 }
 
 /// Sixteen numbers by rows, of a name with numbers.
@@ -591,25 +569,10 @@ Cameras blenderCamera(Reading &reading, const Node &text)
     return onlyIf(hasPose && text.has("lens|angle|anglex|orthoscale|sensorwidth|shiftx"), text);
 }
 
-constexpr Keys kPyrenderPose = "cameratransform|camerapose|pose|matrix|transform";
-
-Cameras pyrenderCamera(Reading &, const Node &text)
-{
-    const bool isTrimesh = text.has("cameratransform") && text.has("fov");
-    return onlyIf(!isTrimesh && text.has("yfov") && !text.numbers(kPyrenderPose).empty(), text);
-}
-
-void setPyrenderPose(Reading &reading, const Node &text)
-{
-    const Numbers matrix = text.numbers(kPyrenderPose);
-    if (matrix.size() != 16)
-        reading.fail(tr("%1 needs %2 numbers; it has %3", "camera_pose", 16, matrix.size()));
-    reading.camera.pose = matrixByRows(matrix);
-}
+constexpr const char *kPyrenderPose = "camera_pose|camera_transform|pose|matrix|transform";
 
 void readPyrender(Reading &reading)
 {
-    setPyrenderPose(reading, reading.pose);
     const auto angle = reading.lens.number("yfov");
     if (!angle)
         reading.fail(tr("yfov has no number; give it in radians"));
@@ -618,7 +581,6 @@ void readPyrender(Reading &reading)
 
 void readTrimesh(Reading &reading)
 {
-    setPyrenderPose(reading, reading.pose);
     const Numbers angles = reading.lens.needed("fov", 2); // across and down, degrees
     const auto half = [&](std::size_t i) { return std::tan(radiansFromDegrees(angles[i]) / 2.0); };
     reading.setVerticalAngle(radiansFromDegrees(angles[1]), half(0) / half(1));
@@ -679,9 +641,7 @@ void readSplatting(Reading &reading)
 
 constexpr Form kForms[]{
     {"MuJoCo", "xmat", kOpenGl, mujocoCameras, readMujoco},
-    {"MuJoCo", "frustum_near frustum_top", kOpenGl,
-     [](Reading &, const Node &text) { return onlyIf(text.has("frustumnear") && text.has("frustumtop"), text); },
-     readGlCamera},
+    {"MuJoCo", "frustum_near frustum_top", kOpenGl, nullptr, readGlCamera, {.having = "frustumnear frustumtop"}},
     {"PyBullet", "", {WorldToCamera, RightUpBack}, bulletCamera, readBullet},
     {"VTK", "camera_position|cpos|ocal", kOpenGl,
      [](Reading &reading, const Node &text) {
@@ -711,21 +671,52 @@ constexpr Form kForms[]{
          return onlyIf(unrealPose(text) && (text.number(kUnrealAngle) || text.has("bugitgo")), text);
      },
      readUnreal},
-    {"Unity", "", {CameraToWorld, RightUpAhead}, unityCamera, readUnity, {.planes = "nearclipplane farclipplane"}},
+    {"Unity",
+     "",
+     {CameraToWorld, RightUpAhead},
+     nullptr,
+     readUnity,
+     {.having = "worldtocameramatrix|cameratoworldmatrix projectionmatrix|fieldofview",
+      .planes = "nearclipplane farclipplane"}},
+    {"Unity",
+     "",
+     {CameraToWorld, RightUpAhead},
+     nullptr,
+     readUnity,
+     {.having = "position|mlocalposition rotation|eulerangles|mlocalrotation fieldofview|orthographicsize",
+      .planes = "nearclipplane farclipplane"}},
     {"trimesh",
      "",
      kOpenGl,
-     [](Reading &, const Node &text) { return onlyIf(text.has("cameratransform") && text.has("fov"), text); },
+     nullptr,
      readTrimesh,
-     {.planes = "znear zfar"}},
-    {"pyrender", "", kOpenGl, pyrenderCamera, readPyrender, {.planes = "znear zfar"}},
+     {.having = "cameratransform fov", .planes = "znear zfar", .pose = kPyrenderPose}},
+    {"pyrender",
+     "",
+     kOpenGl,
+     nullptr,
+     readPyrender,
+     {.having = "yfov cameratransform|camerapose|pose|matrix|transform",
+      .planes = "znear zfar",
+      .pose = kPyrenderPose}},
     {"Gaussian splatting",
      "world_view_transform|full_proj_transform",
      {},
-     [](Reading &, const Node &text) { return onlyIf(text.has("worldviewtransform|fullprojtransform"), text); },
+     nullptr,
      readSplatting,
-     {.planes = "znear zfar"}},
-    {"SAPIEN", "", {}, sapienCamera, readSapien},
+     {.having = "worldviewtransform|fullprojtransform", .planes = "znear zfar"}},
+    {"SAPIEN",
+     "",
+     {},
+     nullptr,
+     readSapien,
+     {.having = "extrinsiccv intrinsiccv|intrinsic|k|projectionmatrix|projection", .pose = "extrinsic_cv"}},
+    {"SAPIEN",
+     "",
+     kOpenGl,
+     nullptr,
+     readSapien,
+     {.having = "cam2worldgl intrinsiccv|intrinsic|k|projectionmatrix|projection", .pose = "cam2world_gl"}},
     {"Bouguet's toolbox", "omc_ Tc_", {}, bouguetImages, readBouguet, {.size = "nx ny", .distortion = "kc"}},
     {"Anipose",
      "distortions [cam",

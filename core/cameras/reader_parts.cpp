@@ -171,12 +171,13 @@ void Reading::setLens(const Node &node, std::string_view keys, PixelCentres cent
                                       : Intrinsics{k[0], k[4], k[2], k[5], k[1], centres};
 }
 
-void Reading::setPose(const Node &node, std::string_view keys, std::size_t count, std::string_view at)
+void Reading::setPose(const Node &node, std::string_view keys, std::size_t count, std::string_view at, bool isByColumns)
 {
-    const Numbers n = node.needed(keys, count);
+    const bool isShort = count == 16 && !isByColumns && node.numbers(keys, 12).size() == 12;
+    const Numbers n = node.needed(keys, isShort ? 12 : count);
     if (count == 3) {
         camera.pose = rotationOf(vectorOf(n));
-    } else if (count == 4 || count == 7) { // w, x, y, z; x, y, z, w and a translation
+    } else if (count == 4 || count == 7) {
         const auto turn = count == 4 ? rotationOf(n[0], n[1], n[2], n[3]) : rotationOf(n[3], n[0], n[1], n[2]);
         if (!turn)
             node.fail(tr("the image's quaternion is 0; a rotation has the length 1"), keys);
@@ -184,6 +185,8 @@ void Reading::setPose(const Node &node, std::string_view keys, std::size_t count
     } else {
         camera.pose = matrixByRows(n);
     }
+    if (isByColumns)
+        camera.pose = glm::transpose(*camera.pose);
     if (!at.empty())
         (*camera.pose)[3] = glm::dvec4(node.vector(at), 1.0);
 }
@@ -240,6 +243,12 @@ void setDistortion(Reading &reading, const Numbers &coefficients)
         reading.fail(lens.error());
     if (lens && !lens->isNone())
         reading.camera.distortion = *lens;
+}
+
+bool isOneOf(std::string_view word, std::string_view words)
+{
+    const auto all = split(words, ' ');
+    return std::find(all.begin(), all.end(), word) != all.end();
 }
 
 bool areZero(const Numbers &numbers)

@@ -25,8 +25,8 @@ namespace unprojector::cameras {
 struct Found {
     std::string name, id; ///< the name is empty in a text of one camera
     Node pose{}, lens{}, own{};
-    glm::dmat4 parent{1.0};     ///< the transform of what the pose is in
-    Trail around{}; ///< to an element of XML
+    glm::dmat4 parent{1.0}; ///< the transform of what the pose is in
+    Trail around{};         ///< to an element of XML
 };
 using Cameras = std::vector<Found>;
 
@@ -70,10 +70,11 @@ public:
     void setPlanes(const Node &node, std::string_view keys);
     /// Sets the intrinsics: K by rows or by columns, as its last row 0 0 1 tells, or fx, fy, cx and cy.
     void setLens(const Node &node, std::string_view keys, PixelCentres centres);
-    /// Sets the pose of a matrix of 12 or 16 numbers, or of a rotation (9; x, y, z, w; angle-axis) at a
-    /// translation.
+    /// Sets the pose of a matrix of 12 or 16 numbers, or of a rotation (9; w, x, y, z; angle-axis) at a translation;
+    /// 7 are x, y, z, w and the translation.
     /// @param at  a key; empty: the matrix has it, or there is none
-    void setPose(const Node &node, std::string_view keys, std::size_t count, std::string_view at = {});
+    void setPose(const Node &node, std::string_view keys, std::size_t count, std::string_view at = {},
+                 bool isByColumns = false);
     /// Sets right, up and back of an eye. Fails where they are no axes.
     void setLooking(const glm::dvec3 &eye, const glm::dvec3 &back, const glm::dvec3 &up);
     /// Sets a lens of this many pixels, with the principal point off the image's centre to the right and
@@ -115,6 +116,8 @@ void setDistortion(Reading &reading, const std::string &model, std::optional<Num
 /// The same for a list in OpenCV's order; empty: none.
 void setDistortion(Reading &reading, const Numbers &coefficients);
 
+/// Returns whether a word is one of those between blanks.
+bool isOneOf(std::string_view word, std::string_view words);
 bool areZero(const Numbers &numbers);
 
 /// Fails because the file lacks the chosen image's lens.

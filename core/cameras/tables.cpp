@@ -206,8 +206,8 @@ NamedLens dsoLens(const NamedText &text, const CameraChoices &choices)
     const auto width = base::doubleFromWord(scanner.nextWord()), height = base::doubleFromWord(scanner.nextWord());
     const bool isSize = scanner.nextWordInLine().empty() && sizeOf(width, height);
     const std::string_view output = scanner.nextWord();
-    const bool isOutput = output == "crop" || output == "full" || output == "none"
-                          || (base::doubleFromWord(output) && !scanner.nextWordInLine().empty());
+    const bool isOutput =
+        isOneOf(output, "crop full none") || (base::doubleFromWord(output) && !scanner.nextWordInLine().empty());
     const bool isRadTan = (model.empty() || model == "RadTan") && n.size() == 8,
                isFov = (model.empty() || model == "FOV" || model == "Pinhole") && n.size() == 5;
     const bool isOther = (model == "EquiDistant" || model == "KannalaBrandt") && n.size() == 8;
@@ -216,15 +216,12 @@ NamedLens dsoLens(const NamedText &text, const CameraChoices &choices)
     const bool isRead = isRadTan || (isFov && n[4] == 0.0);
     if (!isRead && !choices.isUndistorted)
         throw base::Error{.text = unknownDistortionText(isOther ? model : "FOV"), .file = text.name, .line = 1};
-    if (n[2] < 1.0 && n[3] < 1.0)
-        n = {n[0] * *width,
-             n[1] * *height,
-             n[2] * *width - 0.5,
-             n[3] * *height - 0.5,
-             n[4],
-             n.size() > 5 ? n[5] : 0.0,
-             n.size() > 6 ? n[6] : 0.0,
-             n.size() > 7 ? n[7] : 0.0};
+    if (n[2] < 1.0 && n[3] < 1.0) {
+        n[0] *= *width;
+        n[1] *= *height;
+        n[2] = n[2] * *width - 0.5;
+        n[3] = n[3] * *height - 0.5;
+    }
     n.resize(isRead ? 8 : 4, 0.0);
     n.resize(8, 0.0);
     n.insert(n.end(), {*width, *height});
@@ -239,8 +236,7 @@ NamedLens lensBeside(const NamedText &text)
     if (isWide || (rows.size() == 3 && haveCounts(rows, {3, 3, 3}))) {
         const Numbers &x = rows[0].numbers, &y = rows[1].numbers;
         const bool isLens = x[0] > 1.0 && x[2] > 1.0 && y[0] == 0.0 && y[1] > 1.0 && rows[2].numbers[2] == 1.0;
-        const Numbers k{x[0], y[1], x[2], y[2]};
-        return isLens ? NamedLens{namedText({"fx", "fy", "cx", "cy"}, k)} : NamedLens();
+        return {isLens ? "K:\n" + text.text : std::string()};
     }
     if (text.text.find("P0:") == text.text.npos && text.text.find("P2:") == text.text.npos)
         return {};
