@@ -59,7 +59,7 @@ void readParts(Reading &reading, const Form &form)
     if (*parts.size)
         reading.setSize(one.lens, parts.size);
     else if (form.format == Format::Print)
-        reading.camera.size = sizeIn(one.lens.values());
+        reading.camera.size = sizeIn(one.lens);
     if (*parts.planes)
         reading.setPlanes(one.lens, parts.planes);
     if (*parts.lens)

@@ -4,6 +4,9 @@
 #include "core/base/translation.h"
 #include "core/cameras/camera_reader.h"
 
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -97,12 +100,8 @@ std::vector<Line> linesOf(std::string_view text)
 {
     std::vector<Line> lines;
     std::size_t number = 0;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find('\n', at), text.size());
-        Line line{++number, {}, text.substr(at, end - at)};
-        at = end + 1;
-        if (line.text.ends_with('\r'))
-            line.text.remove_suffix(1);
+    for (std::string_view whole : split(text, '\n')) {
+        Line line{++number, {}, whole.substr(0, whole.size() - (whole.ends_with('\r') ? 1 : 0))};
         base::TextScanner scanner(line.text);
         constexpr std::size_t kMost = 24; // a line of 2-D points has thousands, which are not read
         for (std::string_view word = scanner.nextWord(); !word.empty() && line.words.size() < kMost;
@@ -147,7 +146,7 @@ Camera cameraIn(const Line &line, const NamedText &file)
 
 double quaternionLength(const std::array<double, 7> &pose)
 {
-    return std::sqrt(pose[0] * pose[0] + pose[1] * pose[1] + pose[2] * pose[2] + pose[3] * pose[3]);
+    return glm::length(glm::dvec4(pose[0], pose[1], pose[2], pose[3]));
 }
 
 /// How far a quaternion printed with few digits may be from the length 1.
@@ -193,11 +192,8 @@ public:
     std::string nextName()
     {
         const std::string &text = m_entry.file->text;
-        const std::size_t end = text.find('\0', m_at);
-        if (end == text.npos)
-            m_entry.fail(tr("the file ends in the middle of an entry; it is incomplete"));
-        std::string name = text.substr(m_at, end - m_at);
-        m_at = end + 1;
+        const std::string name(take(std::min(text.find('\0', m_at), text.size()) - m_at));
+        take(1); // its end
         return name;
     }
     void skip(std::uint64_t count, std::size_t size)
@@ -313,8 +309,8 @@ void setLens(ForeignCamera &camera, const Camera &found)
         p.insert(p.begin(), p.front()); // fx = fy
     camera.intrinsics = Intrinsics{p[0], p[1], p[2], p[3], 0.0, PixelCentres::AtHalves};
     p.resize(12, 0.0);
-    Distortion distortion{p[4], p[5], p[6], p[7], p[8]};
-    if (p[9] != 0.0 || p[10] != 0.0 || p[11] != 0.0)
+    const Distortion distortion{p[4], p[5], p[6], p[7], p[8]};
+    if (!areZero({p[9], p[10], p[11]}))
         found.fail(tr("FULL_OPENCV's k4, k5 and k6 are not read; undistort the images with COLMAP's "
                       "image_undistorter"));
     if (!distortion.isNone())
@@ -328,7 +324,7 @@ Cameras printedPoses(Reading &reading, const Node &text)
     for (Found &one : poses) {
         one.lens = text;
         if (one.pose.numbers("rotationxyzw", 4).size() != 4 || one.pose.numbers("translation", 3).size() != 3
-            || text.numbers("params", 3).empty() || !sizeIn(text.values()))
+            || text.numbers("params", 3).empty() || !sizeIn(text))
             return {};
     }
     return poses;
@@ -339,7 +335,7 @@ void readPrinted(Reading &reading)
     const NamedValues &values = reading.lens.values();
     const Numbers p = reading.lens.numbers("params", 3), q = reading.pose.numbers("rotationxyzw", 4),
                   t = reading.pose.numbers("translation", 3);
-    const ImageSize size = *sizeIn(values);
+    const ImageSize size = *sizeIn(reading.lens);
     std::string model = reading.lens.word("model");
     model.erase(0, model.rfind('.') + 1); // CameraModelId.PINHOLE
     const bool isUnknown = model.empty() || model == "Camera";

@@ -306,111 +306,73 @@ Cameras nerfFrames(Reading &reading, const Node &file)
 }
 
 /// transforms.json of NeRF, Instant-NGP and Nerfstudio: a frame's own members, else the file's.
-class NerfReader {
-public:
-    explicit NerfReader(Reading &reading) : m_reading(reading), m_camera(reading.camera), m_frame(reading.pose) {}
-
-    void read()
-    {
-        m_reading.setPose(m_frame, "transform_matrix", 16);
-        if (!m_reading.choices.isUndistorted)
-            refuseModel();
-        m_camera.size = sizeOf(value("w"), value("h"));
-        for (const char *key : {"w", "h"}) {
-            if (const Json &side = of(key)[key].json();
-                !side.is_null() && !m_reading.choices.size && !(base::isJsonNumber(side) && sizeOf(value(key), 1.0)))
-                of(key).fail(tr("%1 is %2; it must be a whole number from 1 to 1000000", key, base::compactJson(side)),
-                             key);
-        }
-        readLens();
-        const auto number = [this](const char *key) { return value(key).value_or(0.0); };
-        const Distortion distortion{number("k1"), number("k2"), number("p1"), number("p2"), number("k3")};
-        if (!distortion.isNone())
-            m_camera.distortion = distortion;
-        std::string names;
-        for (const char *key : {"scale", "offset", "aabb_scale", "aabb", "applied_transform", "applied_scale"}) {
-            if (m_reading.file.has(key))
-                names += (names.empty() ? "" : ", ") + std::string(key);
-        }
-        if (!names.empty())
-            m_reading.say(tr("%1: not applied. Coordinates are those of transform_matrix.", names));
-    }
-
-private:
-    const Node &of(const char *key) const { return m_frame.has(key) ? m_frame : m_reading.file; }
-    std::optional<double> value(const char *key) const
-    {
-        const auto own = m_frame.number(key);
-        return own ? own : m_reading.file.number(key);
-    }
-
-    void refuseModel() const
-    {
-        const std::string name = of("camera_model").word("camera_model");
-        if (!name.empty() && !isOneOf(name, "OPENCV PINHOLE SIMPLE_PINHOLE perspective SIMPLE_RADIAL RADIAL"))
-            of("camera_model")
-                .fail(tr("the camera model %1 is not read: it is no pinhole with the distortion of Brown "
-                         "and Conrady. Undistort the images first, then give --undistorted",
-                         name),
-                      "camera_model");
-        for (const char *key : {"is_fisheye", "k4", "k5", "k6"}) {
-            if (m_reading.file.isTrue(key) || value(key).value_or(0.0) != 0.0)
-                of(key).fail(tr("%1 is of a distortion that is not read; undistort the images first, then give "
-                                "--undistorted",
-                                key),
-                             key);
-        }
-    }
-
-    void readLens()
-    {
-        const auto fx = value("fl_x"), fy = value("fl_y"), angleX = value("camera_angle_x"),
-                   angleY = value("camera_angle_y"), cx = value("cx"), cy = value("cy");
-        if (fx || fy) {
-            const double focal = fx.value_or(fy.value_or(1.0));
-            m_camera.intrinsics = Intrinsics{focal, fy.value_or(focal), 0.0, 0.0, 0.0, AtHalves};
-            sayAngle(focal, angleX);
-        } else if (angleX) {
-            m_reading.setHorizontalAngle(*angleX);
-            if (angleY)
-                m_camera.intrinsics->fy = m_reading.neededSize().height / (2.0 * std::tan(*angleY / 2.0));
-        } else if (angleY) {
-            m_reading.setVerticalAngle(*angleY);
-        } else {
-            m_reading.file.fail(tr("there is neither fl_x nor camera_angle_x; give one of them"), "frames");
-        }
-        if (cx.has_value() != cy.has_value())
-            of(cx ? "cx" : "cy")
-                .fail(tr("%1 is given without %2; give both", cx ? "cx" : "cy", cx ? "cy" : "cx"), cx ? "cx" : "cy");
-        m_camera.intrinsics->cx = cx ? *cx : m_reading.neededSize().width / 2.0;
-        m_camera.intrinsics->cy = cy ? *cy : m_reading.neededSize().height / 2.0;
-        m_camera.intrinsics->isCentreComputed = !cx;
-        m_reading.say(tr(cx ? "Pixel centres are read at halves, as COLMAP writes cx and cy; --pixel-centers integer "
-                              "says otherwise."
-                            : "The principal point is assumed in the image's centre, because cx and cy are missing. "
-                              "Write them into the file to say otherwise."));
-    }
-
-    /// Says that the angle is another than the focal length's.
-    void sayAngle(double focal, const std::optional<double> &angle)
-    {
-        constexpr double kSame = 0.01;
-        if (!angle || !m_reading.size())
-            return;
-        const double byAngle = m_reading.size()->width / (2.0 * std::tan(*angle / 2.0));
-        if (std::abs(byAngle / focal - 1.0) > kSame)
-            m_reading.say(tr("fl_x is %1, but camera_angle_x gives %2: fl_x is taken. Remove the wrong one.",
-                             base::significantText(focal, 6), base::significantText(byAngle, 6)));
-    }
-
-    Reading &m_reading;
-    ForeignCamera &m_camera;
-    const Node &m_frame;
-};
-
 void readNerf(Reading &reading)
 {
-    NerfReader(reading).read();
+    ForeignCamera &camera = reading.camera;
+    Json all = Json::object();
+    for (const Node *part : {&reading.file, &reading.pose}) {
+        for (auto item = part->json().begin(); item != part->json().end(); ++item) {
+            if (item.key() != "frames")
+                all[item.key()] = *item;
+        }
+    }
+    const Node one(reading, all);
+    const auto fail = [&reading](const char *key, std::string reason) {
+        (reading.pose.has(key) ? reading.pose : reading.file).fail(std::move(reason), key);
+    };
+    const std::string model = one.word("camera_model");
+    if (!model.empty() && !isOneOf(model, "OPENCV PINHOLE SIMPLE_PINHOLE perspective SIMPLE_RADIAL RADIAL")
+        && !reading.choices.isUndistorted)
+        fail("camera_model", tr("the camera model %1 is not read: it is no pinhole with the distortion of Brown and "
+                                "Conrady. Undistort the images first, then give --undistorted",
+                                model));
+    for (const char *key : {"is_fisheye", "k4", "k5", "k6"}) {
+        if (one.isTrue(key) && !reading.choices.isUndistorted)
+            fail(key, tr("%1 is of a distortion that is not read; undistort the images first, then give --undistorted",
+                         key));
+    }
+    reading.setSize(one, "w h");
+    for (const char *key : {"w", "h"}) {
+        if (const Json &side = one[key].json();
+            !side.is_null() && !reading.choices.size && !(base::isJsonNumber(side) && sizeOf(one.number(key), 1.0)))
+            fail(key, tr("%1 is %2; it must be a whole number from 1 to 1000000", key, base::compactJson(side)));
+    }
+    const auto fx = one.number("fl_x|fl_y"), fy = one.number("fl_y|fl_x"), angleX = one.number("camera_angle_x"),
+               angleY = one.number("camera_angle_y"), cx = one.number("cx"), cy = one.number("cy");
+    if (fx) {
+        camera.intrinsics = Intrinsics{*fx, *fy, 0.0, 0.0, 0.0, AtHalves};
+        constexpr double kSame = 0.01;
+        const double byAngle = angleX && reading.size() ? reading.size()->width / (2.0 * std::tan(*angleX / 2.0)) : *fx;
+        if (std::abs(byAngle / *fx - 1.0) > kSame)
+            reading.say(tr("fl_x is %1, but camera_angle_x gives %2: fl_x is taken. Remove the wrong one.",
+                           base::significantText(*fx, 6), base::significantText(byAngle, 6)));
+    } else if (angleX) {
+        reading.setHorizontalAngle(*angleX);
+        if (angleY)
+            camera.intrinsics->fy = reading.neededSize().height / (2.0 * std::tan(*angleY / 2.0));
+    } else if (angleY) {
+        reading.setVerticalAngle(*angleY);
+    } else {
+        fail("frames", tr("there is neither fl_x nor camera_angle_x; give one of them"));
+    }
+    if (cx.has_value() != cy.has_value())
+        fail(cx ? "cx" : "cy", tr("%1 is given without %2; give both", cx ? "cx" : "cy", cx ? "cy" : "cx"));
+    camera.intrinsics->cx = cx ? *cx : reading.neededSize().width / 2.0;
+    camera.intrinsics->cy = cy ? *cy : reading.neededSize().height / 2.0;
+    camera.intrinsics->isCentreComputed = !cx;
+    reading.say(tr(cx ? "Pixel centres are read at halves, as COLMAP writes cx and cy; --pixel-centers integer says "
+                        "otherwise."
+                      : "The principal point is assumed in the image's centre, because cx and cy are missing. Write "
+                        "them into the file to say otherwise."));
+    const auto of = [&one](const char *key) { return one.number(key, 0.0); };
+    setDistortion(reading, model, Numbers{of("k1"), of("k2"), of("k3"), of("p1"), of("p2")});
+    std::string names;
+    for (const char *key : {"scale", "offset", "aabb_scale", "aabb", "applied_transform", "applied_scale"}) {
+        if (reading.file.has(key))
+            names += (names.empty() ? "" : ", ") + std::string(key);
+    }
+    if (!names.empty())
+        reading.say(tr("%1: not applied. Coordinates are those of transform_matrix.", names));
 }
 
 /// PinholeCameraParameters, PinholeCameraTrajectory, PinholeCameraIntrinsic, and ViewTrajectory, which
@@ -737,7 +699,7 @@ constexpr Form kForms[]{
       .having = "params/FieldOfView",
       .size = "params/Width params/Height",
       .planes = "params/MinDistance params/MaxDistance"}},
-    {"NeRF", "transform_matrix|fl_x|camera_angle_x", kOpenGl, nerfFrames, readNerf},
+    {"NeRF", "transform_matrix|fl_x|camera_angle_x", kOpenGl, nerfFrames, readNerf, {.pose = "transform_matrix"}},
     {"Open3D", "class_name|intrinsic_matrix", {}, open3dCameras, readOpen3d},
     {"glTF", "cameras asset", kOpenGl, gltfCameras, readGltf},
     {"Gaussian splatting",

@@ -310,15 +310,15 @@ void Node::fail(std::string reason, Keys key) const
 
 namespace {
 
-void addTrails(const Node &element, std::string_view tag, const Trail &outer, std::vector<Trail> &found)
+void addTrails(const Node &element, std::string_view tag, Trail &trail, std::vector<Trail> &found)
 {
     for (auto member = element.json().begin(); member != element.json().end(); ++member) {
         for (const Node &inner : member->is_array() ? element.list(member.key()) : Trail()) {
-            Trail trail = outer;
             trail.push_back(inner);
             if (member.key() == tag)
                 found.push_back(trail);
             addTrails(inner, tag, trail, found);
+            trail.pop_back();
         }
     }
 }
@@ -488,7 +488,8 @@ char firstOf(std::string_view text)
 std::vector<Trail> trailsTo(const Node &document, std::string_view tag)
 {
     std::vector<Trail> found;
-    addTrails(document, tag, {}, found);
+    Trail trail;
+    addTrails(document, tag, trail, found);
     std::sort(found.begin(), found.end(),
               [](const Trail &a, const Trail &b) { return a.back().number("@") < b.back().number("@"); });
     return found;

@@ -285,21 +285,16 @@ std::optional<ImageSize> sizeOf(std::optional<double> width, std::optional<doubl
     return ImageSize{static_cast<int>(*width), static_cast<int>(*height)};
 }
 
-std::optional<ImageSize> sizeIn(const NamedValues &values)
+std::optional<ImageSize> sizeIn(const Node &text)
 {
-    const auto width =
-        values.number({"pixelwidth", "viewportwidth", "imagewidth", "screenwidth", "width", "sizex", "w"});
-    const auto height =
-        values.number({"pixelheight", "viewportheight", "imageheight", "screenheight", "height", "sizey", "h"});
-    if (const auto size = sizeOf(width, height))
-        return size;
+    const auto size = sizeOf(text.number("pixelwidth|viewportwidth|imagewidth|screenwidth|width|sizex|w"),
+                             text.number("pixelheight|viewportheight|imageheight|screenheight|height|sizey|h"));
     for (const char *name : {"resolution", "imagesize", "viewportsize", "size", "screen", "viewport"}) {
-        const NamedValue *value = values.find({name});
-        const std::size_t count = value ? value->numbers.size() : 0;
-        if (count == 2 || (count == 4 && std::string_view(name) == "viewport")) // x, y, width, height
-            return sizeOf(value->numbers[count - 2], value->numbers[count - 1]);
+        const Numbers n = text.numbers(name);
+        if (!size && (n.size() == 2 || (n.size() == 4 && name == std::string_view("viewport")))) // x, y, width, height
+            return sizeOf(n.end()[-2], n.end()[-1]);
     }
-    return std::nullopt;
+    return size;
 }
 
 std::string sizeText(const ImageSize &size)

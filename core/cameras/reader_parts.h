@@ -129,8 +129,8 @@ void sayUnity(Reading &reading);
 
 /// The size that two numbers give; nothing for anything but whole numbers above 0.
 std::optional<ImageSize> sizeOf(std::optional<double> width, std::optional<double> height);
-/// The size among named values: width and height, resolution, viewport.
-std::optional<ImageSize> sizeIn(const NamedValues &values);
+/// The size in a printed text: width and height, resolution, viewport.
+std::optional<ImageSize> sizeIn(const Node &text);
 
 /// "800x600", as --size takes it.
 std::string sizeText(const ImageSize &size);
