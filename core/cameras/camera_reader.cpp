@@ -70,6 +70,8 @@ void readParts(Reading &reading, const Form &form)
         form.quirk(reading);
     if (*parts.note)
         reading.say(tr(parts.note));
+    if (const std::string names = one.pose.unused(); !names.empty())
+        reading.say(tr("Not used: %1.", names));
 }
 
 /// Reads the camera of a text; returns false if the text has another form.

@@ -3,6 +3,7 @@
 #include "core/base/text_scanner.h"
 #include "core/base/translation.h"
 #include "core/cameras/reader_parts.h"
+#include "core/cameras/roles.h"
 
 #include <nlohmann/json.hpp>
 
@@ -231,6 +232,8 @@ Numbers Node::numbers(Keys keys, std::size_t fewest) const
 {
     for (const std::string_view one : split(keys, '|')) {
         const Words sequence = split(one, ' ');
+        for (const std::string_view key : m_reading ? sequence : Words())
+            m_reading->used.insert(plain(leafOf(key)));
         const std::size_t each = std::max<std::size_t>(fewest / sequence.size(), 1);
         Numbers found;
         bool isWhole = true;
@@ -278,6 +281,26 @@ Numbers Node::needed(Keys keys, std::size_t count) const
         found.insert(found.end(), own.begin(), own.end());
     }
     return found;
+}
+
+std::string Node::unused() const
+{
+    std::string names;
+    const auto add = [&](const std::string &name, std::size_t count) {
+        if (count > 1 && roleOf(name, count))
+            names += (names.empty() ? "" : ", ") + tr("%1 (%2 numbers)", name, count);
+    };
+    const auto &used = m_reading->used;
+    for (const NamedValue &value : m_values ? m_values->all() : std::vector<NamedValue>()) {
+        if (std::none_of(used.begin(), used.end(), [&](const std::string &name) { return value.isNamed(name); }))
+            add(value.written, value.numbers.size());
+    }
+    for (auto item = json().begin(); json().is_object() && item != json().end(); ++item) {
+        Numbers numbers;
+        if (!used.contains(plain(item.key())) && addNumbers(&*item, numbers))
+            add(item.key(), numbers.size());
+    }
+    return names;
 }
 
 glm::dvec3 Node::vector(Keys keys) const

@@ -70,6 +70,8 @@ public:
     Numbers needed(Keys keys, std::size_t count) const;
     double needed(Keys key) const { return needed(key, 1)[0]; }
     glm::dvec3 vector(Keys keys) const;
+    /// "K2 (9 numbers), pose (16 numbers)": the values of names of a camera's parts that were not looked up.
+    std::string unused() const;
 
     /// Fails in the line of the key, or of the node without one.
     [[noreturn]] void fail(std::string reason, Keys key = {}) const;

@@ -172,12 +172,11 @@ void readUsd(Reading &reading)
 std::optional<dmat4> godotPose(const Node &node)
 {
     const std::string_view text = node.text();
-    if (const std::size_t at = text.find("Transform3D("); at != text.npos) {
-        const NamedValues values(text.substr(at + 11, text.find(')', at) - at - 11));
-        const Numbers &m = values.all().front().numbers;
-        if (m.size() == 12)
-            return rigid(dmat3(*matrixByRows(std::span(m).first(9))), vectorOf(m, 9));
-    }
+    Numbers m = node.numbers("transform", 12);
+    if (const std::size_t at = text.find("Transform3D("); m.empty() && at != text.npos)
+        m = NamedValues(text.substr(at + 11, text.find(')', at) - at - 11)).all().front().numbers;
+    if (m.size() == 12 && text.find("Transform3D(") != text.npos)
+        return rigid(dmat3(*matrixByRows(std::span(m).first(9))), vectorOf(m, 9));
     const Numbers axes = node.numbers("x y z o", 12);
     return axes.size() == 12
                ? std::optional(rigid(dmat3(vectorOf(axes), vectorOf(axes, 3), vectorOf(axes, 6)), vectorOf(axes, 9)))

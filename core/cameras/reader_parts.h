@@ -11,6 +11,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -49,6 +50,8 @@ public:
     Node file{};                      ///< the whole text
     std::string json{};               ///< its JSON, where that is not all of the text
     std::span<const NamedText> all{}; ///< the texts given with it
+
+    mutable std::set<std::string, std::less<>> used{}; ///< the plain names that were looked up
 
     /// The names and values of a printed text, read when they are first asked for.
     std::shared_ptr<const NamedValues> values();

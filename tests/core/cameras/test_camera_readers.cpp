@@ -360,6 +360,8 @@ private slots:
                                         << "aabb_scale: not applied";
         newRow("another angle") << "NeRF"
                                 << "fl_x is 1375.52, but camera_angle_x gives 1479.34";
+        newRow("what is not used") << "NVISII"
+                                   << "Not used: camera_view_matrix (16 numbers)";
         newRow("Unity's world") << "Unity, transform"
                                 << "(x, y, -z) here";
         newRow("Unreal's world") << "Unreal"
