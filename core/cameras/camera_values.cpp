@@ -1,21 +1,70 @@
 #include "core/cameras/camera_values.h"
 
+#include "core/base/number_text.h"
+#include "core/base/source_text.h"
 #include "core/base/text_scanner.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
 namespace unprojector::cameras {
+using base::isListed;
 namespace {
 
 /// Members of a matrix in cv::FileStorage and in ROS's files.
 constexpr std::array<std::string_view, 6> kMembers{"typeid", "rows", "cols", "dt", "data", "dims"};
 
 /// Numbers that are read one by one.
-constexpr std::array<std::string_view, 20> kScalars{
-    "fx",    "fy",     "cx", "cy", "ppx", "ppy", "focallengthx", "focallengthy", "principalpointx", "principalpointy",
-    "width", "height", "w",  "h",  "k1",  "k2",  "p1",           "p2",           "znear",           "zfar"};
+constexpr std::array<std::string_view, 22> kScalars{"fx",
+                                                    "fy",
+                                                    "cx",
+                                                    "cy",
+                                                    "ppx",
+                                                    "ppy",
+                                                    "focallengthx",
+                                                    "focallengthy",
+                                                    "principalpointx",
+                                                    "principalpointy",
+                                                    "width",
+                                                    "height",
+                                                    "w",
+                                                    "h",
+                                                    "k1",
+                                                    "k2",
+                                                    "k3",
+                                                    "p1",
+                                                    "p2",
+                                                    "skew",
+                                                    "znear",
+                                                    "zfar"};
+
+bool isScalar(const NamedValue &value)
+{
+    return std::any_of(kScalars.begin(), kScalars.end(), [&](std::string_view name) { return value.isNamed(name); });
+}
+
+/// Names of a camera's id, and of a reference to it.
+constexpr std::string_view kReferences = " cameraid camid intrinsicid intrinsicsid sensorid cameraindex ";
+
+constexpr std::array kPoseParts{Part::Rotation, Part::Quaternion, Part::Translation, Part::Center, Part::Pose};
+
+/// "fx fy cx cy" above four numbers: as many names of numbers as numbers.
+std::vector<NamedValue> columnsOf(const NamedValue &value)
+{
+    std::vector<NamedValue> columns;
+    const std::size_t count = value.numbers.size(), words = value.words.size();
+    for (std::size_t i = 0; count > 1 && count <= words && i < count; ++i) {
+        NamedValue &column = columns.emplace_back(value);
+        column.words = {value.words[words - count + i]};
+        column.written = column.words[0];
+        column.numbers = {value.numbers[i]};
+        if (!isScalar(column))
+            return {};
+    }
+    return columns;
+}
 
 bool fits(Part part, std::size_t count)
 {
@@ -41,15 +90,10 @@ bool fits(Part part, std::size_t count)
 /// Returns whether a word is a lens that is no pinhole.
 bool isLens(const std::string &word)
 {
-    constexpr std::string_view kLenses = " ds eucm ucm kb kb4 kb8 mei omni omnidirectional fisheye equidistant equi "
-                                         "kannalabrandt kannalabrandt8 doublesphere scaramuzza fov atan ";
-    return kLenses.find(' ' + plain(word) + ' ') != kLenses.npos;
-}
-
-/// The name as in the text, without its object's: "cameraMatrix" of "calib.cameraMatrix".
-std::string nameOf(const NamedValue &value)
-{
-    return value.written.substr(value.written.find_last_of(".>") + 1);
+    constexpr std::string_view kLenses =
+        " ds eucm ucm kb kb4 kb8 mei omni omnidirectional fisheye equidistant equi kannalabrandt kannalabrandt8 "
+        "doublesphere scaramuzza fov atan equirectangular spherical panorama panoramic cylindrical ";
+    return isListed(kLenses, plain(word));
 }
 
 /// The role of a value by its name, else by the last word of its name: in "estimated t", only that
@@ -92,9 +136,10 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
             bool isTable = false; ///< of six columns
         };
         std::vector<Owned> values;
+        std::map<std::pair<std::size_t, std::string>, CameraValue> keys; // of objects
         const NamedValues named(text.text);
         m_files.push_back(text.name);
-        const Outline &outline = m_outlines.emplace_back(text.text);
+        m_outlines.emplace_back(text.text);
         for (const NamedValue &value : named.all()) {
             const auto member = std::find_if(kMembers.begin(), kMembers.end(),
                                              [&](std::string_view name) { return value.isNamed(name); });
@@ -105,9 +150,18 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
                     values.back().isTable = value.numbers[0] == 6.0;
                 continue;
             }
-            if (value.numbers.size() == 1)
-                m_numbers.push_back({value, m_files.size() - 1, outline.nodeAt(value.at)});
-            values.push_back({valueOf(value)});
+            if (const std::vector<NamedValue> columns = columnsOf(value); !columns.empty()) {
+                for (const NamedValue &column : columns)
+                    m_numbers.push_back(valueOf(column));
+                continue;
+            }
+            const CameraValue &added = values.emplace_back(Owned{valueOf(value)}).value;
+            addNumber(added);
+            if (value.at == 0 || text.text[value.at - 1] != '"' || value.numbers.empty())
+                continue;
+            const auto &[key, isNew] = keys.try_emplace({added.node, added.written}, added);
+            if (!isNew && key->second.numbers != added.numbers && (isScalar(added) || roleOf(added)))
+                m_twice = {key->second.line, added};
         }
         addComponents(named);
         for (Owned &owned : values) {
@@ -125,55 +179,142 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
         dropElsewhere();
 }
 
-/// Sets apart what stands with other things than the camera ("imu", "display"), and poses whose name
-/// says another camera than that of the only lens.
+/// Notes a value of one number, or of one that may have a decimal comma, and an id.
+void CameraValues::addNumber(const CameraValue &value)
+{
+    if (value.numbers.size() == 1 || (!value.decimal.empty() && isScalar(value)))
+        m_numbers.push_back(value);
+    const std::string name = plain(value.name);
+    if (value.node > 0 && (name == "id" || isListed(kReferences, name))
+        && (value.numbers.size() == 1 || !value.word.empty()))
+        (name == "id" ? m_ids : m_references)
+            .try_emplace({value.text, value.node},
+                         value.word.empty() ? base::shortestText(value.numbers[0]) : value.word);
+}
+
+/// The values with a focal length.
+std::vector<const CameraValue *> CameraValues::lenses() const
+{
+    std::vector<const CameraValue *> found;
+    for (const Part part : {Part::Intrinsics, Part::CameraMatrix, Part::Focal}) {
+        for (const CameraValue &value : all(part))
+            found.push_back(&value);
+    }
+    for (const CameraValue &number : m_numbers) {
+        if (number.isNamed("fx"))
+            found.push_back(&number);
+    }
+    return found;
+}
+
+/// A part of a text and the parts around it, without the whole text.
+std::vector<CameraValues::Place> CameraValues::placesAround(std::size_t text, std::size_t node) const
+{
+    std::vector<Place> places;
+    for (; node > 0; node = m_outlines[text].node(node).parent)
+        places.emplace_back(text, node);
+    return places;
+}
+
+std::set<CameraValues::Place> CameraValues::placesAround(const std::vector<const CameraValue *> &values) const
+{
+    std::set<Place> places;
+    for (const CameraValue *value : values) {
+        const std::vector<Place> around = placesAround(value->text, value->node);
+        places.insert(around.begin(), around.end());
+    }
+    return places;
+}
+
+std::vector<const CameraValue *> CameraValues::poses() const
+{
+    std::vector<const CameraValue *> found;
+    for (const Part part : kPoseParts) {
+        for (const CameraValue &value : all(part))
+            found.push_back(&value);
+    }
+    return found;
+}
+
+/// The id that a part of the text around a place names; empty: none.
+/// @param isOwn  an id of its own counts
+std::string CameraValues::referenceAt(std::size_t text, std::size_t node, bool isOwn) const
+{
+    for (const Place &place : placesAround(text, node)) {
+        for (const auto *references : {&m_references, &m_ids}) {
+            const auto found = references->find(place);
+            if (found != references->end() && (isOwn || references == &m_references))
+                return found->second;
+        }
+    }
+    return {};
+}
+
+/// Returns whether a value is of another camera than a lens: they stand in two items of a list, or in
+/// parts that have the names of two cameras, or the value names another one.
+bool CameraValues::isOfOtherThan(const CameraValue &lens, const CameraValue &value) const
+{
+    if (!lens.camera.empty() && !value.camera.empty() && lens.camera != value.camera)
+        return true;
+    if (lens.text != value.text)
+        return false;
+    const Outline &outline = m_outlines[lens.text];
+    const std::vector<std::size_t> first = outline.pathTo(lens.node), second = outline.pathTo(value.node);
+    const auto [a, b] = std::mismatch(first.begin(), first.end(), second.begin(), second.end());
+    if (a == first.end() || b == second.end())
+        return false;
+    const Outline::Node &one = outline.node(*a), &other = outline.node(*b);
+    if (one.isOfSeveral && other.isOfSeveral && one.name == other.name)
+        return true;
+    const std::string camera = cameras::cameraOf(outline.nameOf(*a)), its = cameras::cameraOf(outline.nameOf(*b));
+    const std::string id = referenceAt(lens.text, lens.node, true),
+                      reference = referenceAt(value.text, value.node, false);
+    return (!camera.empty() && !its.empty() && camera != its)
+           || (!id.empty() && !reference.empty() && id != reference && reference != outline.nameOf(*a));
+}
+
+/// Sets apart what stands with other things than the camera ("imu", "display"), poses of other
+/// cameras, and the transform to the camera before.
 void CameraValues::dropElsewhere()
 {
+    const std::vector<const CameraValue *> found = lenses();
+    std::vector<CameraValue> lenses;
     std::set<std::string> around;
-    std::string camera;
-    for (const Part part : {Part::Intrinsics, Part::CameraMatrix, Part::Focal}) {
-        for (const CameraValue &value : all(part)) {
-            const std::vector<std::string> sections = sectionsOf(value.text, value.node);
-            around.insert(sections.begin(), sections.end());
-            camera = all(part).size() == 1 ? value.camera : std::string();
-        }
+    for (const CameraValue *lens : found) {
+        const std::vector<std::string> sections = sectionsOf(lens->text, lens->node);
+        around.insert(sections.begin(), sections.end());
+        lenses.push_back(*lens);
     }
-    for (const Number &number : m_numbers) {
-        if (number.value.isNamed("fx")) {
-            const std::vector<std::string> sections = sectionsOf(number.text, number.node);
-            around.insert(sections.begin(), sections.end());
-        }
-    }
-    const auto isApart = [&](std::size_t text, std::size_t node) {
-        const std::vector<std::string> sections = sectionsOf(text, node);
+    const auto isApart = [&](const CameraValue &value) {
+        const std::vector<std::string> sections = sectionsOf(value.text, value.node);
         return std::any_of(sections.begin(), sections.end(), [&](const std::string &section) {
             return !around.contains(section) && isElsewhere(section);
         });
     };
-    for (const Part part :
-         {Part::Rotation, Part::Quaternion, Part::Translation, Part::Center, Part::Pose, Part::Size}) {
+    const auto isOfOther = [&](const CameraValue &value) {
+        return !lenses.empty() && std::all_of(lenses.begin(), lenses.end(), [&](const CameraValue &lens) {
+            return isOfOtherThan(lens, value);
+        });
+    };
+    const auto split = [&](Part part, const auto &isOther) {
         std::vector<CameraValue> kept;
-        for (CameraValue &value : of(part)) {
-            const bool isOfOther = !camera.empty() && !value.camera.empty() && value.camera != camera;
-            (isOfOther || isApart(value.text, value.node) ? m_others : kept).push_back(std::move(value));
-        }
+        for (CameraValue &value : of(part))
+            (isOther(value) ? m_others : kept).push_back(std::move(value));
         of(part) = std::move(kept);
-    }
-    std::erase_if(m_numbers, [&](const Number &number) {
-        return !number.value.isNamed("fx") && isApart(number.text, number.node);
-    });
+    };
+    for (const Part part : kPoseParts)
+        split(part, [&](const CameraValue &value) { return isOfOther(value) || isApart(value); });
+    split(Part::Size, isApart);
+    const auto isToCameraBefore = [](const CameraValue &value) { return value.role.world == "camera before"; };
+    if (const auto &poses = all(Part::Pose); !std::all_of(poses.begin(), poses.end(), isToCameraBefore))
+        split(Part::Pose, isToCameraBefore);
+    std::erase_if(m_numbers, [&](const CameraValue &number) { return !number.isNamed("fx") && isApart(number); });
 }
 
 /// A value of the last text.
 CameraValue CameraValues::valueOf(const NamedValue &named) const
 {
-    CameraValue value;
-    value.name = nameOf(named);
-    value.word = named.word;
-    value.numbers = named.numbers;
-    value.line = named.line;
-    value.file = m_files.back();
-    value.arithmetic = named.arithmetic;
+    CameraValue value{named, named.written.substr(named.written.find_last_of(".>") + 1), m_files.back()};
     value.text = m_files.size() - 1;
     value.node = m_outlines.back().nodeAt(named.at);
     return value;
@@ -194,17 +335,9 @@ void CameraValues::findCameras()
 {
     std::vector<std::vector<std::string>> lenses;
     std::vector<std::string> ends;
-    for (const Part part : {Part::Intrinsics, Part::CameraMatrix, Part::Focal}) {
-        for (const CameraValue &value : all(part)) {
-            lenses.push_back(sectionsOf(value.text, value.node));
-            ends.push_back(value.camera);
-        }
-    }
-    for (const Number &number : m_numbers) {
-        if (number.value.isNamed("fx")) {
-            lenses.push_back(sectionsOf(number.text, number.node));
-            ends.emplace_back();
-        }
+    for (const CameraValue *lens : this->lenses()) {
+        lenses.push_back(sectionsOf(lens->text, lens->node));
+        ends.push_back(lens->camera);
     }
     const auto setCameras = [this](const std::vector<std::string> &names) {
         std::set<std::string> seen;
@@ -234,6 +367,12 @@ void CameraValues::findCameras()
 
 void CameraValues::keepCamera(const std::string &name)
 {
+    keepCamera(name, {});
+}
+
+/// @param image  its values stay, whatever its name
+void CameraValues::keepCamera(const std::string &name, const Image &image)
+{
     const std::set<std::string> cameras(m_cameras.begin(), m_cameras.end());
     const auto isOther = [&](const std::string &section) { return section != name && cameras.contains(section); };
     std::vector<std::vector<bool>> others; // by text and node: it is of another camera
@@ -243,8 +382,9 @@ void CameraValues::keepCamera(const std::string &name)
         for (std::size_t i = 0; i < outline.size(); ++i) {
             const std::size_t parent = outline.node(i).parent;
             depths.push_back(i == 0 ? 0 : depths[parent] + 1);
+            const bool isImage = image.node == i && image.text == others.size() - 1;
             ofText.push_back((i > 0 && ofText[parent])
-                             || (m_depth > 0 && depths[i] == m_depth && isOther(outline.nameOf(i))));
+                             || (m_depth > 0 && depths[i] == m_depth && !isImage && isOther(outline.nameOf(i))));
         }
     }
     const auto isOfOther = [&](const CameraValue &value) {
@@ -257,8 +397,45 @@ void CameraValues::keepCamera(const std::string &name)
             value.reset();
     }
     std::erase_if(m_others, isOfOther);
-    std::erase_if(m_numbers, [&](const Number &number) { return others[number.text][number.node]; });
+    std::erase_if(m_numbers, [&](const CameraValue &number) { return others[number.text][number.node]; });
     dropElsewhere();
+}
+
+std::vector<CameraValues::Image> CameraValues::images() const
+{
+    std::vector<Image> images;
+    const std::set<Place> ofPoses = placesAround(poses()), ofLenses = placesAround(lenses());
+    for (const auto &[place, camera] : m_references) {
+        if (ofPoses.contains(place) && !ofLenses.contains(place))
+            images.push_back({m_outlines[place.first].nameOf(place.second), camera, place.first, place.second});
+    }
+    return images;
+}
+
+bool CameraValues::keepImage(const Image &image)
+{
+    std::string name;
+    for (const CameraValue *lens : lenses()) {
+        if (cameraOf(*lens) == image.camera || referenceAt(lens->text, lens->node, true) == image.camera)
+            name = cameraOf(*lens);
+    }
+    if (name.empty())
+        return false;
+    const Place kept(image.text, image.node);
+    for (const Part part : kPoseParts) {
+        std::erase_if(of(part), [&](const CameraValue &value) {
+            const std::vector<Place> around = placesAround(value.text, value.node);
+            return std::any_of(around.begin(), around.end(),
+                               [&](const Place &place) { return place != kept && m_references.contains(place); });
+        });
+    }
+    keepCamera(name, image);
+    return true;
+}
+
+std::string CameraValues::labelOf(const CameraValue &value) const
+{
+    return m_outlines[value.text].node(value.node).label;
 }
 
 /// The name of the camera that a value may be of.
@@ -275,10 +452,16 @@ bool CameraValues::isOfCamera(const CameraValue &value) const
     return std::find(m_cameras.begin(), m_cameras.end(), cameraOf(value)) != m_cameras.end();
 }
 
-/// Both ROS's messages and its calibration files have a model, K and P; R is then the rectification.
+/// ROS's messages and its calibration files have a model, K and P; R is then the rectification.
+/// Without the model, P = K' [1 t'] and R without t are the same.
 bool CameraValues::isCameraInfo() const
 {
-    return !all(Part::Model).empty() && !all(Part::CameraMatrix).empty() && !all(Part::Intrinsics).empty();
+    if (all(Part::CameraMatrix).empty() || all(Part::Intrinsics).empty())
+        return false;
+    const std::vector<double> &p = all(Part::CameraMatrix).front().numbers;
+    const bool isUpper = p[1] == 0.0 && p[4] == 0.0 && p[8] == 0.0 && p[9] == 0.0;
+    return !all(Part::Model).empty()
+           || (isUpper && !all(Part::Rotation).empty() && all(Part::Translation).empty() && all(Part::Center).empty());
 }
 
 /// Sets the direction that the name around R or t states: "T_cam_imu: {R: …, t: …}".
@@ -304,12 +487,13 @@ bool CameraValues::setDirectionAround(CameraValue &value) const
 
 void CameraValues::add(CameraValue value)
 {
-    const bool isFlag = value.word == "true" || value.word == "True";
-    if (const std::string name = plain(value.name); isFlag && (name == "fisheye" || name == "isfisheye")) {
+    const std::string plainName = plain(value.name);
+    const bool isFlag = isListed(" true yes on ", plain(value.word)) || value.numbers == std::vector{1.0};
+    if (isFlag && plainName.find("fisheye") != plainName.npos)
         value.word = "fisheye";
-        of(Part::Model).push_back(std::move(value));
-        return;
-    }
+    const bool isProjection = plainName.find("projection") != plainName.npos || plainName == "lens";
+    if (isLens(value.word) && (isFlag || isProjection || value.word == "fisheye"))
+        return of(Part::Model).push_back(std::move(value));
     const std::optional<Role> role = roleOf(value);
     const std::size_t count = value.numbers.size();
     if (!role) {
@@ -422,63 +606,66 @@ void CameraValues::addComponents(const NamedValues &named)
             CameraValue added = valueOf(values[i]);
             added.name = parent;
             added.numbers = std::move(numbers);
+            if (part == Part::Center)
+                added.role = cameras::roleOf(parent, numbers.size()).value_or(Role{});
             added.role.part = part;
             (setDirectionAround(added) ? of(part) : m_others).push_back(std::move(added));
             i += components.size() - 1;
         }
     };
     static constexpr std::array<std::string_view, 3> kTurns{"rotation", "orientation", "quaternion"};
-    static constexpr std::array<std::string_view, 3> kShifts{"translation", "t", "position"};
+    static constexpr std::array<std::string_view, 2> kShifts{"translation", "t"};
+    static constexpr std::array<std::string_view, 1> kPositions{"position"};
     static constexpr std::array<std::string_view, 4> kXyzw{"x", "y", "z", "w"};
     const std::size_t before = all(Part::Quaternion).size();
     addOf(Part::Quaternion, kTurns, kXyzw);
-    // A position alone may be another thing's.
     const bool isPose = all(Part::Quaternion).size() > before;
-    addOf(Part::Translation, std::span(kShifts).first(isPose ? 3 : 2), std::span(kXyzw).first(3));
+    addOf(Part::Translation, kShifts, std::span(kXyzw).first(3));
+    addOf(isPose ? Part::Translation : Part::Center, kPositions, std::span(kXyzw).first(3));
 }
 
 std::optional<double> CameraValues::number(std::initializer_list<std::string_view> names) const
 {
     for (const std::string_view name : names) {
-        if (const NamedValue *value = find(name))
-            return value->numbers[0];
+        if (const CameraValue *value = find(name))
+            return value->number();
     }
     return std::nullopt;
 }
 
-const NamedValue *CameraValues::find(std::string_view name) const
+const CameraValue *CameraValues::find(std::string_view name) const
 {
     const auto found = std::find_if(m_numbers.begin(), m_numbers.end(),
-                                    [name](const auto &number) { return number.value.isNamed(name); });
-    return found == m_numbers.end() ? nullptr : &found->value;
+                                    [name](const CameraValue &number) { return number.isNamed(name); });
+    return found == m_numbers.end() ? nullptr : &*found;
 }
 
-const NamedValue *CameraValues::coefficient(std::string_view name) const
+const CameraValue *CameraValues::coefficient(std::string_view name) const
 {
     constexpr std::string_view kOfLens = " radial tangential dist disto distortion lens cam camera coeff coef param ";
-    const auto isIt = [&](const Number &number) {
+    const auto isIt = [&](const CameraValue &number) {
         bool hasName = false;
-        std::string written = base::lowerCase(number.value.written);
+        std::string written = base::lowerCase(number.written);
         std::replace_if(
             written.begin(), written.end(), [](char c) { return c == '_' || c == '.' || c == '-'; }, ' ');
         base::TextScanner scanner(written);
         for (std::string_view word = scanner.nextWord(); !word.empty(); word = scanner.nextWord()) {
-            if (word != name && kOfLens.find(' ' + std::string(word) + ' ') == kOfLens.npos)
+            if (word != name && !isListed(kOfLens, word))
                 return false;
             hasName = hasName || word == name;
         }
         return hasName;
     };
-    const NamedValue *exact = find(name);
+    const CameraValue *exact = find(name);
     const auto found = std::find_if(m_numbers.begin(), m_numbers.end(), isIt);
-    return exact || found == m_numbers.end() ? exact : &found->value;
+    return exact || found == m_numbers.end() ? exact : &*found;
 }
 
 bool CameraValues::differ(std::string_view name) const
 {
-    const NamedValue *first = find(name);
-    return std::any_of(m_numbers.begin(), m_numbers.end(), [&](const auto &number) {
-        return number.value.isNamed(name) && number.value.numbers != first->numbers;
+    const CameraValue *first = find(name);
+    return std::any_of(m_numbers.begin(), m_numbers.end(), [&](const CameraValue &number) {
+        return number.isNamed(name) && number.numbers != first->numbers;
     });
 }
 
@@ -487,11 +674,8 @@ bool CameraValues::hasAny(const std::string &file) const
     const auto isOfFile = [&file](const CameraValue &value) { return value.file == file; };
     return std::any_of(m_parts.begin(), m_parts.end(),
                        [&](const auto &values) { return std::any_of(values.begin(), values.end(), isOfFile); })
-           || std::any_of(m_numbers.begin(), m_numbers.end(), [&](const auto &number) {
-                  return m_files[number.text] == file
-                         && std::any_of(kScalars.begin(), kScalars.end(),
-                                        [&](std::string_view name) { return number.value.isNamed(name); });
-              });
+           || std::any_of(m_numbers.begin(), m_numbers.end(),
+                          [&](const CameraValue &number) { return isOfFile(number) && isScalar(number); });
 }
 
 } // namespace unprojector::cameras

@@ -6,22 +6,21 @@
 
 #include <array>
 #include <initializer_list>
+#include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace unprojector::cameras {
 
 /// A part as a text gives it.
-struct CameraValue {
-    std::string name; ///< as words, "camera matrix"
-    std::string word; ///< the value, if it is a word
-    std::vector<double> numbers;
-    std::size_t line = 0;
-    std::string file;
-    std::string arithmetic{}; ///< as in NamedValue
+struct CameraValue : NamedValue {
+    std::string name{}; ///< as in the text, without its object's: "cameraMatrix" of "calib.cameraMatrix"
+    std::string file{};
     Role role{};
     std::size_t text = 0, node = 0; ///< its text, and its place in the outline of that
     std::string camera{};           ///< which of several cameras its name says
@@ -39,11 +38,13 @@ public:
     const std::optional<CameraValue> &unfit(Part part) const { return m_unfit[std::size_t(part)]; }
     /// A number by its name: "fx", "k1", "width". The first one counts.
     std::optional<double> number(std::initializer_list<std::string_view> names) const;
+    /// All values of one number.
+    const std::vector<CameraValue> &numbers() const { return m_numbers; }
     /// The first value of one number under a name; null if there is none.
-    const NamedValue *find(std::string_view name) const;
+    const CameraValue *find(std::string_view name) const;
     /// The first value of one number whose name has a coefficient's among words of a lens: "k1",
     /// "radial_k1"; null if there is none.
-    const NamedValue *coefficient(std::string_view name) const;
+    const CameraValue *coefficient(std::string_view name) const;
     /// Returns whether several numbers under a name differ: they are of several cameras.
     bool differ(std::string_view name) const;
     /// Returns whether a text is ROS's camera_info: its R is the rectification.
@@ -57,6 +58,22 @@ public:
     const std::vector<std::string> &cameras() const { return m_cameras; }
     /// Drops the values of all cameras but one of cameras().
     void keepCamera(const std::string &name);
+    /// An image with a pose that names its camera: "camera_id: 2".
+    struct Image {
+        std::string name, camera;
+        std::size_t text = 0, node = 0;
+    };
+    /// The images that name one of cameras(), in their order.
+    std::vector<Image> images() const;
+    /// Drops the values of other images and of other cameras than the one that an image names.
+    /// @return false if there is no such camera
+    bool keepImage(const Image &image);
+    /// What the part of the text around a value calls itself; empty: nothing.
+    std::string labelOf(const CameraValue &value) const;
+    /// A part that stands twice in one object, with other numbers, and the line of the first.
+    const std::optional<std::pair<std::size_t, CameraValue>> &twice() const { return m_twice; }
+    /// Returns whether a text ends inside of a bracket.
+    bool isUnclosed(std::size_t text) const { return m_outlines[text].isUnclosed(); }
     /// Returns whether a value is of one of cameras().
     bool isOfCamera(const CameraValue &value) const;
 
@@ -64,24 +81,31 @@ private:
     void add(CameraValue value);
     void addUnnamed(CameraValue value);
     void addPoses(CameraValue value);
+    void addNumber(const CameraValue &value);
     void addComponents(const NamedValues &named);
     CameraValue valueOf(const NamedValue &value) const;
     std::vector<std::string> sectionsOf(std::size_t text, std::size_t node) const;
     std::string cameraOf(const CameraValue &value) const;
     bool setDirectionAround(CameraValue &value) const;
     void dropElsewhere();
+    std::vector<const CameraValue *> lenses() const;
+    bool isOfOtherThan(const CameraValue &lens, const CameraValue &value) const;
+    std::string referenceAt(std::size_t text, std::size_t node, bool isOwn) const;
+    void keepCamera(const std::string &name, const Image &image);
     std::vector<CameraValue> &of(Part part) { return m_parts[std::size_t(part)]; }
 
     std::array<std::vector<CameraValue>, kParts> m_parts;
     std::array<std::optional<CameraValue>, kParts> m_unfit;
     std::vector<CameraValue> m_others;
-    struct Number {
-        NamedValue value;
-        std::size_t text, node;
-    };
     void findCameras();
 
-    std::vector<Number> m_numbers; ///< values of one number
+    std::vector<CameraValue> m_numbers;                ///< values of one number
+    using Place = std::pair<std::size_t, std::size_t>; ///< a text and a node of its outline
+    std::vector<Place> placesAround(std::size_t text, std::size_t node) const;
+    std::set<Place> placesAround(const std::vector<const CameraValue *> &values) const;
+    std::vector<const CameraValue *> poses() const;
+    std::map<Place, std::string> m_ids, m_references; ///< of parts of a text, and those of the cameras they name
+    std::optional<std::pair<std::size_t, CameraValue>> m_twice;
     std::vector<std::string> m_cameras;
     std::size_t m_depth = 0;          ///< of their sections in the outline; 0: the ends of names tell them apart
     std::vector<std::string> m_files; ///< of the texts

@@ -1,12 +1,14 @@
 // OpenCV's cameras and ROS's camera_info.
 
 #include "core/base/number_text.h"
+#include "core/base/source_text.h"
 #include "core/base/text_scanner.h"
 #include "core/base/translation.h"
 #include "core/cameras/camera_matrices.h"
 #include "core/cameras/camera_reader.h"
 #include "core/cameras/camera_values.h"
 #include "core/cameras/lens.h"
+#include "core/geometry/numbers.h"
 #include "core/pipeline/printed_digits.h"
 
 #include <glm/geometric.hpp>
@@ -29,6 +31,18 @@ namespace {
 [[noreturn]] void fail(const CameraValue &value, std::string reason)
 {
     throw base::Error{std::move(reason), value.name, value.file, static_cast<int>(value.line)};
+}
+
+/// The value's one number. Fails where the text computes with it, or gives it in another unit than pixels.
+double numberOf(const CameraValue &value)
+{
+    if (!value.unit.empty() && !base::isListed(" px pixel pixels ", value.unit))
+        fail(value, tr("it is in %1; give pixels", value.unit));
+    try {
+        return value.number();
+    } catch (base::Error &error) {
+        fail(value, error.text);
+    }
 }
 
 bool isNear(double value, double wanted, double scale)
@@ -119,6 +133,7 @@ public:
                 m_camera.files.push_back(text.name);
         }
         m_reading.begin(m_values.isCameraInfo() ? "ROS camera_info" : "OpenCV", {});
+        refuseBroken();
         countImages();
         readIntrinsics();
         readSize();
@@ -158,6 +173,25 @@ private:
         return &value;
     }
 
+    /// Fails for a part that stands twice in one object, and for JSON that was cut off.
+    void refuseBroken()
+    {
+        if (const auto &twice = m_values.twice())
+            fail(twice->second,
+                 tr("it stands in one object twice, in lines %1 and %2, with other numbers; leave one out",
+                    twice->first, twice->second.line));
+        for (std::size_t i = 0; i < m_texts.size(); ++i) {
+            if (!m_values.isUnclosed(i))
+                continue;
+            const std::string_view text = base::trimmed(m_texts[i].text);
+            if (text.starts_with('{') || text.starts_with("[{"))
+                throw base::Error{.text = tr("the text ends before its brackets are closed; its last number may be "
+                                             "cut off. Give the whole text"),
+                                  .file = m_texts[i].name};
+            m_camera.assumed.push_back(tr("The text ends before its brackets are closed."));
+        }
+    }
+
     void setUsed(std::initializer_list<Part> parts)
     {
         for (const Part part : parts) {
@@ -186,6 +220,11 @@ private:
         }
         for (const CameraValue &value : m_values.others())
             report(value);
+        for (const CameraValue &value : m_values.numbers()) {
+            if (value.numbers[0] != 0.0 && !m_used.contains(&value) && isScalarOfPart(value.name)
+                && names.size() <= kMost)
+                names.push_back(value.name + " = " + shortestText(value.numbers[0]));
+        }
         std::string list;
         for (std::size_t i = 0; i < names.size(); ++i)
             list += (i > 0 ? ", " : "") + (i < kMost ? names[i] : "…");
@@ -193,10 +232,20 @@ private:
             m_camera.assumed.push_back(tr("Not used: %1.", list));
     }
 
-    /// Fails if a value's numbers are not those that it stands for: the text computes with them, or
-    /// one is not finite.
-    static void refuseComputed(Part part, const CameraValue &value)
+    /// Fails if a value's numbers are not those that it stands for: the text computes with them, one is
+    /// not finite, or they have another unit.
+    void refuseComputed(Part part, const CameraValue &value)
     {
+        constexpr std::string_view kLengths = " m mm cm km inch inches ft um ", kAngles =
+                                                                                    " deg degree degrees rad radian "
+                                                                                    "radians ";
+        const bool isLength = base::isListed(kLengths, value.unit),
+                   isTurn = part == Part::Rotation && base::isListed(kAngles, value.unit),
+                   isOfWorld = isLength && isPoseWithShift(part);
+        if (isOfWorld && value.unit != "m")
+            m_camera.assumed.push_back(tr("%1 is in %2: this is the scene's unit.", value.name, value.unit));
+        else if (!value.unit.empty() && !isOfWorld && !isTurn && !base::isListed(" px pixel pixels ", value.unit))
+            fail(value, tr("its unit is %1, which is not known here; give numbers without a unit", value.unit));
         const bool isVector = part == Part::Distortion || part == Part::Size || value.numbers.size() == 3;
         if (!value.arithmetic.empty() && !(isVector && value.arithmetic == ".T"))
             fail(value,
@@ -206,19 +255,28 @@ private:
             fail(value, tr("a number is not finite"));
     }
 
+    static bool isPoseWithShift(Part part)
+    {
+        return part == Part::Translation || part == Part::Center || part == Part::Pose;
+    }
+
     /// Fails if the only values of a part have another count of numbers.
-    void refuseUnfit(Part part, const std::string &wanted) const
+    void refuseUnfit(Part part, const std::string &wanted)
     {
         const auto &unfit = m_values.unfit(part);
         if (!unfit || !m_values.all(part).empty())
             return;
         refuseComputed(part, *unfit);
+        if (!unfit->decimal.empty())
+            numberOf(*unfit);
         fail(*unfit, tr("it has %1 numbers; %2", unfit->numbers.size(), wanted));
     }
 
     void countImages()
     {
         if (m_values.cameras().size() > 1) {
+            if (chooseImageOfCamera())
+                return;
             m_camera.images = m_values.cameras();
             std::vector<std::string> lenses;
             for (const Part part : {Part::Intrinsics, Part::CameraMatrix}) {
@@ -257,18 +315,38 @@ private:
         m_reading.chooseImage();
     }
 
-    /// The names of the values of a part; their indexes if two have the same name.
+    /// Chooses one of the images that name their cameras. Returns whether there are any.
+    bool chooseImageOfCamera()
+    {
+        const std::vector<CameraValues::Image> images = m_values.images();
+        const std::vector<std::string> &cameras = m_values.cameras();
+        if (images.empty() || std::find(cameras.begin(), cameras.end(), m_reading.choices.image) != cameras.end())
+            return false;
+        for (const CameraValues::Image &image : images)
+            m_camera.images.push_back(image.name);
+        m_reading.chooseImage();
+        const CameraValues::Image &image = images[m_camera.image];
+        if (!m_values.keepImage(image))
+            m_reading.fail(tr("the image %1 is of the camera %2, but no camera has this id", image.name, image.camera));
+        return true;
+    }
+
+    /// The names of the values of a part; where two have the same name, those of the parts of the text
+    /// around them, else their indexes.
     std::vector<std::string> namesOf(Part part) const
     {
-        std::vector<std::string> names;
-        for (const CameraValue &value : m_values.all(part))
+        std::vector<std::string> names, labels;
+        for (const CameraValue &value : m_values.all(part)) {
             names.push_back(value.name);
-        std::vector<std::string> sorted = names;
-        std::sort(sorted.begin(), sorted.end());
-        if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
-            for (std::size_t i = 0; i < names.size(); ++i)
-                names[i] = std::to_string(i);
+            labels.push_back(m_values.labelOf(value));
         }
+        for (std::vector<std::string> *all : {&names, &labels}) {
+            const std::set<std::string> different(all->begin(), all->end());
+            if (different.size() == all->size() && !different.contains({}))
+                return *all;
+        }
+        for (std::size_t i = 0; i < names.size(); ++i)
+            names[i] = std::to_string(i);
         return names;
     }
 
@@ -284,6 +362,11 @@ private:
                                    cameras.size(), m_values.all(part).size()));
             }
         }
+        const std::vector<CameraValue> &poses = m_values.all(Part::Pose);
+        const auto isShared = [this](const CameraValue &pose) { return !m_values.isOfCamera(pose); };
+        if (const auto count = std::count_if(poses.begin(), poses.end(), isShared); count > 1)
+            fail(poses.front(), tr("the text has %1 camera matrices, but %2 of this. Give the text of one camera",
+                                   cameras.size(), count));
     }
 
     /// Returns whether the text has several K that differ.
@@ -314,8 +397,9 @@ private:
     {
         const CameraValue *given = valueOf(Part::Size);
         if (!given) {
-            m_camera.size = sizeOf(checked({"imagewidth", "imgwidth", "width", "w"}),
-                                   checked({"imageheight", "imgheight", "height", "h"}));
+            constexpr std::array<std::string_view, 4> kWidth{"imagewidth", "imgwidth", "width", "w"},
+                kHeight{"imageheight", "imgheight", "height", "h"};
+            m_camera.size = sizeOf(scalar(kWidth, false), scalar(kHeight, false));
             return;
         }
         const double first = given->numbers[0], second = given->numbers[1];
@@ -346,7 +430,7 @@ private:
         refuseUnfit(Part::Intrinsics, tr("a camera matrix has nine, by rows"));
         if (const CameraValue *k = valueOf(Part::Intrinsics)) {
             m_camera.intrinsics = intrinsicsOf(*k, m_camera.assumed, m_isTransposed);
-            const NamedValue *fx = m_values.find("fx");
+            const CameraValue *fx = m_values.find("fx");
             if (fx && std::abs(fx->numbers[0] - m_camera.intrinsics->fx) > 1e-3)
                 m_camera.assumed.push_back(tr("%1 counts; fx, fy, cx and cy beside it are ignored.", k->name));
             countFromOne(k->name);
@@ -354,17 +438,39 @@ private:
             const auto cx = scalar(kCx), cy = scalar(kCy);
             if (!cx || !cy)
                 m_reading.fail(tr("fx and fy are given without cx and cy; give all four"));
-            m_camera.intrinsics =
-                Intrinsics{*fx, *fy, *cx, *cy, m_values.number({"skew"}).value_or(0.0), PixelCentres::AtIntegers};
+            m_camera.intrinsics = Intrinsics{*fx, *fy, *cx, *cy, skewBeside(*fx), PixelCentres::AtIntegers};
         } else if (hasFocalAndPrincipal()) {
             const CameraValue *focal = valueOf(Part::Focal), *principal = valueOf(Part::Principal);
-            m_camera.intrinsics = Intrinsics{
-                focal->numbers[0],       focal->numbers[1], principal->numbers[0], principal->numbers[1], 0.0,
-                PixelCentres::AtIntegers};
+            m_camera.intrinsics = Intrinsics{focal->numbers[0],
+                                             focal->numbers[1],
+                                             principal->numbers[0],
+                                             principal->numbers[1],
+                                             skewBeside(focal->numbers[0]),
+                                             PixelCentres::AtIntegers};
             countFromOne(principal->name);
         } else if (m_values.all(Part::CameraMatrix).empty()) {
             m_reading.fail(tr("there is a pose, but no camera matrix; give K, nine numbers by rows"));
         }
+    }
+
+    /// The skew under one of its names; of alpha_c, it is a factor of fx. A large number is another thing's.
+    double skewBeside(double fx)
+    {
+        constexpr double kMost = 0.1; // of fx
+        for (const char *name : {"skew", "alphac", "gamma", "s"}) {
+            const CameraValue *value = m_values.find(name);
+            if (!value || value->words.size() != 1)
+                continue;
+            const double skew = numberOf(*value) * (value->isNamed("alphac") ? fx : 1.0);
+            if (!(std::abs(skew) <= kMost * fx))
+                continue;
+            m_used.insert(value);
+            if (skew != 0.0 && !value->isNamed("skew"))
+                m_camera.assumed.push_back(
+                    tr("%1 is read as the skew: %2 pixels.", value->name, significantText(skew, 6)));
+            return skew;
+        }
+        return 0.0;
     }
 
     bool hasFocalAndPrincipal() const
@@ -384,38 +490,19 @@ private:
                shortestText(m_camera.intrinsics->cx), shortestText(m_camera.intrinsics->cy)));
     }
 
-    /// The number under the first of some names. Fails where the text computes with it.
-    std::optional<double> checked(std::initializer_list<std::string_view> names) const
+    /// The number under the first of some names. Fails where the text computes with it, or, among several
+    /// cameras' names, has others under it.
+    std::optional<double> scalar(std::span<const std::string_view> names, bool isOfOne = true)
     {
         for (const std::string_view name : names) {
-            if (const NamedValue *value = m_values.find(name)) {
-                refuseComputed(*value, name);
-                return value->numbers[0];
-            }
-        }
-        return std::nullopt;
-    }
-
-    void refuseComputed(const NamedValue &value, std::string_view name) const
-    {
-        if (!value.arithmetic.empty())
-            m_reading.fail(tr("%1: the text computes with it (%2), and only numbers are read; write the result", name,
-                              value.arithmetic),
-                           value.line);
-    }
-
-    /// The number under the first of some names. Fails where the text has others under it, or
-    /// computes with it.
-    std::optional<double> scalar(std::span<const std::string_view> names) const
-    {
-        for (const std::string_view name : names) {
-            const NamedValue *value = m_values.find(name);
+            const CameraValue *value = m_values.find(name);
             if (!value)
                 continue;
-            if (m_values.differ(name))
+            const double number = numberOf(*value);
+            if (isOfOne && m_values.differ(name))
                 m_reading.fail(tr("%1 has several values. Give the text of one camera", name), value->line);
-            refuseComputed(*value, name);
-            return value->numbers[0];
+            m_used.insert(value);
+            return number;
         }
         return std::nullopt;
     }
@@ -556,6 +643,8 @@ private:
         if (const auto &list = m_values.unfit(Part::Quaternion); list && !rotation && !quaternion)
             fail(*list, tr("the order of a quaternion's four numbers is not known; name them, {x: 0, y: 0, z: 0, w: "
                            "1}, or give R"));
+        if (!rotation && !quaternion)
+            refuseAngles();
         if (!rotation && !quaternion && !translation)
             return;
         glm::dmat3 turn(1.0);
@@ -573,7 +662,8 @@ private:
         } else if (!rotation) {
             m_camera.assumed.push_back(tr("There is no rotation beside %1: none is assumed.", translation->name));
         } else if (rotation->numbers.size() == 3) {
-            const glm::dvec3 axis(rotation->numbers[0], rotation->numbers[1], rotation->numbers[2]);
+            const double unit = rotation->unit.starts_with("deg") ? geometry::radiansFromDegrees(1.0) : 1.0;
+            const glm::dvec3 axis = unit * glm::dvec3(rotation->numbers[0], rotation->numbers[1], rotation->numbers[2]);
             constexpr double kMostTurn = 6.2832; // 2 pi
             if (glm::length(axis) > kMostTurn)
                 fail(*rotation, tr("its length is %1; a rotation vector in radians has at most 2 pi. Give R",
@@ -604,6 +694,24 @@ private:
         if (center && !translation) {
             m_camera.center = shift;
             m_camera.assumed.push_back(tr("%1 is the camera's position in the world.", center->name));
+        }
+    }
+
+    /// Fails for a position beside angles: without them, it would be the pose of a camera that is not
+    /// turned.
+    void refuseAngles() const
+    {
+        constexpr std::size_t kMost = 4; // numbers of a rotation
+        if (m_values.all(Part::Translation).empty() && m_values.all(Part::Center).empty())
+            return;
+        for (const auto *values : {&m_values.others(), &m_values.numbers()}) {
+            for (const CameraValue &value : *values) {
+                const std::vector<double> &numbers = value.numbers;
+                if (isAngle(value.name) && numbers.size() <= kMost
+                    && std::any_of(numbers.begin(), numbers.end(), [](double angle) { return angle != 0.0; }))
+                    fail(value, tr("the rotation is given as angles, whose order and axes programs write differently; "
+                                   "give a matrix or a quaternion"));
+            }
         }
     }
 
@@ -656,13 +764,16 @@ private:
     void readDistortion()
     {
         const std::optional<CameraValue> list = coefficients();
-        if (const auto model = unknownModel(list)) {
+        const auto model = unknownModel(list);
+        const CameraValue *unknown = model ? nullptr : unknownCoefficient();
+        if (const CameraValue *other = model ? &*model : unknown) {
+            const std::string what = model ? model->word : unknown->name + " = " + shortestText(unknown->numbers[0]);
             if (!m_reading.choices.isUndistorted)
-                fail(*model, tr("the distortion is %1; only k1, k2, p1, p2 and k3 of Brown and Conrady are known. "
+                fail(*other, tr("the distortion is %1; only k1, k2, p1, p2 and k3 of Brown and Conrady are known. "
                                 "Undistort the image with its own program, then give --undistorted",
-                                model->word));
+                                what));
             m_camera.assumed.push_back(
-                tr("The distortion %1 is dropped: pixels are those of the undistorted image.", model->word));
+                tr("The distortion %1 is dropped: pixels are those of the undistorted image.", what));
             return;
         }
         if (!list)
@@ -677,12 +788,23 @@ private:
                                           "undistorted image."));
     }
 
+    /// A coefficient that is not read; null if there is none.
+    const CameraValue *unknownCoefficient() const
+    {
+        const std::vector<CameraValue> &numbers = m_values.numbers();
+        const auto found = std::find_if(numbers.begin(), numbers.end(), [this](const CameraValue &value) {
+            return value.numbers[0] != 0.0 && !m_used.contains(&value) && isCoefficient(value.name);
+        });
+        return found == numbers.end() ? nullptr : &*found;
+    }
+
     /// The coefficients in OpenCV's order: a list, or numbers with their names.
     std::optional<CameraValue> coefficients()
     {
         if (const CameraValue *list = valueOf(Part::Distortion))
             return *list;
-        CameraValue named{{}, {}, {}, 0, m_reading.text.name};
+        CameraValue named;
+        named.file = m_reading.text.name;
         const CameraValue *radial = valueOf(Part::Radial), *tangential = valueOf(Part::Tangential);
         if (const CameraValue *given = radial ? radial : tangential) { // MATLAB's
             const std::vector<double> none(3, 0.0);
@@ -693,12 +815,14 @@ private:
             return named;
         }
         for (const char *name : {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"}) {
-            const NamedValue *value = m_values.coefficient(name);
+            const CameraValue *value = m_values.coefficient(name);
+            named.numbers.push_back(value ? numberOf(*value) : 0.0);
             if (value)
-                refuseComputed(*value, name);
-            named.numbers.push_back(value ? value->numbers[0] : 0.0);
+                m_used.insert(value);
             if (value && !std::isfinite(value->numbers[0]))
                 m_reading.fail(tr("%1: a number is not finite", name), value->line);
+            if (value && value->words.size() == 1 && m_values.differ(name))
+                m_reading.fail(tr("%1 has several values. Give the text of one camera", name), value->line);
             if (value && (named.line == 0 || value->numbers[0] != 0.0)) {
                 named.name = name;
                 named.line = value->line;
@@ -714,19 +838,16 @@ private:
             if (!isKnown(model, list))
                 return model;
         }
-        for (const char *name : {"fisheyemodel", "isfisheye"}) { // OpenCV's calibration sample, NeRF
-            const NamedValue *flag = m_values.find(name);
-            if (flag && flag->numbers[0] != 0.0)
-                return CameraValue{name, "fisheye", {}, flag->line, m_reading.text.name};
-        }
         return std::nullopt;
     }
 
     /// Returns whether the coefficients of a model are Brown and Conrady's, as OpenCV has them.
     static bool isKnown(const CameraValue &model, const std::optional<CameraValue> &coefficients)
     {
-        const std::string name = plain(std::string_view(model.word).substr(model.word.rfind('.') + 1));
-        if (std::find(kKnown.begin(), kKnown.end(), name) != kKnown.end())
+        std::string name = plain(std::string_view(model.word).substr(model.word.rfind('.') + 1));
+        if (name.starts_with("lensmodel")) // mrcal
+            name.erase(0, std::string_view("lensmodel").size());
+        if (base::isListed(kKnown, name))
             return true;
         // RealSense's other models are pinholes where all coefficients are 0.
         const bool isVariant = name == "inversebrownconrady" || name == "modifiedbrownconrady";
@@ -742,9 +863,9 @@ private:
     }
 
     /// Models of a pinhole, and names of its distortion.
-    static constexpr std::array<std::string_view, 13> kKnown{
-        "pinhole",  "perspective", "pinholeradtan",    "simplepinhole", "opencv", "fullopencv",        "none",
-        "plumbbob", "radtan",      "radialtangential", "brownconrady",  "brown",  "rationalpolynomial"};
+    static constexpr std::string_view kKnown =
+        " pinhole perspective pinholeradtan simplepinhole opencv opencv4 opencv5 fullopencv none plumbbob radtan "
+        "radialtangential brownconrady brown rationalpolynomial ";
 
     std::span<const NamedText> m_texts;
     CameraValues m_values;

@@ -1,8 +1,15 @@
 #include "core/cameras/named_values.h"
 
+#include "core/base/expression.h"
+#include "core/base/number_text.h"
+#include "core/base/text_scanner.h"
+#include "core/base/translation.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace unprojector::cameras {
+using base::tr;
 namespace {
 
 /// The words of a name, each without the names of its objects.
@@ -29,12 +36,44 @@ bool NamedValue::isNamed(std::string_view name) const
     return false;
 }
 
+base::Error NamedValue::computedError() const
+{
+    return {tr("the text computes with it (%1), and only numbers are read; write the result", arithmetic),
+            written,
+            {},
+            static_cast<int>(line)};
+}
+
+double NamedValue::number() const
+{
+    if (!decimal.empty())
+        throw base::Error{tr("%1 may be one number with a decimal comma, or two numbers; write a point", decimal),
+                          written,
+                          {},
+                          static_cast<int>(line)};
+    if (arithmetic.empty())
+        return numbers.front();
+    constexpr std::size_t kMost = 40; // longer ones are cut
+    std::string_view rest = std::string_view(arithmetic).substr(0, arithmetic.find(','));
+    const bool isFloor = rest.starts_with("/ /"), isProduct = rest.starts_with('*') || rest.starts_with('/');
+    rest.remove_prefix(isFloor ? 2 : 0);
+    const auto computed = base::sourceNumber(base::shortestText(numbers.front()) + std::string(rest),
+                                             [](std::string_view) { return std::optional<std::string_view>(); });
+    if (!computed || !isProduct || arithmetic.size() >= kMost || (!computed->wholeQuotient.empty() && !isFloor))
+        throw computedError();
+    return isFloor ? std::floor(computed->value) : computed->value;
+}
+
 NamedValues::NamedValues(std::string_view text)
 {
     std::string parent;
     for (Group &group : scan(text)) {
         const bool isEmpty = !m_values.empty() && m_values.back().numbers.empty() && m_values.back().word.empty();
-        if (group.kind == GroupKind::Name) {
+        // "k1: {value: -0.1}"
+        const bool isValue = isEmpty && !m_values.back().written.empty() && base::lowerCase(group.name) == "value";
+        if (group.kind == GroupKind::Name && isValue) {
+            m_values.back().arithmetic = std::move(group.arithmetic);
+        } else if (group.kind == GroupKind::Name) {
             NamedValue value{wordsOf(group.name),
                              std::string(group.name),
                              isEmpty ? m_values.back().words.back() : parent,
@@ -42,7 +81,8 @@ NamedValues::NamedValues(std::string_view text)
                              {},
                              group.line,
                              group.name.empty() ? 0 : std::size_t(group.name.data() - text.data()),
-                             std::move(group.arithmetic)};
+                             std::move(group.arithmetic),
+                             std::move(group.unit)};
             const std::size_t count = value.words.size();
             if (count > 1 && value.words.back().size() == 1) { // "Location X=1 Y=2 Z=3"
                 value.parent = value.words[count - 2];
@@ -60,6 +100,10 @@ NamedValues::NamedValues(std::string_view text)
             if (!number.isOperand)
                 m_values.back().numbers.push_back(number.value);
         }
+        const std::vector<ScannedNumber> &numbers = group.numbers;
+        const auto end = [&](std::size_t i) { return numbers[i].at + numbers[i].length; };
+        if (numbers.size() == 2 && text[end(0)] == ',' && numbers[1].at == end(0) + 1 && numbers[0].bracket == 0)
+            m_values.back().decimal = text.substr(numbers[0].at, end(1) - numbers[0].at);
     }
 }
 
@@ -67,8 +111,9 @@ const NamedValue *NamedValues::find(Names names, std::size_t fewest) const
 {
     for (const std::string_view name : names) {
         for (const NamedValue &value : m_values) {
-            if (value.isNamed(name) && value.numbers.size() >= fewest)
-                return &value;
+            if (!value.isNamed(name) || value.numbers.size() < fewest)
+                continue;
+            return &value;
         }
     }
     return nullptr;
@@ -77,7 +122,7 @@ const NamedValue *NamedValues::find(Names names, std::size_t fewest) const
 std::optional<double> NamedValues::number(Names names) const
 {
     const NamedValue *value = find(names, 1);
-    return value ? std::optional(value->numbers.front()) : std::nullopt;
+    return value ? std::optional(value->number()) : std::nullopt;
 }
 
 bool NamedValues::isTrue(std::string_view name) const
@@ -89,8 +134,11 @@ bool NamedValues::isTrue(std::string_view name) const
 std::vector<double> NamedValues::numbers(Names names, std::size_t count, Names components) const
 {
     for (const std::string_view name : names) {
-        if (const NamedValue *value = find({name}, count))
+        if (const NamedValue *value = find({name}, count)) {
+            if (!value->arithmetic.empty())
+                throw value->computedError();
             return value->numbers;
+        }
         std::vector<double> found;
         for (const std::string_view component : components) {
             const auto one = std::find_if(m_values.begin(), m_values.end(), [&](const NamedValue &value) {

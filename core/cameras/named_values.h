@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/error.h"
 #include "core/cameras/scan.h"
 
 #include <cstddef>
@@ -21,6 +22,13 @@ struct NamedValue {
     std::size_t line = 0;           ///< of the name, from 1
     std::size_t at = 0;             ///< of the name in the text
     std::string arithmetic{};       ///< what the text computes with the values: "/ 1000", ".T"; empty: nothing
+    std::string unit{};             ///< behind the values, see Group
+    std::string decimal{};          ///< two numbers that may be one with a decimal comma: "600,5"
+    /// The error of a value that the text computes with.
+    base::Error computedError() const;
+    /// The first number, with * and / applied.
+    /// Throws a base::Error where the text computes with it otherwise, or it may have a decimal comma.
+    double number() const;
     bool isNamed(std::string_view name) const; ///< by all its words or by its last ones
 };
 
@@ -38,10 +46,11 @@ public:
     /// @param fewest  numbers that the value has
     const NamedValue *find(Names names, std::size_t fewest = 0) const;
     bool has(Names names) const { return find(names) != nullptr; }
-    /// A value that is one number.
+    /// NamedValue::number() of a value.
     std::optional<double> number(Names names) const;
     /// A value of at least `count` numbers under a name, or one number under each component of the
     /// name: "position: {x: 1, y: 2, z: 3}". Empty if there is neither.
+    /// Throws a base::Error for numbers that the text computes with.
     std::vector<double> numbers(Names names, std::size_t count, Names components = {}) const;
 
     /// Returns whether the first value under a name is True, true or a number other than 0.

@@ -1,6 +1,7 @@
 #include "core/cameras/outline.h"
 
 #include "core/base/letters.h"
+#include "core/cameras/scan.h"
 
 #include <algorithm>
 #include <array>
@@ -12,23 +13,17 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kLabels{"name", "label", "id", "camera_name", "serial", "key"};
 
-bool isBlank(char c)
-{
-    return c == ' ' || c == '\t' || c == '\r';
-}
-
 bool isOfName(char c)
 {
     return base::isLetter(c) || base::isDigit(c) || c == '.' || c == '-' || c == ':';
 }
 
+/// A name or value without its quotes.
 std::string_view trimmed(std::string_view text)
 {
-    while (!text.empty() && (isBlank(text.front()) || text.front() == '"' || text.front() == '\''))
-        text.remove_prefix(1);
-    while (!text.empty() && (isBlank(text.back()) || text.back() == '"' || text.back() == '\'' || text.back() == ','))
-        text.remove_suffix(1);
-    return text;
+    constexpr std::string_view kAround = " \t\r\"'";
+    text.remove_prefix(std::min(text.find_first_not_of(kAround), text.size()));
+    return text.substr(0, text.find_last_not_of(" \t\r\"',") + 1);
 }
 
 } // namespace
@@ -49,6 +44,7 @@ public:
             if (m_at < m_text.size())
                 readOne();
         }
+        m_outline.m_isUnclosed = isInBrackets();
     }
 
 private:
@@ -228,7 +224,8 @@ private:
 
 Outline::Outline(std::string_view text)
 {
-    OutlineReader(text, *this).read();
+    const std::string read = withoutRemarks(text);
+    OutlineReader(read, *this).read();
 }
 
 std::size_t Outline::nodeAt(std::size_t at) const

@@ -30,6 +30,8 @@ public:
     std::size_t size() const { return m_nodes.size(); } ///< parents stand before their children
     /// The nodes from the root to a node.
     std::vector<std::size_t> pathTo(std::size_t index) const;
+    /// Returns whether the text ends inside of a bracket.
+    bool isUnclosed() const { return m_isUnclosed; }
     /// What to call a node: its label, its heading, or its index in its list.
     std::string nameOf(std::size_t index) const;
 
@@ -41,6 +43,7 @@ private:
     std::vector<Node> m_nodes{Node{}};
     std::map<std::pair<std::size_t, std::string>, std::pair<std::size_t, std::size_t>> m_items; ///< first and count
     std::vector<Change> m_changes{{0, 0}};
+    bool m_isUnclosed = false;
 };
 
 } // namespace unprojector::cameras

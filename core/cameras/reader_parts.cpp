@@ -42,30 +42,32 @@ std::string firstNames(const std::vector<std::string> &images)
     return images.size() > kMost ? list + ", …" : list;
 }
 
-/// The index of the image that the user names: by its whole name, by its file's name with or
-/// without suffix, or by an index from 0. The first if no image is named.
-/// @return nothing if there is no such image
-std::optional<std::size_t> imageIndex(const std::vector<std::string> &images, const std::string &choice)
+/// The indexes of the images that the user names: by the whole name, by the end of the path, by the
+/// file's name with or without suffix, or by an index from 0. The first if no image is named.
+std::vector<std::size_t> imageIndexes(const std::vector<std::string> &images, const std::string &choice)
 {
-    if (images.empty())
-        return std::nullopt;
-    if (choice.empty())
-        return 0;
-    const auto indexOf = [&](const auto &isIt) -> std::optional<std::size_t> {
-        const auto found = std::find_if(images.begin(), images.end(), isIt);
-        return found == images.end() ? std::nullopt : std::optional(std::size_t(found - images.begin()));
+    std::vector<std::size_t> found;
+    const auto has = [&](const auto &isIt) {
+        for (std::size_t i = 0; i < images.size(); ++i) {
+            if (isIt(images[i]))
+                found.push_back(i);
+        }
+        return !found.empty();
     };
-    if (const auto exact = indexOf([&](const std::string &image) { return image == choice; }))
-        return exact;
+    if (choice.empty() && !images.empty())
+        return {0};
+    if (has([&](const std::string &image) { return image == choice; })
+        || has([&](const std::string &image) { return image.ends_with('/' + choice); }))
+        return found;
     for (const bool withSuffix : {true, false}) {
         const std::string_view wanted = fileName(choice, withSuffix);
-        if (const auto index = indexOf([&](std::string_view image) { return fileName(image, withSuffix) == wanted; }))
-            return index;
+        if (has([&](std::string_view image) { return fileName(image, withSuffix) == wanted; }))
+            return found;
     }
     const auto number = base::integerFromWord(choice);
     if (number && *number >= 0 && *number < static_cast<long long>(images.size()))
-        return std::size_t(*number);
-    return std::nullopt;
+        return {std::size_t(*number)};
+    return {};
 }
 
 } // namespace
@@ -92,13 +94,21 @@ void Reading::fail(std::string reason, std::size_t line) const
 
 void Reading::chooseImage(std::span<const std::string> ids)
 {
-    const auto known = std::find(ids.begin(), ids.end(), choices.image);
-    const bool isId = known != ids.end() && !choices.image.empty();
-    const auto index = isId ? std::size_t(known - ids.begin()) : imageIndex(camera.images, choices.image);
-    if (!index)
+    const auto id = std::find(ids.begin(), ids.end(), choices.image);
+    const bool isId = id != ids.end() && !choices.image.empty();
+    const std::vector<std::size_t> found =
+        isId ? std::vector{std::size_t(id - ids.begin())} : imageIndexes(camera.images, choices.image);
+    if (found.size() > 1) {
+        std::vector<std::string> names;
+        for (const std::size_t index : found)
+            names.push_back(camera.images[index]);
+        fail(tr("%1 fits %2 images (%3); give more of its path, or its index from 0, with --image",
+                base::quoted(choices.image), names.size(), firstNames(names)));
+    }
+    if (found.empty())
         fail(tr("there is no image %1 among %2 (%3); give one of their names or an index from 0 with --image",
                 base::quoted(choices.image), camera.images.size(), firstNames(camera.images)));
-    camera.image = *index;
+    camera.image = found.front();
     if (choices.image.empty() && camera.images.size() > 1)
         camera.assumed.push_back(tr("The first of %1 images is read, %2; --image NAME reads another.",
                                     camera.images.size(), camera.images.front()));

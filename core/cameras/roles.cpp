@@ -1,7 +1,9 @@
 #include "core/cameras/roles.h"
 
 #include "core/base/letters.h"
+#include "core/base/source_text.h"
 #include "core/base/text_scanner.h"
+#include "core/cameras/scan.h"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +11,7 @@
 
 namespace unprojector::cameras {
 using base::isDigit;
+using base::isListed;
 namespace {
 
 /// What a word means in a name.
@@ -30,6 +33,7 @@ enum class Word {
     Matrix,
     Rotation,
     Quaternion,
+    Angles, ///< of a rotation, in an order or about an axis that nothing tells
     Translation,
     Center,
     Pose,
@@ -69,6 +73,8 @@ constexpr std::array kVocabulary{
     WordsOfKind{Word::Matrix, " matrix mat mtx "},
     WordsOfKind{Word::Rotation, " r rot rotation rmat rvec rvecs rodrigues "},
     WordsOfKind{Word::Quaternion, " q quat quaternion orientation qvec "},
+    WordsOfKind{Word::Angles,
+                " euler eulers rpy ypr roll pitch yaw azimuth elevation heading tilt rx ry rz axis angles "},
     WordsOfKind{Word::Translation, " trans translation tvec tvecs "},
     WordsOfKind{Word::Center, " center centre position pos origin location "},
     WordsOfKind{Word::Pose, " pose poses "},
@@ -83,18 +89,17 @@ constexpr std::array kVocabulary{
     WordsOfKind{Word::Shape, " shape hw "},
     WordsOfKind{Word::Image, " image img frame "},
     WordsOfKind{Word::Model, " model type "},
-    WordsOfKind{Word::Filler,
-                " vector vec params param parameters parameter data value values new est gt opt optimal "
-                "is of the my raw array np list point points length lengths pinhole final current xyzw wxyz "},
+    WordsOfKind{Word::Filler, " vector vec params param parameters parameter data value values new est gt opt optimal "
+                              "is of the my raw array np list point points length lengths pinhole final current xyzw "
+                              "wxyz double float const auto var let "},
     WordsOfKind{Word::Other, " std sigma cov covariance noise velocity speed error residual residuals jacobian inv "
                              "inverse inverted delta relative limits min max bounds weights stereo fundamental "
                              "essential homography mv mvp viewport "}};
 
 Word kindOf(std::string_view word)
 {
-    const std::string wanted = ' ' + std::string(word) + ' ';
     for (const auto &[kind, words] : kVocabulary) {
-        if (words.find(wanted) != words.npos)
+        if (isListed(words, word))
             return kind;
     }
     return Word::Unknown;
@@ -132,7 +137,7 @@ bool splitIntoKnown(std::string_view word, std::vector<std::string> &parts)
         const std::string_view first = word.substr(0, length);
         const Word kind = kindOf(first);
         constexpr std::string_view kShort = " to rt gl cv ";
-        if (kind == Word::Unknown || (length == 2 && kShort.find(first) == kShort.npos))
+        if (kind == Word::Unknown || (length == 2 && !isListed(kShort, first)))
             continue;
         parts.emplace_back(first);
         if (splitIntoKnown(word.substr(length), parts))
@@ -256,7 +261,7 @@ bool setFrames(const Name &name, Role &role)
     role.isDirectionStated = true;
     const std::optional<std::size_t> world = isFromWorld ? frames.from : frames.to;
     constexpr std::string_view kWorlds = " world w global g map m odom ";
-    if (world && kWorlds.find(' ' + name.words[*world] + ' ') == kWorlds.npos)
+    if (world && !isListed(kWorlds, name.words[*world]))
         role.world = name.words[*world];
     return true;
 }
@@ -382,7 +387,8 @@ std::optional<Role> roleOf(std::string_view text, std::size_t count)
 {
     const Name name(text);
     const bool isOfPipeline = name.has(Word::View) && (name.has(Word::Model) || name.has(Word::Projection));
-    if (name.words.empty() || name.has(Word::Other) || isOfPipeline || text.size() > kLongestName)
+    if (name.words.empty() || name.has(Word::Other) || name.has(Word::Angles) || isOfPipeline
+        || text.size() > kLongestName)
         return std::nullopt;
     const std::optional<Part> part = partOf(name, count);
     if (!part || (name.has(Word::Unknown) && !allowsUnknown(*part, count)))
@@ -409,7 +415,7 @@ std::optional<Role> roleOf(std::string_view text, std::size_t count)
     // "marker_pose", "R_imu": of another thing than a camera
     constexpr std::string_view kWorlds = " world w global g map odom c cam camera ";
     const bool isOfOther = std::any_of(name.words.begin(), name.words.end(), [&](const std::string &word) {
-        return kindOf(word) == Word::World && kWorlds.find(' ' + word + ' ') == kWorlds.npos;
+        return kindOf(word) == Word::World && !isListed(kWorlds, word);
     });
     if (!role.isDirectionStated && isOfOther && !name.has(Word::Camera))
         return std::nullopt;
@@ -428,7 +434,7 @@ bool isElsewhere(std::string_view text)
     const Name name(text);
     return !name.has(Word::Pose) && !name.has(Word::Extrinsics) && !name.has(Word::Transform)
            && std::any_of(name.words.begin(), name.words.end(),
-                          [&](const std::string &word) { return kOthers.find(' ' + word + ' ') != kOthers.npos; });
+                          [&](const std::string &word) { return isListed(kOthers, word); });
 }
 
 bool isBetweenCameras(std::string_view text)
@@ -463,11 +469,32 @@ bool hasPartWord(std::string_view text)
 {
     const Name name(text);
     return std::any_of(name.kinds.begin(), name.kinds.end(), [](Word kind) {
-        return kind == Word::Intrinsics || kind == Word::Rotation || kind == Word::Quaternion
-               || kind == Word::Translation || kind == Word::Pose || kind == Word::Extrinsics || kind == Word::View
-               || kind == Word::Transform || kind == Word::Distortion || kind == Word::Center || kind == Word::Focal
-               || kind == Word::Principal;
+        return (kind >= Word::Intrinsics && kind <= Word::View && kind != Word::Matrix) || kind == Word::Transform
+               || kind == Word::Distortion;
     });
+}
+
+bool isAngle(std::string_view text)
+{
+    const Name name(text);
+    return (name.has(Word::Angles) || name.has(Word::Rotation)) && !name.has(Word::Other) && !isElsewhere(text);
+}
+
+bool isScalarOfPart(std::string_view text)
+{
+    constexpr std::string_view kSkews = " skew gamma s alphac tx ty tz qx qy qz qw ";
+    const Name name(text);
+    const bool isOfLens = name.has(Word::Distortion) || name.has(Word::Radial) || name.has(Word::Tangential)
+                          || name.has(Word::Focal) || name.has(Word::Principal);
+    return isOfLens || isCoefficient(text) || isListed(kSkews, plain(text))
+           || (isAngle(text) && !name.has(Word::Unknown));
+}
+
+bool isCoefficient(std::string_view text)
+{
+    const std::string name = plain(text);
+    const bool isNumbered = name.size() == 2 && isListed(" k p s ", name.substr(0, 1)) && isDigit(name[1]);
+    return isNumbered || name.starts_with("kappa") || isListed(" xi tau taux tauy ", name);
 }
 
 } // namespace unprojector::cameras

@@ -58,6 +58,15 @@ std::optional<Role> roleOf(std::string_view name, std::size_t count);
 /// Returns whether a name has a word of a camera's parts, whatever else it says.
 bool hasPartWord(std::string_view name);
 
+/// Returns whether a name is of angles of a rotation, or of its axis: "yaw", "rpy", "rotation_deg".
+bool isAngle(std::string_view name);
+
+/// Returns whether a name is of a coefficient of a lens: "k1", "xi", "kappa1".
+bool isCoefficient(std::string_view name);
+
+/// Returns whether a number with this name looks like a camera's: "k7", "skew", "yaw".
+bool isScalarOfPart(std::string_view name);
+
 /// Returns whether a name is of a transform between two cameras: "depth_to_color".
 bool isBetweenCameras(std::string_view name);
 

@@ -129,7 +129,7 @@ bool hasDecimalCommas(std::string_view text)
 /// A text of the same length with numbers as C++ writes them.
 std::string withPlainNumbers(std::string_view given)
 {
-    std::string text(given);
+    std::string text = withoutRemarks(given);
     const bool hasCommas = hasDecimalCommas(text);
     for (const auto &[sign, plainSign] : kSigns) {
         for (auto i = text.find(sign); i != text.npos; i = text.find(sign, i + 1)) {
@@ -160,6 +160,14 @@ bool isMeantAsNumber(std::string_view word)
            || word.find_first_not_of("0123456789.eEdD+-") == word.npos;
 }
 
+/// Units of lengths, angles and pixels.
+constexpr std::string_view kUnits =
+    " mm cm m km inch inches ft um deg degree degrees rad radian radians px pixel pixels ";
+/// Functions that are computed, and those that are refused.
+constexpr std::string_view kComputed = " pi sqrt tan atan ",
+                           kUnknownFunctions = " exp log log2 log10 sin cos asin acos atan2 arctan arctan2 pow hypot "
+                                               "cbrt abs round floor ceil min max ";
+
 constexpr std::size_t kMostGroups = 500000; ///< of a text: they take 100 MB
 
 class Scanner {
@@ -174,12 +182,48 @@ public:
         while (m_at < m_text.size())
             readOne();
         endName(Word);
+        shareAll();
         return std::move(m_groups);
     }
 
 private:
+    /// Gives each of several names its number: "fx, fy = 600, 610".
+    void shareAll()
+    {
+        for (std::size_t last = 1; last < m_groups.size(); ++last) {
+            const std::vector<ScannedNumber> numbers = m_groups[last].numbers;
+            const std::size_t count = numbers.size(), first = last + 1 - count;
+            if (m_groups[last].kind == Other || count < 2 || count > last || !m_groups[last].arithmetic.empty())
+                continue;
+            const auto endOf = [this](std::size_t i) {
+                return std::size_t(m_groups[i].name.data() - m_given.data()) + m_groups[i].name.size();
+            };
+            const auto between = [&](std::size_t from, std::size_t to) {
+                return m_text.substr(from, std::max(from, to) - from);
+            };
+            const auto areNeighbours = [&](std::size_t i) {
+                const auto signs = between(endOf(i), endOf(i + 1) - m_groups[i + 1].name.size());
+                return m_groups[i].kind == Word && m_groups[i].numbers.empty() && isAmong(',', signs)
+                       && signs.find_first_not_of(" \t,()[]") == signs.npos;
+            };
+            bool isTuple = isAmong('=', between(endOf(last), numbers.front().at))
+                           && isAmong(',', between(numbers.front().at, numbers.back().at));
+            for (std::size_t i = first; isTuple && i < last; ++i)
+                isTuple = areNeighbours(i);
+            const auto begin = endOf(first) - m_groups[first].name.size();
+            const auto previous = isTuple ? m_text.find_last_not_of(" \t([", begin - 1) : 0;
+            if (!isTuple || (begin > 0 && !isAmong(at(previous), "\n;") && previous < begin))
+                continue;
+            for (std::size_t i = 0; i < count; ++i) {
+                m_groups[first + i].kind = Name;
+                m_groups[first + i].numbers = {numbers[i]};
+            }
+        }
+    }
+
     char at(std::size_t i) const { return i < m_text.size() ? m_text[i] : '\0'; }
-    char before() const { return m_at > 0 ? m_text[m_at - 1] : '\n'; }
+    char before() const { return before(m_at); }
+    char before(std::size_t i) const { return i > 0 ? m_text[i - 1] : '\n'; }
     bool isHere(std::string_view part) const { return m_text.substr(m_at).starts_with(part); }
     std::size_t behind(std::size_t i, std::string_view characters) const
     {
@@ -288,8 +332,12 @@ private:
     bool readComment()
     {
         const bool isTag = m_isXml && m_text[m_at] == '<', isBlock = isHere("/*");
-        const bool isLine =
-            (lengthOf("Q#") > 0 && !isDigit(at(m_at + 1))) || lengthOf("Q//") > 0 || (isHere("%") && m_isLineBlank);
+        const bool isQuotient = m_count > 0 && m_operandLine == m_line
+                                && isAmong(at(m_text.find_last_not_of(" \t", m_at - 1)), "0123456789.)]")
+                                && lengthOf("//_9") > 0
+                                && isAmong(at(behind(m_at + 2, "0123456789. \t\r")), ",;)\n"); // of Python: 640 // 2
+        const bool isLine = (lengthOf("Q#") > 0 && !isDigit(at(m_at + 1))) || (lengthOf("Q//") > 0 && !isQuotient)
+                            || (isHere("%") && m_isLineBlank);
         if (!isTag && !isBlock && !isLine)
             return false;
         const std::string_view last = isBlock ? "*/" : !isTag ? "\n" : isHere("<!--") ? "-->" : ">";
@@ -366,10 +414,25 @@ private:
         else if (width && height) {
             addNumber(*width, start, true);
             addNumber(*height, start, true);
-        } else if (whole && word.size() - unit <= 3)
+        } else if (whole && (word.size() - unit <= 3 || base::isListed(kUnits, word.substr(unit)))) {
             addNumber(*whole, start, true);
-        else
+            setUnit(word.substr(unit));
+        } else {
             addWord(start, m_at);
+        }
+    }
+
+    /// Notes the unit of the last number, if a word is one.
+    bool setUnit(std::string_view word)
+    {
+        std::string &unit = m_groups[m_value].unit;
+        if (!base::isListed(kUnits, word))
+            return false;
+        if (unit.empty() || unit == word)
+            unit = word;
+        else if (!base::isListed(' ' + unit + ' ', word))
+            unit += ' ' + std::string(word);
+        return true;
     }
 
     void addNumber(double value, std::size_t start, bool isInWord = false)
@@ -398,7 +461,9 @@ private:
             return addWord(start, end);
         if (word == "nan" || word == "inf" || word == "infinity")
             return addNumber(*numberOf(word), start);
-        if ((word == "pi" && readPi(start)) || readFilled(word, start))
+        const bool isUnit = m_name.empty() && m_count > 0 && m_operandLine == m_line && lengthOf("_=") == 0;
+        if ((isUnit && !isAmong(at(behind(m_at, " \t")), "=:(") && setUnit(word)) || readComputed(word, start)
+            || readFilled(word, start))
             return;
         if (word == "x" && m_name.empty() && m_operandLine == m_line && lengthOf("_9") > 0)
             return; // 800 x 600
@@ -420,18 +485,26 @@ private:
             m_unit = geometry::radiansFromDegrees(1.0);
     }
 
-    /// Reads the value of "np.pi / 3". Returns whether it is one.
-    bool readPi(std::size_t start)
+    /// Reads the value of "np.pi / 3" and "math.sqrt(2)"; that of a function that is not known is NaN.
+    /// Returns whether it is one.
+    bool readComputed(const std::string &word, std::size_t start)
     {
-        constexpr std::size_t kMost = 80;
-        const auto rest = m_text.substr(start, kMost), text = rest.substr(0, rest.find_first_of(",;)\n"));
-        const auto value = base::evaluate(text, [](std::string_view name) {
-            return lastPart(name) == "pi" ? std::optional(geometry::kPi) : std::nullopt;
-        });
-        if (!value)
+        const bool isCall = at(m_at) == '(' && (m_isBehindEquals || !m_open.empty()),
+                   isUnknown = isCall && base::isListed(kUnknownFunctions, word);
+        if (word != "pi" && !isUnknown && !(isCall && base::isListed(kComputed, word)))
             return false;
+        constexpr std::size_t kMost = 80;
+        const auto rest = m_text.substr(start, kMost);
+        const auto close = isCall ? base::closingBracket(rest, m_at - start) : 0;
+        const auto text = rest.substr(0, rest.find_first_of(",;)]}\n", close == rest.npos ? 0 : close + 1));
+        const auto value = base::sourceNumber(text, [](std::string_view) { return std::optional<std::string_view>(); });
+        if (!value && !isCall)
+            return false;
+        const bool isNegative = before(start) == '-' && !m_isBehindEquals;
         m_at = start + text.size();
-        addNumber(*value, start);
+        addNumber(!value ? kNan : isNegative ? -value->value : value->value, start);
+        if (!value)
+            setArithmetic(std::string(text));
         return true;
     }
 
@@ -524,7 +597,7 @@ private:
                    isProduct = isAmong(c, "*/@");
         const auto operand = behind(m_at + 1, " \t\r");
         const bool isSum = isAmong(c, "+-") && at(m_at + 1) == ' ' && isAmong(at(operand), "0123456789+-.[");
-        const bool isTransposed = isAmong(before(), "])") && (c == '\'' || isHere(".T"));
+        const bool isTransposed = isAmong(before(), "])") && ((c == '\'' && m_at + 1 != m_quoteEnd) || isHere(".T"));
         // "scale * np.array(…)", "-np.array(…)"
         const bool isFirst = m_count == 0 && m_isBehindEquals && (m_name.empty() ? lengthOf("-@") > 0 : isProduct);
         if (isFirst)
@@ -616,6 +689,28 @@ private:
 std::vector<Group> scan(std::string_view text)
 {
     return Scanner(text).scan();
+}
+
+std::string withoutRemarks(std::string_view given)
+{
+    std::string text(given);
+    int open = 0;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n", at), text.size());
+        const std::string_view rest = std::string_view(text).substr(begin), quotes = rest.substr(0, 3);
+        std::size_t end = std::min(text.find('\n', begin), text.size());
+        const bool isQuoted = quotes == "\"\"\"" || quotes == "'''";
+        if (isQuoted)
+            end = std::min(text.find(quotes, begin + 3), text.size() - 3) + 3;
+        if (isQuoted || (open <= 0 && (rest.starts_with(';') || base::lowerCase(rest.substr(0, 4)) == "rem ")))
+            std::replace_if(
+                text.begin() + std::ptrdiff_t(begin), text.begin() + std::ptrdiff_t(end),
+                [](char c) { return c != '\n'; }, ' ');
+        for (const char c : std::string_view(text).substr(begin, end - begin))
+            open += isAmong(c, "([{") ? 1 : isAmong(c, ")]}") ? -1 : 0;
+        at = end + 1;
+    }
+    return text;
 }
 
 std::string plain(std::string_view name)

@@ -32,16 +32,22 @@ struct Group {
     std::size_t line = 0;                    ///< from 1
     std::string arithmetic = {};             ///< what the text computes with a name's values: "/ 1000", ".T"
     std::vector<ScannedNumber> numbers = {}; ///< without those of comments
+    std::string unit = {};                   ///< behind a name's values: "mm"; "mm m" for several
 };
 
 /// The words and numbers of any text, in its order: JSON, YAML, XML, source code and printed
 /// arrays. What printing adds is skipped: sizes (Array(16), 4×4 Matrix), labels of rows and
 /// columns, addresses, times, and the second and third name of a component in a debugger (x = 1,
 /// r = 1, s = 1). Applied: MATLAB's common factor, "1.0e+03 *", decimal commas, exponents of
-/// Fortran, Mathematica and LaTeX, np.radians(60), np.pi / 3, np.eye(3).
+/// Fortran, Mathematica and LaTeX, np.radians(60), np.pi / 3, math.sqrt(2), np.eye(3), and
+/// assignments of several names, fx, fy = 600, 610.
 /// Throws a base::Error for a text of more than half a million names.
 /// @return views of the text
 std::vector<Group> scan(std::string_view text);
+
+/// The text with blanks for the comments that no sign in a line begins: ; and rem lines, and
+/// Python's docstrings.
+std::string withoutRemarks(std::string_view text);
 
 /// The letters and digits of a name in lower case: "nearclip" of "near_Clip".
 std::string plain(std::string_view name);
