@@ -14,35 +14,18 @@ using base::isListed;
 namespace {
 
 /// Members of a matrix in cv::FileStorage and in ROS's files.
-constexpr std::array<std::string_view, 6> kMembers{"typeid", "rows", "cols", "dt", "data", "dims"};
+constexpr std::string_view kMembers = " typeid rows cols dt data dims ";
 
 /// Numbers that are read one by one.
-constexpr std::array<std::string_view, 22> kScalars{"fx",
-                                                    "fy",
-                                                    "cx",
-                                                    "cy",
-                                                    "ppx",
-                                                    "ppy",
-                                                    "focallengthx",
-                                                    "focallengthy",
-                                                    "principalpointx",
-                                                    "principalpointy",
-                                                    "width",
-                                                    "height",
-                                                    "w",
-                                                    "h",
-                                                    "k1",
-                                                    "k2",
-                                                    "k3",
-                                                    "p1",
-                                                    "p2",
-                                                    "skew",
-                                                    "znear",
-                                                    "zfar"};
+constexpr std::string_view kScalars = " fx fy cx cy ppx ppy focallengthx focallengthy principalpointx principalpointy "
+                                      "width height w h k1 k2 k3 p1 p2 skew znear zfar ";
 
+/// Returns whether the last words of a name are in a list.
 bool isScalar(const NamedValue &value)
 {
-    return std::any_of(kScalars.begin(), kScalars.end(), [&](std::string_view name) { return value.isNamed(name); });
+    std::string name;
+    return std::any_of(value.words.rbegin(), value.words.rend(),
+                       [&](const std::string &word) { return isListed(kScalars, name = word + name); });
 }
 
 /// Names of a camera's id, and of a reference to it.
@@ -68,23 +51,11 @@ std::vector<NamedValue> columnsOf(const NamedValue &value)
 
 bool fits(Part part, std::size_t count)
 {
-    switch (part) {
-    case Part::Intrinsics: return count == 9 || count == 4;
-    case Part::Rotation: return count == 9 || count == 3;
-    case Part::Quaternion: return false; // of a list, either end may be w: see add()
-    case Part::Translation:
-    case Part::Center: return count == 3;
-    case Part::Radial: return count == 2 || count == 3;
-    case Part::Tangential: return count == 2;
-    case Part::Pose: return count == 12 || count == 16;
-    case Part::CameraMatrix: return count == 12;
-    case Part::Distortion: return count >= 1;
-    case Part::Focal:
-    case Part::Principal:
-    case Part::Size: return count == 2;
-    case Part::Model: return true;
-    }
-    return false;
+    // by part; of a list of a quaternion, either end may be w: see add()
+    constexpr std::array<std::string_view, kParts> kCounts{" 4 9 ",   " 2 ",  " 2 ", " 3 9 ", "",    " 3 ", " 3 ",
+                                                           " 12 16 ", " 12 ", "any", " 2 3 ", " 2 ", " 2 ", "any"};
+    const std::string_view counts = kCounts[std::size_t(part)];
+    return counts == "any" || isListed(counts, std::to_string(count));
 }
 
 /// Returns whether a word is a lens that is no pinhole.
@@ -136,17 +107,15 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
             bool isTable = false; ///< of six columns
         };
         std::vector<Owned> values;
-        std::map<std::pair<std::size_t, std::string>, CameraValue> keys; // of objects
+        std::map<std::pair<std::size_t, std::string>, std::size_t> keys; // of objects: indexes of values
         const NamedValues named(text.text);
         m_files.push_back(text.name);
         m_outlines.emplace_back(text.text);
         for (const NamedValue &value : named.all()) {
-            const auto member = std::find_if(kMembers.begin(), kMembers.end(),
-                                             [&](std::string_view name) { return value.isNamed(name); });
-            if (member != kMembers.end() && !values.empty()) {
-                if (*member == "data")
+            if (!values.empty() && isListed(kMembers, value.words.back())) {
+                if (value.isNamed("data"))
                     values.back().value.numbers = value.numbers;
-                else if (*member == "cols" && value.numbers.size() == 1)
+                else if (value.isNamed("cols") && value.numbers.size() == 1)
                     values.back().isTable = value.numbers[0] == 6.0;
                 continue;
             }
@@ -159,9 +128,10 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
             addNumber(added);
             if (value.at == 0 || text.text[value.at - 1] != '"' || value.numbers.empty())
                 continue;
-            const auto &[key, isNew] = keys.try_emplace({added.node, added.written}, added);
-            if (!isNew && key->second.numbers != added.numbers && (isScalar(added) || roleOf(added)))
-                m_twice = {key->second.line, added};
+            const auto &[key, isNew] = keys.try_emplace({added.node, added.written}, values.size() - 1);
+            const CameraValue &first = values[key->second].value;
+            if (!isNew && first.numbers != added.numbers && (isScalar(added) || roleOf(added)))
+                m_twice = {first.line, added};
         }
         addComponents(named);
         for (Owned &owned : values) {
@@ -207,47 +177,28 @@ std::vector<const CameraValue *> CameraValues::lenses() const
     return found;
 }
 
-/// A part of a text and the parts around it, without the whole text.
-std::vector<CameraValues::Place> CameraValues::placesAround(std::size_t text, std::size_t node) const
+/// The innermost id around a value; null if there is none.
+/// @param place  set to the part of the text that has it
+const std::string *CameraValues::idAround(const CameraValue &value, const std::map<Place, std::string> &ids,
+                                          Place &place) const
 {
-    std::vector<Place> places;
-    for (; node > 0; node = m_outlines[text].node(node).parent)
-        places.emplace_back(text, node);
-    return places;
+    for (place = {value.text, value.node}; place.second > 0;
+         place.second = m_outlines[value.text].node(place.second).parent) {
+        if (const auto found = ids.find(place); found != ids.end())
+            return &found->second;
+    }
+    return nullptr;
 }
 
-std::set<CameraValues::Place> CameraValues::placesAround(const std::vector<const CameraValue *> &values) const
+/// The id of a lens, or the name of its camera.
+std::string CameraValues::idOf(const CameraValue &lens) const
 {
-    std::set<Place> places;
-    for (const CameraValue *value : values) {
-        const std::vector<Place> around = placesAround(value->text, value->node);
-        places.insert(around.begin(), around.end());
+    Place place;
+    for (const auto *ids : {&m_ids, &m_references}) {
+        if (const std::string *id = idAround(lens, *ids, place))
+            return *id;
     }
-    return places;
-}
-
-std::vector<const CameraValue *> CameraValues::poses() const
-{
-    std::vector<const CameraValue *> found;
-    for (const Part part : kPoseParts) {
-        for (const CameraValue &value : all(part))
-            found.push_back(&value);
-    }
-    return found;
-}
-
-/// The id that a part of the text around a place names; empty: none.
-/// @param isOwn  an id of its own counts
-std::string CameraValues::referenceAt(std::size_t text, std::size_t node, bool isOwn) const
-{
-    for (const Place &place : placesAround(text, node)) {
-        for (const auto *references : {&m_references, &m_ids}) {
-            const auto found = references->find(place);
-            if (found != references->end() && (isOwn || references == &m_references))
-                return found->second;
-        }
-    }
-    return {};
+    return cameraOf(lens);
 }
 
 /// Returns whether a value is of another camera than a lens: they stand in two items of a list, or in
@@ -267,10 +218,11 @@ bool CameraValues::isOfOtherThan(const CameraValue &lens, const CameraValue &val
     if (one.isOfSeveral && other.isOfSeveral && one.name == other.name)
         return true;
     const std::string camera = cameras::cameraOf(outline.nameOf(*a)), its = cameras::cameraOf(outline.nameOf(*b));
-    const std::string id = referenceAt(lens.text, lens.node, true),
-                      reference = referenceAt(value.text, value.node, false);
-    return (!camera.empty() && !its.empty() && camera != its)
-           || (!id.empty() && !reference.empty() && id != reference && reference != outline.nameOf(*a));
+    Place place;
+    const std::string *reference = idAround(value, m_references, place);
+    const bool isOfId = !reference || (m_ids.empty() && m_references.size() < 2) || *reference == idOf(lens)
+                        || *reference == outline.nameOf(*a);
+    return (!camera.empty() && !its.empty() && camera != its) || !isOfId;
 }
 
 /// Sets apart what stands with other things than the camera ("imu", "display"), poses of other
@@ -365,30 +317,13 @@ void CameraValues::findCameras()
         setCameras(ends);
 }
 
-void CameraValues::keepCamera(const std::string &name)
+void CameraValues::keepCamera(const std::string &name, Place image)
 {
-    keepCamera(name, {});
-}
-
-/// @param image  its values stay, whatever its name
-void CameraValues::keepCamera(const std::string &name, const Image &image)
-{
-    const std::set<std::string> cameras(m_cameras.begin(), m_cameras.end());
-    const auto isOther = [&](const std::string &section) { return section != name && cameras.contains(section); };
-    std::vector<std::vector<bool>> others; // by text and node: it is of another camera
-    for (const Outline &outline : m_outlines) {
-        std::vector<bool> &ofText = others.emplace_back();
-        std::vector<std::size_t> depths;
-        for (std::size_t i = 0; i < outline.size(); ++i) {
-            const std::size_t parent = outline.node(i).parent;
-            depths.push_back(i == 0 ? 0 : depths[parent] + 1);
-            const bool isImage = image.node == i && image.text == others.size() - 1;
-            ofText.push_back((i > 0 && ofText[parent])
-                             || (m_depth > 0 && depths[i] == m_depth && !isImage && isOther(outline.nameOf(i))));
-        }
-    }
     const auto isOfOther = [&](const CameraValue &value) {
-        return others[value.text][value.node] || (m_depth == 0 && isOther(value.camera));
+        const std::vector<std::size_t> path = m_outlines[value.text].pathTo(value.node);
+        const bool isOfImage = value.text == image.first && image.second > 0
+                               && std::find(path.begin(), path.end(), image.second) != path.end();
+        return !isOfImage && cameraOf(value) != name && isOfCamera(value);
     };
     for (std::vector<CameraValue> &values : m_parts)
         std::erase_if(values, isOfOther);
@@ -397,39 +332,41 @@ void CameraValues::keepCamera(const std::string &name, const Image &image)
             value.reset();
     }
     std::erase_if(m_others, isOfOther);
-    std::erase_if(m_numbers, [&](const CameraValue &number) { return others[number.text][number.node]; });
+    std::erase_if(m_numbers, isOfOther);
     dropElsewhere();
 }
 
 std::vector<CameraValues::Image> CameraValues::images() const
 {
     std::vector<Image> images;
-    const std::set<Place> ofPoses = placesAround(poses()), ofLenses = placesAround(lenses());
-    for (const auto &[place, camera] : m_references) {
-        if (ofPoses.contains(place) && !ofLenses.contains(place))
-            images.push_back({m_outlines[place.first].nameOf(place.second), camera, place.first, place.second});
+    std::set<Place> seen;
+    Place place;
+    for (const Part part : kPoseParts) {
+        for (const CameraValue &value : all(part)) {
+            const std::string *camera = idAround(value, m_references, place);
+            if (camera && seen.insert(place).second)
+                images.push_back({m_outlines[place.first].nameOf(place.second), *camera, place});
+        }
     }
     return images;
 }
 
 bool CameraValues::keepImage(const Image &image)
 {
-    std::string name;
-    for (const CameraValue *lens : lenses()) {
-        if (cameraOf(*lens) == image.camera || referenceAt(lens->text, lens->node, true) == image.camera)
-            name = cameraOf(*lens);
-    }
-    if (name.empty())
+    const std::vector<const CameraValue *> lenses = this->lenses();
+    const auto lens = std::find_if(lenses.begin(), lenses.end(), [&](const CameraValue *one) {
+        return idOf(*one) == image.camera || cameraOf(*one) == image.camera;
+    });
+    if (lens == lenses.end())
         return false;
-    const Place kept(image.text, image.node);
+    const std::string name = cameraOf(**lens);
     for (const Part part : kPoseParts) {
         std::erase_if(of(part), [&](const CameraValue &value) {
-            const std::vector<Place> around = placesAround(value.text, value.node);
-            return std::any_of(around.begin(), around.end(),
-                               [&](const Place &place) { return place != kept && m_references.contains(place); });
+            Place place;
+            return idAround(value, m_references, place) && place != image.place;
         });
     }
-    keepCamera(name, image);
+    keepCamera(name, image.place);
     return true;
 }
 
@@ -529,11 +466,7 @@ void CameraValues::add(CameraValue value)
     const bool isVectors = (part == Part::Rotation || part == Part::Translation) && count > 3 && count % 3 == 0
                            && value.name.find("vec") != value.name.npos && (count != 9 || value.name.ends_with("vecs"));
     if (isVectors) {
-        const std::vector<double> numbers = std::move(value.numbers);
-        for (std::size_t i = 0; i + 3 <= count; i += 3) {
-            value.numbers = {numbers[i], numbers[i + 1], numbers[i + 2]};
-            of(part).push_back(value);
-        }
+        addEach(part, value, 3);
     } else if (fits(part, value.numbers.size())) {
         of(part).push_back(std::move(value));
     } else if (!m_unfit[std::size_t(part)]) {
@@ -562,10 +495,16 @@ void CameraValues::addUnnamed(CameraValue value)
     if (count == 9)
         return;
     value.role = role && role->part == Part::Pose ? *role : Role{};
+    addEach(Part::Pose, value, entries);
+}
+
+/// Adds the parts that stand in one list.
+void CameraValues::addEach(Part part, CameraValue value, std::size_t entries)
+{
     const std::vector<double> numbers = std::move(value.numbers);
-    for (std::size_t i = 0; i < count; i += entries) {
-        value.numbers.assign(numbers.begin() + std::ptrdiff_t(i), numbers.begin() + std::ptrdiff_t(i + entries));
-        of(Part::Pose).push_back(value);
+    for (auto at = numbers.begin(); at < numbers.end(); at += std::ptrdiff_t(entries)) {
+        value.numbers.assign(at, at + std::ptrdiff_t(entries));
+        of(part).push_back(value);
     }
 }
 
@@ -583,89 +522,77 @@ void CameraValues::addPoses(CameraValue value)
     }
 }
 
-/// Adds ROS's transforms and poses: "translation: {x: 1, y: 2, z: 3}",
+/// Adds vectors and quaternions whose components have names: ROS's "translation: {x: 1, y: 2, z: 3}",
 /// "orientation: {x: 0, y: 0, z: 0, w: 1}".
 void CameraValues::addComponents(const NamedValues &named)
 {
+    constexpr std::string_view kXyzw = "xyzw";
     const std::vector<NamedValue> &values = named.all();
-    const auto addOf = [&](Part part, std::span<const std::string_view> names,
-                           std::span<const std::string_view> components) {
-        for (std::size_t i = 0; i + components.size() <= values.size(); ++i) {
-            const std::string &parent = values[i].parent;
-            if (std::find(names.begin(), names.end(), parent) == names.end())
-                continue;
-            std::vector<double> numbers;
-            for (const std::string_view component : components) {
-                for (std::size_t k = i; k < i + components.size(); ++k) {
-                    if (values[k].parent == parent && values[k].isNamed(component) && values[k].numbers.size() == 1)
-                        numbers.push_back(values[k].numbers[0]);
-                }
-            }
-            if (numbers.size() != components.size())
-                continue;
-            CameraValue added = valueOf(values[i]);
-            added.name = parent;
-            added.numbers = std::move(numbers);
-            if (part == Part::Center)
-                added.role = cameras::roleOf(parent, numbers.size()).value_or(Role{});
-            added.role.part = part;
-            (setDirectionAround(added) ? of(part) : m_others).push_back(std::move(added));
-            i += components.size() - 1;
-        }
+    const auto isComponent = [&](std::size_t i) {
+        return i < values.size() && values[i].words.back().size() == 1 && values[i].numbers.size() == 1
+               && kXyzw.find(values[i].words.back()) != kXyzw.npos;
     };
-    static constexpr std::array<std::string_view, 3> kTurns{"rotation", "orientation", "quaternion"};
-    static constexpr std::array<std::string_view, 2> kShifts{"translation", "t"};
-    static constexpr std::array<std::string_view, 1> kPositions{"position"};
-    static constexpr std::array<std::string_view, 4> kXyzw{"x", "y", "z", "w"};
-    const std::size_t before = all(Part::Quaternion).size();
-    addOf(Part::Quaternion, kTurns, kXyzw);
-    const bool isPose = all(Part::Quaternion).size() > before;
-    addOf(Part::Translation, kShifts, std::span(kXyzw).first(3));
-    addOf(isPose ? Part::Translation : Part::Center, kPositions, std::span(kXyzw).first(3));
-}
-
-std::optional<double> CameraValues::number(std::initializer_list<std::string_view> names) const
-{
-    for (const std::string_view name : names) {
-        if (const CameraValue *value = find(name))
-            return value->number();
+    std::vector<CameraValue> found;
+    for (std::size_t i = 0, count = 0; i < values.size(); i += std::max<std::size_t>(count, 1)) {
+        std::array<double, 4> numbers{};
+        std::set<std::string> components;
+        for (count = 0; isComponent(i + count) && values[i + count].parent == values[i].parent
+                        && components.insert(values[i + count].words.back()).second;
+             ++count)
+            numbers[kXyzw.find(values[i + count].words.back())] = values[i + count].numbers[0];
+        const auto role = cameras::roleOf(values[i].parent, count);
+        if (count < 3 || components.contains("w") != (count == 4) || !role)
+            continue;
+        CameraValue &added = found.emplace_back(valueOf(values[i]));
+        added.name = values[i].parent;
+        added.numbers.assign(numbers.begin(), numbers.begin() + std::ptrdiff_t(count));
+        added.role = *role;
     }
-    return std::nullopt;
+    const auto isTurn = [](const CameraValue &value) {
+        return value.role.part == Part::Quaternion && value.numbers.size() == 4;
+    };
+    // A position beside a quaternion is a pose; alone, it may be another thing's.
+    const bool isPose = std::any_of(found.begin(), found.end(), isTurn);
+    for (CameraValue &value : found) {
+        if (isPose && value.role.part == Part::Center)
+            value.role = {Part::Translation};
+        const bool isRead =
+            isTurn(value)
+            || (value.numbers.size() == 3 && (value.role.part == Part::Translation || value.role.part == Part::Center));
+        (isRead && setDirectionAround(value) ? of(value.role.part) : m_others).push_back(std::move(value));
+    }
 }
 
-const CameraValue *CameraValues::find(std::string_view name) const
+std::optional<double> CameraValues::number(std::string_view names) const
 {
-    const auto found = std::find_if(m_numbers.begin(), m_numbers.end(),
-                                    [name](const CameraValue &number) { return number.isNamed(name); });
-    return found == m_numbers.end() ? nullptr : &*found;
+    const CameraValue *value = find(names);
+    return value ? std::optional(value->number()) : std::nullopt;
+}
+
+const CameraValue *CameraValues::find(std::string_view names) const
+{
+    base::TextScanner scanner(names);
+    for (std::string_view name = scanner.nextWord(); !name.empty(); name = scanner.nextWord()) {
+        const auto found = std::find_if(m_numbers.begin(), m_numbers.end(),
+                                        [name](const CameraValue &number) { return number.isNamed(name); });
+        if (found != m_numbers.end())
+            return &*found;
+    }
+    return nullptr;
 }
 
 const CameraValue *CameraValues::coefficient(std::string_view name) const
 {
-    constexpr std::string_view kOfLens = " radial tangential dist disto distortion lens cam camera coeff coef param ";
-    const auto isIt = [&](const CameraValue &number) {
-        bool hasName = false;
-        std::string written = base::lowerCase(number.written);
-        std::replace_if(
-            written.begin(), written.end(), [](char c) { return c == '_' || c == '.' || c == '-'; }, ' ');
-        base::TextScanner scanner(written);
-        for (std::string_view word = scanner.nextWord(); !word.empty(); word = scanner.nextWord()) {
-            if (word != name && !isListed(kOfLens, word))
-                return false;
-            hasName = hasName || word == name;
-        }
-        return hasName;
-    };
+    const auto isIt = [&](const CameraValue &number) { return coefficientOf(number.name) == name; };
     const CameraValue *exact = find(name);
     const auto found = std::find_if(m_numbers.begin(), m_numbers.end(), isIt);
     return exact || found == m_numbers.end() ? exact : &*found;
 }
 
-bool CameraValues::differ(std::string_view name) const
+bool CameraValues::differs(const CameraValue &value) const
 {
-    const CameraValue *first = find(name);
     return std::any_of(m_numbers.begin(), m_numbers.end(), [&](const CameraValue &number) {
-        return number.isNamed(name) && number.numbers != first->numbers;
+        return number.words == value.words && number.numbers != value.numbers;
     });
 }
 

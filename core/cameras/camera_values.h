@@ -5,7 +5,6 @@
 #include "core/cameras/roles.h"
 
 #include <array>
-#include <initializer_list>
 #include <map>
 #include <optional>
 #include <set>
@@ -36,17 +35,18 @@ public:
     const std::vector<CameraValue> &all(Part part) const { return m_parts[std::size_t(part)]; }
     /// A value of the part whose count of numbers does not fit it.
     const std::optional<CameraValue> &unfit(Part part) const { return m_unfit[std::size_t(part)]; }
-    /// A number by its name: "fx", "k1", "width". The first one counts.
-    std::optional<double> number(std::initializer_list<std::string_view> names) const;
+    /// The number under the first of some names: "znear nearplane".
+    std::optional<double> number(std::string_view names) const;
     /// All values of one number.
     const std::vector<CameraValue> &numbers() const { return m_numbers; }
-    /// The first value of one number under a name; null if there is none.
-    const CameraValue *find(std::string_view name) const;
+    /// The first value of one number under the first of some names, "fx focallengthx"; null if there is
+    /// none.
+    const CameraValue *find(std::string_view names) const;
     /// The first value of one number whose name has a coefficient's among words of a lens: "k1",
     /// "radial_k1"; null if there is none.
     const CameraValue *coefficient(std::string_view name) const;
-    /// Returns whether several numbers under a name differ: they are of several cameras.
-    bool differ(std::string_view name) const;
+    /// Returns whether other numbers have the name of a value: they are of several cameras.
+    bool differs(const CameraValue &value) const;
     /// Returns whether a text is ROS's camera_info: its R is the rectification.
     bool isCameraInfo() const;
     /// The values that look like a camera's, but whose name says no part.
@@ -57,11 +57,12 @@ public:
     /// several that no names tell apart.
     const std::vector<std::string> &cameras() const { return m_cameras; }
     /// Drops the values of all cameras but one of cameras().
-    void keepCamera(const std::string &name);
+    /// @param image  a part of the text that stays, whatever its name
+    void keepCamera(const std::string &name, std::pair<std::size_t, std::size_t> image = {});
     /// An image with a pose that names its camera: "camera_id: 2".
     struct Image {
         std::string name, camera;
-        std::size_t text = 0, node = 0;
+        std::pair<std::size_t, std::size_t> place; ///< its text, and its node in the outline of that
     };
     /// The images that name one of cameras(), in their order.
     std::vector<Image> images() const;
@@ -83,6 +84,7 @@ private:
     void addPoses(CameraValue value);
     void addNumber(const CameraValue &value);
     void addComponents(const NamedValues &named);
+    void addEach(Part part, CameraValue value, std::size_t entries);
     CameraValue valueOf(const NamedValue &value) const;
     std::vector<std::string> sectionsOf(std::size_t text, std::size_t node) const;
     std::string cameraOf(const CameraValue &value) const;
@@ -90,8 +92,7 @@ private:
     void dropElsewhere();
     std::vector<const CameraValue *> lenses() const;
     bool isOfOtherThan(const CameraValue &lens, const CameraValue &value) const;
-    std::string referenceAt(std::size_t text, std::size_t node, bool isOwn) const;
-    void keepCamera(const std::string &name, const Image &image);
+    std::string idOf(const CameraValue &lens) const;
     std::vector<CameraValue> &of(Part part) { return m_parts[std::size_t(part)]; }
 
     std::array<std::vector<CameraValue>, kParts> m_parts;
@@ -101,9 +102,7 @@ private:
 
     std::vector<CameraValue> m_numbers;                ///< values of one number
     using Place = std::pair<std::size_t, std::size_t>; ///< a text and a node of its outline
-    std::vector<Place> placesAround(std::size_t text, std::size_t node) const;
-    std::set<Place> placesAround(const std::vector<const CameraValue *> &values) const;
-    std::vector<const CameraValue *> poses() const;
+    const std::string *idAround(const CameraValue &value, const std::map<Place, std::string> &ids, Place &place) const;
     std::map<Place, std::string> m_ids, m_references; ///< of parts of a text, and those of the cameras they name
     std::optional<std::pair<std::size_t, CameraValue>> m_twice;
     std::vector<std::string> m_cameras;

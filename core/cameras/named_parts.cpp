@@ -33,17 +33,13 @@ namespace {
     throw base::Error{std::move(reason), value.name, value.file, static_cast<int>(value.line)};
 }
 
-/// The value's one number. Fails where the text computes with it, or gives it in another unit than pixels.
-double numberOf(const CameraValue &value)
+/// Fails for parts of one camera beside several lenses.
+[[noreturn]] void failCount(const CameraValue &value, std::size_t lenses, std::size_t count)
 {
-    if (!value.unit.empty() && !base::isListed(" px pixel pixels ", value.unit))
-        fail(value, tr("it is in %1; give pixels", value.unit));
-    try {
-        return value.number();
-    } catch (base::Error &error) {
-        fail(value, error.text);
-    }
+    fail(value, tr("the text has %1 camera matrices, but %2 of this. Give the text of one camera", lenses, count));
 }
+
+constexpr std::string_view kPixels = " px pixel pixels ";
 
 bool isNear(double value, double wanted, double scale)
 {
@@ -97,8 +93,8 @@ bool isTurned(const std::optional<CameraParts> &asWritten, const CameraParts &tu
     return slant(turned.intrinsics) < 1e-3 && (!asWritten || slant(asWritten->intrinsics) > 1e-2);
 }
 
-constexpr std::array<std::string_view, 3> kFx{"fx", "focallengthx", "focalx"}, kFy{"fy", "focallengthy", "focaly"},
-    kCx{"cx", "ppx", "principalpointx"}, kCy{"cy", "ppy", "principalpointy"};
+constexpr std::string_view kFx = "fx focallengthx focalx", kFy = "fy focallengthy focaly",
+                           kCx = "cx ppx principalpointx", kCy = "cy ppy principalpointy";
 
 class Reader {
 public:
@@ -110,11 +106,7 @@ public:
     bool isRecognised() const
     {
         const auto has = [this](Part part) { return !m_values.all(part).empty(); };
-        const auto hasOne = [this](std::span<const std::string_view> names) {
-            return std::any_of(names.begin(), names.end(),
-                               [this](std::string_view name) { return m_values.find(name) != nullptr; });
-        };
-        const bool hasFocal = (hasOne(kFx) && hasOne(kFy)) || hasFocalAndPrincipal();
+        const bool hasFocal = (m_values.find(kFx) && m_values.find(kFy)) || hasFocalAndPrincipal();
         // In other texts, a letter K may stand before a number.
         const auto isNamed = [](const auto &value, const char *name) {
             return value && value->numbers.size() >= 3 && plain(value->name) == name;
@@ -158,9 +150,7 @@ private:
             return nullptr;
         const std::size_t images = m_values.cameras().empty() ? m_camera.images.size() : 0;
         const bool isOfImage = images > 1 && values.size() == images;
-        const bool isOfPose = part == Part::Rotation || part == Part::Quaternion || part == Part::Translation
-                              || part == Part::Center || part == Part::Pose;
-        if (isOfPose && images > 1 && values.size() > 1 && !isOfImage)
+        if (isOfPose(part) && images > 1 && values.size() > 1 && !isOfImage)
             fail(values.front(),
                  tr("the text has %1 of this, but %2 images; nothing tells which belong together. Give the text of one "
                     "camera",
@@ -244,12 +234,11 @@ private:
                    isOfWorld = isLength && isPoseWithShift(part);
         if (isOfWorld && value.unit != "m")
             m_camera.assumed.push_back(tr("%1 is in %2: this is the scene's unit.", value.name, value.unit));
-        else if (!value.unit.empty() && !isOfWorld && !isTurn && !base::isListed(" px pixel pixels ", value.unit))
+        else if (!value.unit.empty() && !isOfWorld && !isTurn && !base::isListed(kPixels, value.unit))
             fail(value, tr("its unit is %1, which is not known here; give numbers without a unit", value.unit));
         const bool isVector = part == Part::Distortion || part == Part::Size || value.numbers.size() == 3;
         if (!value.arithmetic.empty() && !(isVector && value.arithmetic == ".T"))
-            fail(value,
-                 tr("the text computes with it (%1), and only numbers are read; write the result", value.arithmetic));
+            fail(value, value.computedError().text);
         if (!std::all_of(value.numbers.begin(), value.numbers.end(),
                          [](double number) { return std::isfinite(number); }))
             fail(value, tr("a number is not finite"));
@@ -268,7 +257,7 @@ private:
             return;
         refuseComputed(part, *unfit);
         if (!unfit->decimal.empty())
-            numberOf(*unfit);
+            use(*unfit, false);
         fail(*unfit, tr("it has %1 numbers; %2", unfit->numbers.size(), wanted));
     }
 
@@ -358,15 +347,14 @@ private:
         for (const Part part : {Part::Rotation, Part::Translation}) {
             for (const CameraValue &value : m_values.all(part)) {
                 if (!m_values.isOfCamera(value))
-                    fail(value, tr("the text has %1 camera matrices, but %2 of this. Give the text of one camera",
-                                   cameras.size(), m_values.all(part).size()));
+                    failCount(value, cameras.size(), m_values.all(part).size());
             }
         }
         const std::vector<CameraValue> &poses = m_values.all(Part::Pose);
-        const auto isShared = [this](const CameraValue &pose) { return !m_values.isOfCamera(pose); };
-        if (const auto count = std::count_if(poses.begin(), poses.end(), isShared); count > 1)
-            fail(poses.front(), tr("the text has %1 camera matrices, but %2 of this. Give the text of one camera",
-                                   cameras.size(), count));
+        if (const auto count = std::count_if(poses.begin(), poses.end(),
+                                             [this](const CameraValue &pose) { return !m_values.isOfCamera(pose); });
+            count > 1)
+            failCount(poses.front(), cameras.size(), std::size_t(count));
     }
 
     /// Returns whether the text has several K that differ.
@@ -388,8 +376,7 @@ private:
         for (const Part part : {Part::Rotation, Part::Quaternion, Part::Translation, Part::Pose, Part::Distortion}) {
             const std::vector<CameraValue> &values = m_values.all(part);
             if (!values.empty() && values.size() != count)
-                fail(values.front(), tr("the text has %1 camera matrices, but %2 of this. Give the text of one camera",
-                                        count, values.size()));
+                failCount(values.front(), count, values.size());
         }
     }
 
@@ -397,9 +384,8 @@ private:
     {
         const CameraValue *given = valueOf(Part::Size);
         if (!given) {
-            constexpr std::array<std::string_view, 4> kWidth{"imagewidth", "imgwidth", "width", "w"},
-                kHeight{"imageheight", "imgheight", "height", "h"};
-            m_camera.size = sizeOf(scalar(kWidth, false), scalar(kHeight, false));
+            m_camera.size =
+                sizeOf(scalar("imagewidth imgwidth width w", false), scalar("imageheight imgheight height h", false));
             return;
         }
         const double first = given->numbers[0], second = given->numbers[1];
@@ -461,10 +447,11 @@ private:
             const CameraValue *value = m_values.find(name);
             if (!value || value->words.size() != 1)
                 continue;
-            const double skew = numberOf(*value) * (value->isNamed("alphac") ? fx : 1.0);
-            if (!(std::abs(skew) <= kMost * fx))
+            const double skew = use(*value, false) * (value->isNamed("alphac") ? fx : 1.0);
+            if (!(std::abs(skew) <= kMost * fx)) {
+                m_used.erase(value);
                 continue;
-            m_used.insert(value);
+            }
             if (skew != 0.0 && !value->isNamed("skew"))
                 m_camera.assumed.push_back(
                     tr("%1 is read as the skew: %2 pixels.", value->name, significantText(skew, 6)));
@@ -490,21 +477,27 @@ private:
                shortestText(m_camera.intrinsics->cx), shortestText(m_camera.intrinsics->cy)));
     }
 
-    /// The number under the first of some names. Fails where the text computes with it, or, among several
-    /// cameras' names, has others under it.
-    std::optional<double> scalar(std::span<const std::string_view> names, bool isOfOne = true)
+    /// A value's one number. Fails where the text computes with it, has others under a name, or gives it in
+    /// another unit than pixels.
+    /// @param isOfOne  the text has no other number with its name
+    double use(const CameraValue &value, bool isOfOne = true)
     {
-        for (const std::string_view name : names) {
-            const CameraValue *value = m_values.find(name);
-            if (!value)
-                continue;
-            const double number = numberOf(*value);
-            if (isOfOne && m_values.differ(name))
-                m_reading.fail(tr("%1 has several values. Give the text of one camera", name), value->line);
-            m_used.insert(value);
-            return number;
-        }
-        return std::nullopt;
+        if (!value.unit.empty() && !base::isListed(kPixels, value.unit))
+            fail(value, tr("it is in %1; give pixels", value.unit));
+        const double number = value.number();
+        if (!std::isfinite(number))
+            fail(value, tr("a number is not finite"));
+        if (isOfOne && m_values.differs(value))
+            m_reading.fail(tr("%1 has several values. Give the text of one camera", value.words.back()), value.line);
+        m_used.insert(&value);
+        return number;
+    }
+
+    /// The number under the first of some names, see use().
+    std::optional<double> scalar(std::string_view names, bool isOfOne = true)
+    {
+        const CameraValue *value = m_values.find(names);
+        return value ? std::optional(use(*value, isOfOne)) : std::nullopt;
     }
 
     void readPose()
@@ -735,8 +728,8 @@ private:
     void readRectification(const CameraValue &p)
     {
         const std::optional<CameraParts> parts = partsOf(p.numbers);
-        const std::optional<double> binning = m_values.number({"binningx"}), left = m_values.number({"xoffset"}),
-                                    top = m_values.number({"yoffset"});
+        const std::optional<double> binning = m_values.number("binningx"), left = m_values.number("xoffset"),
+                                    top = m_values.number("yoffset");
         if (binning.value_or(0.0) > 1.0 || left.value_or(0.0) != 0.0 || top.value_or(0.0) != 0.0)
             m_camera.assumed.push_back(
                 tr("Binning and region of interest are not applied: pixels are those of the full "
@@ -769,9 +762,7 @@ private:
         if (const CameraValue *other = model ? &*model : unknown) {
             const std::string what = model ? model->word : unknown->name + " = " + shortestText(unknown->numbers[0]);
             if (!m_reading.choices.isUndistorted)
-                fail(*other, tr("the distortion is %1; only k1, k2, p1, p2 and k3 of Brown and Conrady are known. "
-                                "Undistort the image with its own program, then give --undistorted",
-                                what));
+                fail(*other, unknownDistortionText(what));
             m_camera.assumed.push_back(
                 tr("The distortion %1 is dropped: pixels are those of the undistorted image.", what));
             return;
@@ -793,7 +784,7 @@ private:
     {
         const std::vector<CameraValue> &numbers = m_values.numbers();
         const auto found = std::find_if(numbers.begin(), numbers.end(), [this](const CameraValue &value) {
-            return value.numbers[0] != 0.0 && !m_used.contains(&value) && isCoefficient(value.name);
+            return value.numbers[0] != 0.0 && !m_used.contains(&value) && !coefficientOf(value.name).empty();
         });
         return found == numbers.end() ? nullptr : &*found;
     }
@@ -816,13 +807,7 @@ private:
         }
         for (const char *name : {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"}) {
             const CameraValue *value = m_values.coefficient(name);
-            named.numbers.push_back(value ? numberOf(*value) : 0.0);
-            if (value)
-                m_used.insert(value);
-            if (value && !std::isfinite(value->numbers[0]))
-                m_reading.fail(tr("%1: a number is not finite", name), value->line);
-            if (value && value->words.size() == 1 && m_values.differ(name))
-                m_reading.fail(tr("%1 has several values. Give the text of one camera", name), value->line);
+            named.numbers.push_back(value ? use(*value) : 0.0);
             if (value && (named.line == 0 || value->numbers[0] != 0.0)) {
                 named.name = name;
                 named.line = value->line;
@@ -858,8 +843,8 @@ private:
 
     void readClipDistances()
     {
-        m_camera.nearDistance = m_values.number({"znear", "nearplane", "nearclip", "nearclipplane"});
-        m_camera.farDistance = m_values.number({"zfar", "farplane", "farclip", "farclipplane"});
+        m_camera.nearDistance = m_values.number("znear nearplane nearclip nearclipplane");
+        m_camera.farDistance = m_values.number("zfar farplane farclip farclipplane");
     }
 
     /// Models of a pinhole, and names of its distortion.

@@ -1,17 +1,17 @@
 #include "core/cameras/outline.h"
 
 #include "core/base/letters.h"
+#include "core/base/source_text.h"
 #include "core/cameras/scan.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 namespace unprojector::cameras {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kLabels{"name", "label", "id", "camera_name", "serial", "key"};
+constexpr std::string_view kLabels = " name label id camera_name serial key ";
 
 bool isOfName(char c)
 {
@@ -135,7 +135,7 @@ private:
     {
         Outline::Node &node = m_outline.m_nodes[current()];
         if (current() > 0 && node.label.empty() && !value.empty() && value.front() != '{' && value.front() != '['
-            && std::find(kLabels.begin(), kLabels.end(), key) != kLabels.end())
+            && base::isListed(kLabels, key))
             node.label = value.substr(0, value.find_first_of(",}\n"));
         while (!node.label.empty() && (node.label.back() == '"' || node.label.back() == '\''))
             node.label.pop_back();

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <unordered_map>
 #include <utility>
 
 namespace unprojector::cameras {
@@ -51,63 +52,73 @@ enum class Word {
     Other ///< makes the numbers another thing's
 };
 
-struct WordsOfKind {
-    Word kind;
-    std::string_view words; ///< between blanks
+/// The words of each kind, in its order.
+constexpr std::string_view kVocabulary[]{
+    "",
+    " vector vec params param parameters parameter data value values new est gt opt optimal "
+    "is of the my raw array np list point points length lengths pinhole final current xyzw "
+    "wxyz double float const auto var let ",                // Filler
+    " camera cam cams c cn cnm optical sensor s eye lens ", // Camera
+    " world w map m odom global g body b imu i base robot ego vehicle velodyne velo lidar rig "
+    "object obj o marker board target ned enu ",                                                 // World
+    " left right color colour rgb depth ir infrared reference ref rect ",                        // Side
+    " t transform transformation trafo tf se ",                                                  // Transform
+    " to ",                                                                                      // To
+    " from ",                                                                                    // From
+    " in ",                                                                                      // In
+    " gl opengl blender nerf ",                                                                  // OpenGl
+    " cv opencv colmap ",                                                                        // OpenCv
+    " k intrinsic intrinsics intr intri intrin kmat ",                                           // Intrinsics
+    " focal fl ",                                                                                // Focal
+    " principal pp ",                                                                            // Principal
+    " matrix mat mtx ",                                                                          // Matrix
+    " r rot rotation rmat rvec rvecs rodrigues ",                                                // Rotation
+    " q quat quaternion orientation qvec ",                                                      // Quaternion
+    " euler eulers rpy ypr roll pitch yaw azimuth elevation heading tilt rx ry rz axis angles ", // Angles
+    " trans translation tvec tvecs ",                                                            // Translation
+    " center centre position pos origin location ",                                              // Center
+    " pose poses ",                                                                              // Pose
+    " extrinsic extrinsics extr extri rt ",                                                      // Extrinsics
+    " view ",                                                                                    // View
+    " p projection proj ",                                                                       // Projection
+    " d dist distortion distort distorsion kc ",                                                 // Distortion
+    " coeff coeffs coef coefs coefficients coefficient ",                                        // Coefficients
+    " radial ",                                                                                  // Radial
+    " tangential ",                                                                              // Tangential
+    " size resolution ",                                                                         // Size
+    " shape hw ",                                                                                // Shape
+    " image img frame ",                                                                         // Image
+    " model type ",                                                                              // Model
+    " std sigma cov covariance noise velocity speed error residual residuals jacobian inv "
+    "inverse inverted delta relative limits min max bounds weights stereo fundamental "
+    "essential homography mv mvp viewport ", // Other
 };
-
-constexpr std::array kVocabulary{
-    WordsOfKind{Word::Camera, " camera cam cams c cn cnm optical sensor s eye lens "},
-    WordsOfKind{Word::World, " world w map m odom global g body b imu i base robot ego vehicle velodyne velo lidar rig "
-                             "object obj o marker board target ned enu "},
-    WordsOfKind{Word::Side, " left right color colour rgb depth ir infrared reference ref rect "},
-    WordsOfKind{Word::Transform, " t transform transformation trafo tf se "},
-    WordsOfKind{Word::To, " to "},
-    WordsOfKind{Word::From, " from "},
-    WordsOfKind{Word::In, " in "},
-    WordsOfKind{Word::OpenGl, " gl opengl blender nerf "},
-    WordsOfKind{Word::OpenCv, " cv opencv colmap "},
-    WordsOfKind{Word::Intrinsics, " k intrinsic intrinsics intr intri intrin kmat "},
-    WordsOfKind{Word::Focal, " focal fl "},
-    WordsOfKind{Word::Principal, " principal pp "},
-    WordsOfKind{Word::Matrix, " matrix mat mtx "},
-    WordsOfKind{Word::Rotation, " r rot rotation rmat rvec rvecs rodrigues "},
-    WordsOfKind{Word::Quaternion, " q quat quaternion orientation qvec "},
-    WordsOfKind{Word::Angles,
-                " euler eulers rpy ypr roll pitch yaw azimuth elevation heading tilt rx ry rz axis angles "},
-    WordsOfKind{Word::Translation, " trans translation tvec tvecs "},
-    WordsOfKind{Word::Center, " center centre position pos origin location "},
-    WordsOfKind{Word::Pose, " pose poses "},
-    WordsOfKind{Word::Extrinsics, " extrinsic extrinsics extr extri rt "},
-    WordsOfKind{Word::View, " view "},
-    WordsOfKind{Word::Projection, " p projection proj "},
-    WordsOfKind{Word::Distortion, " d dist distortion distort distorsion kc "},
-    WordsOfKind{Word::Coefficients, " coeff coeffs coef coefs coefficients coefficient "},
-    WordsOfKind{Word::Radial, " radial "},
-    WordsOfKind{Word::Tangential, " tangential "},
-    WordsOfKind{Word::Size, " size resolution "},
-    WordsOfKind{Word::Shape, " shape hw "},
-    WordsOfKind{Word::Image, " image img frame "},
-    WordsOfKind{Word::Model, " model type "},
-    WordsOfKind{Word::Filler, " vector vec params param parameters parameter data value values new est gt opt optimal "
-                              "is of the my raw array np list point points length lengths pinhole final current xyzw "
-                              "wxyz double float const auto var let "},
-    WordsOfKind{Word::Other, " std sigma cov covariance noise velocity speed error residual residuals jacobian inv "
-                             "inverse inverted delta relative limits min max bounds weights stereo fundamental "
-                             "essential homography mv mvp viewport "}};
 
 Word kindOf(std::string_view word)
 {
-    for (const auto &[kind, words] : kVocabulary) {
-        if (isListed(words, word))
-            return kind;
-    }
-    return Word::Unknown;
+    static const std::unordered_map<std::string_view, Word> kinds = [] {
+        std::unordered_map<std::string_view, Word> all;
+        for (std::size_t kind = 0; kind < std::size(kVocabulary); ++kind) {
+            base::TextScanner scanner(kVocabulary[kind]);
+            for (std::string_view one = scanner.nextWord(); !one.empty(); one = scanner.nextWord())
+                all.emplace(one, Word(kind));
+        }
+        return all;
+    }();
+    const auto found = kinds.find(word);
+    return found == kinds.end() ? Word::Unknown : found->second;
 }
 
 bool isFrame(Word kind)
 {
     return kind == Word::Camera || kind == Word::World;
+}
+
+/// Returns whether a word of a kind stands before or between the frames of a transform.
+bool isTransformWord(Word kind)
+{
+    return kind == Word::Transform || kind == Word::Extrinsics || kind == Word::Rotation || kind == Word::Quaternion
+           || kind == Word::Translation || kind == Word::Pose;
 }
 
 /// Letters in front of two frames: T_WC, R_cw, q_WC.
@@ -154,9 +165,7 @@ void addWord(const std::string &word, std::vector<std::string> &words)
     std::vector<std::string> parts;
     const Word before = words.empty() ? Word::Unknown : kindOf(words.back());
     const bool isBehindFrame = isFrame(before),
-               isBehindTurn = before == Word::Pose || before == Word::Extrinsics || before == Word::Rotation
-                              || before == Word::Translation || before == Word::Quaternion || before == Word::Transform
-                              || (!words.empty() && isTurnOrShift(words.back()));
+               isBehindTurn = isTransformWord(before) || (!words.empty() && isTurnOrShift(words.back()));
     const bool areTwo = (isBehindTurn && areFrames(letters)) // T_WC, wTc
                         || (isBehindFrame && isTurnOrShift(letters.substr(0, 1)) && isFrame(kindOf(letters.substr(1))));
     const bool areThree = letters.size() == 3 && isTurnOrShift(letters.substr(0, 1)) && areFrames(letters.substr(1))
@@ -179,6 +188,39 @@ bool isLower(char c)
 bool isUpper(char c)
 {
     return c >= 'A' && c <= 'Z';
+}
+
+/// The words of a name in lower case: split at marks, at changes of case, and between known words.
+/// The 2 in "cam2world" is the word "to".
+std::vector<std::string> wordsOf(std::string_view name)
+{
+    std::vector<std::string> words;
+    std::string word;
+    const auto end = [&] {
+        if (!word.empty())
+            addWord(word, words);
+        word.clear();
+    };
+    const auto at = [&](std::size_t i) { return i < name.size() ? name[i] : ' '; };
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const char c = name[i], before = i > 0 ? name[i - 1] : ' ';
+        const bool isLetter = isLower(c) || isUpper(c), wasLetter = isLower(before) || isUpper(before);
+        if (!isLetter && !isDigit(c)) {
+            end();
+            continue;
+        }
+        const bool isHump =
+            isUpper(c) && (isLower(before) || (isUpper(before) && isLower(at(i + 1)) && i + 2 < name.size()));
+        if ((isDigit(c) != isDigit(before) && !word.empty()) || (isHump && wasLetter))
+            end();
+        if (c == '2' && wasLetter && (isLower(at(i + 1)) || isUpper(at(i + 1)))) {
+            words.emplace_back("to");
+            continue;
+        }
+        word += isUpper(c) ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    end();
+    return words;
 }
 
 constexpr std::size_t kLongestName = 80; // longer ones are prose
@@ -234,9 +276,7 @@ Frames framesOf(const Name &name)
             return {next, before};
     }
     for (std::size_t i = 0; i < kinds.size(); ++i) {
-        const bool isTransform = at(i) == Word::Transform || at(i) == Word::Extrinsics || at(i) == Word::Rotation
-                                 || at(i) == Word::Quaternion || at(i) == Word::Translation || at(i) == Word::Pose
-                                 || isTurnOrShift(name.words[i]);
+        const bool isTransform = isTransformWord(at(i)) || isTurnOrShift(name.words[i]);
         const bool isBehindFrame = i > 0 && isFrame(at(i - 1));
         if (isTransform && isEnd(i + 1) && isEnd(i + 2) && (at(i + 1) != at(i + 2) || !isBehindFrame))
             return {i + 2, i + 1}; // T_world_cam
@@ -350,38 +390,22 @@ void setCustom(const Name &name, Role &role)
         role.direction = PoseDirection::CameraToWorld;
 }
 
-} // namespace
-
-std::vector<std::string> wordsOf(std::string_view name)
+bool isOfOther(const Name &name)
 {
-    std::vector<std::string> words;
-    std::string word;
-    const auto end = [&] {
-        if (!word.empty())
-            addWord(word, words);
-        word.clear();
-    };
-    const auto at = [&](std::size_t i) { return i < name.size() ? name[i] : ' '; };
-    for (std::size_t i = 0; i < name.size(); ++i) {
-        const char c = name[i], before = i > 0 ? name[i - 1] : ' ';
-        const bool isLetter = isLower(c) || isUpper(c), wasLetter = isLower(before) || isUpper(before);
-        if (!isLetter && !isDigit(c)) {
-            end();
-            continue;
-        }
-        const bool isHump =
-            isUpper(c) && (isLower(before) || (isUpper(before) && isLower(at(i + 1)) && i + 2 < name.size()));
-        if ((isDigit(c) != isDigit(before) && !word.empty()) || (isHump && wasLetter))
-            end();
-        if (c == '2' && wasLetter && (isLower(at(i + 1)) || isUpper(at(i + 1)))) {
-            words.emplace_back("to");
-            continue;
-        }
-        word += isUpper(c) ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-    end();
-    return words;
+    constexpr std::string_view kOthers =
+        " imu lidar marker markers object objects obj robot projector display window screen monitor crop roi thumbnail "
+        "checkerboard bbox box tag light board velodyne ";
+    return !name.has(Word::Pose) && !name.has(Word::Extrinsics) && !name.has(Word::Transform)
+           && std::any_of(name.words.begin(), name.words.end(),
+                          [&](const std::string &word) { return isListed(kOthers, word); });
 }
+
+bool areAngles(const Name &name)
+{
+    return (name.has(Word::Angles) || name.has(Word::Rotation)) && !name.has(Word::Other) && !isOfOther(name);
+}
+
+} // namespace
 
 std::optional<Role> roleOf(std::string_view text, std::size_t count)
 {
@@ -397,10 +421,7 @@ std::optional<Role> roleOf(std::string_view text, std::size_t count)
         return std::nullopt;
     Role role{*part};
     role.areRowsFirst = name.has(Word::Shape) || text.find("ImageSize") != text.npos;
-    const bool isOfPose = *part != Part::Intrinsics && *part != Part::Radial && *part != Part::Tangential
-                          && *part != Part::Distortion && *part != Part::Size && *part != Part::Model
-                          && *part != Part::CameraMatrix && *part != Part::Focal && *part != Part::Principal;
-    if (!isOfPose)
+    if (!isOfPose(*part))
         return role;
     for (const NameOfProgram &known : kNamesOfPrograms) {
         if (text == known.name) {
@@ -414,10 +435,10 @@ std::optional<Role> roleOf(std::string_view text, std::size_t count)
         return std::nullopt;
     // "marker_pose", "R_imu": of another thing than a camera
     constexpr std::string_view kWorlds = " world w global g map odom c cam camera ";
-    const bool isOfOther = std::any_of(name.words.begin(), name.words.end(), [&](const std::string &word) {
+    const bool isOfOtherWorld = std::any_of(name.words.begin(), name.words.end(), [&](const std::string &word) {
         return kindOf(word) == Word::World && !isListed(kWorlds, word);
     });
-    if (!role.isDirectionStated && isOfOther && !name.has(Word::Camera))
+    if (!role.isDirectionStated && isOfOtherWorld && !name.has(Word::Camera))
         return std::nullopt;
     setCustom(name, role);
     if (name.has(Word::Unknown) && !role.isDirectionStated)
@@ -428,13 +449,7 @@ std::optional<Role> roleOf(std::string_view text, std::size_t count)
 
 bool isElsewhere(std::string_view text)
 {
-    constexpr std::string_view kOthers =
-        " imu lidar marker markers object objects obj robot projector display window screen monitor crop roi thumbnail "
-        "checkerboard bbox box tag light board velodyne ";
-    const Name name(text);
-    return !name.has(Word::Pose) && !name.has(Word::Extrinsics) && !name.has(Word::Transform)
-           && std::any_of(name.words.begin(), name.words.end(),
-                          [&](const std::string &word) { return isListed(kOthers, word); });
+    return isOfOther(Name(text));
 }
 
 bool isBetweenCameras(std::string_view text)
@@ -476,25 +491,31 @@ bool hasPartWord(std::string_view text)
 
 bool isAngle(std::string_view text)
 {
-    const Name name(text);
-    return (name.has(Word::Angles) || name.has(Word::Rotation)) && !name.has(Word::Other) && !isElsewhere(text);
+    return areAngles(Name(text));
 }
 
 bool isScalarOfPart(std::string_view text)
 {
-    constexpr std::string_view kSkews = " skew gamma s alphac tx ty tz qx qy qz qw ";
+    constexpr std::string_view kOthers = " skew gamma s alphac tx ty tz qx qy qz qw ";
     const Name name(text);
-    const bool isOfLens = name.has(Word::Distortion) || name.has(Word::Radial) || name.has(Word::Tangential)
-                          || name.has(Word::Focal) || name.has(Word::Principal);
-    return isOfLens || isCoefficient(text) || isListed(kSkews, plain(text))
-           || (isAngle(text) && !name.has(Word::Unknown));
+    const bool isOfLens = std::any_of(name.kinds.begin(), name.kinds.end(), [](Word kind) {
+        return kind == Word::Distortion || kind == Word::Radial || kind == Word::Tangential || kind == Word::Focal
+               || kind == Word::Principal;
+    });
+    return isOfLens || !coefficientOf(text).empty() || isListed(kOthers, plain(text))
+           || (areAngles(name) && !name.has(Word::Unknown));
 }
 
-bool isCoefficient(std::string_view text)
+std::string coefficientOf(std::string_view text)
 {
-    const std::string name = plain(text);
+    std::string name = plain(text);
+    for (const std::string_view word :
+         {"radial", "tangential", "distortion", "disto", "dist", "lens", "camera", "cam", "coeff", "coef", "param"}) {
+        if (const std::size_t at = name.find(word); at != name.npos)
+            name.erase(at, word.size());
+    }
     const bool isNumbered = name.size() == 2 && isListed(" k p s ", name.substr(0, 1)) && isDigit(name[1]);
-    return isNumbered || name.starts_with("kappa") || isListed(" xi tau taux tauy ", name);
+    return isNumbered || name.starts_with("kappa") || isListed(" xi tau taux tauy ", name) ? name : std::string();
 }
 
 } // namespace unprojector::cameras

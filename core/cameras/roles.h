@@ -29,6 +29,11 @@ enum class Part {
 };
 inline constexpr std::size_t kParts = 14;
 
+constexpr bool isOfPose(Part part)
+{
+    return part >= Part::Rotation && part <= Part::Pose;
+}
+
 /// What a name says about the numbers behind it.
 struct Role {
     Part part = Part::Pose;
@@ -41,10 +46,6 @@ struct Role {
     std::size_t w = 4;         ///< the place of a quaternion's w: 0 or 3; 4: not told
     std::string world{};       ///< the frame that counts as the world, where its name is another: "imu"
 };
-
-/// The words of a name in lower case: split at marks, at changes of case, and between known words.
-/// The 2 in "cam2world" is the word "to".
-std::vector<std::string> wordsOf(std::string_view name);
 
 /// The role of numbers by the words of their name: "T_world_camera", "cam_K", "extrinsics.R".
 ///
@@ -61,8 +62,8 @@ bool hasPartWord(std::string_view name);
 /// Returns whether a name is of angles of a rotation, or of its axis: "yaw", "rpy", "rotation_deg".
 bool isAngle(std::string_view name);
 
-/// Returns whether a name is of a coefficient of a lens: "k1", "xi", "kappa1".
-bool isCoefficient(std::string_view name);
+/// The coefficient of a lens that a name is of: "k1" of "radial_k1", "kappa1"; empty: none.
+std::string coefficientOf(std::string_view name);
 
 /// Returns whether a number with this name looks like a camera's: "k7", "skew", "yaw".
 bool isScalarOfPart(std::string_view name);

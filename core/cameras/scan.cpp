@@ -163,10 +163,9 @@ bool isMeantAsNumber(std::string_view word)
 /// Units of lengths, angles and pixels.
 constexpr std::string_view kUnits =
     " mm cm m km inch inches ft um deg degree degrees rad radian radians px pixel pixels ";
-/// Functions that are computed, and those that are refused.
-constexpr std::string_view kComputed = " pi sqrt tan atan ",
-                           kUnknownFunctions = " exp log log2 log10 sin cos asin acos atan2 arctan arctan2 pow hypot "
-                                               "cbrt abs round floor ceil min max ";
+/// Functions that change numbers.
+constexpr std::string_view kFunctions = " sqrt tan atan exp log log2 log10 sin cos asin acos atan2 arctan arctan2 pow "
+                                        "hypot cbrt abs round floor ceil min max ";
 
 constexpr std::size_t kMostGroups = 500000; ///< of a text: they take 100 MB
 
@@ -195,24 +194,15 @@ private:
             const std::size_t count = numbers.size(), first = last + 1 - count;
             if (m_groups[last].kind == Other || count < 2 || count > last || !m_groups[last].arithmetic.empty())
                 continue;
-            const auto endOf = [this](std::size_t i) {
-                return std::size_t(m_groups[i].name.data() - m_given.data()) + m_groups[i].name.size();
-            };
-            const auto between = [&](std::size_t from, std::size_t to) {
-                return m_text.substr(from, std::max(from, to) - from);
-            };
-            const auto areNeighbours = [&](std::size_t i) {
-                const auto signs = between(endOf(i), endOf(i + 1) - m_groups[i + 1].name.size());
-                return m_groups[i].kind == Word && m_groups[i].numbers.empty() && isAmong(',', signs)
-                       && signs.find_first_not_of(" \t,()[]") == signs.npos;
-            };
-            bool isTuple = isAmong('=', between(endOf(last), numbers.front().at))
-                           && isAmong(',', between(numbers.front().at, numbers.back().at));
-            for (std::size_t i = first; isTuple && i < last; ++i)
-                isTuple = areNeighbours(i);
-            const auto begin = endOf(first) - m_groups[first].name.size();
-            const auto previous = isTuple ? m_text.find_last_not_of(" \t([", begin - 1) : 0;
-            if (!isTuple || (begin > 0 && !isAmong(at(previous), "\n;") && previous < begin))
+            const auto begin = std::size_t(m_groups[first].name.data() - m_given.data());
+            const auto names = m_text.substr(begin, numbers.front().at - begin),
+                       values = m_text.substr(numbers.front().at, numbers.back().at - numbers.front().at);
+            const auto commas = std::ptrdiff_t(count) - 1;
+            const auto previous = begin > 0 ? m_text.find_last_not_of(" \t(", begin - 1) : m_text.npos;
+            if (std::ranges::count(names, ',') != commas || std::ranges::count(values, ',') != commas
+                || !isAmong('=', names) || (previous != m_text.npos && !isAmong(at(previous), "\n;"))
+                || std::ranges::any_of(names,
+                                       [](char one) { return !isAmong(one, kOfName) && !isAmong(one, " ,()[]:="); }))
                 continue;
             for (std::size_t i = 0; i < count; ++i) {
                 m_groups[first + i].kind = Name;
@@ -489,9 +479,9 @@ private:
     /// Returns whether it is one.
     bool readComputed(const std::string &word, std::size_t start)
     {
-        const bool isCall = at(m_at) == '(' && (m_isBehindEquals || !m_open.empty()),
-                   isUnknown = isCall && base::isListed(kUnknownFunctions, word);
-        if (word != "pi" && !isUnknown && !(isCall && base::isListed(kComputed, word)))
+        const bool isCall =
+            at(m_at) == '(' && (m_isBehindEquals || !m_open.empty()) && base::isListed(kFunctions, word);
+        if (word != "pi" && !isCall)
             return false;
         constexpr std::size_t kMost = 80;
         const auto rest = m_text.substr(start, kMost);

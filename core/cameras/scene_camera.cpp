@@ -32,30 +32,16 @@ constexpr double kUsualNear = 0.1, kUsualFar = 1000.0;
 }
 
 /// OpenGL's eye axes (right, up, back) from a camera's.
-glm::dmat4 eyeFromCamera(EyeAxes axes)
+glm::dmat3 eyeFromCamera(EyeAxes axes)
 {
-    glm::dmat4 m(0.0);
-    m[3][3] = 1.0;
     switch (axes) {
-    case EyeAxes::RightUpBack: m[0][0] = m[1][1] = m[2][2] = 1.0; break;
-    case EyeAxes::RightDownAhead:
-        m[0][0] = 1.0;
-        m[1][1] = m[2][2] = -1.0;
-        break;
-    case EyeAxes::RightUpAhead:
-        m[0][0] = m[1][1] = 1.0;
-        m[2][2] = -1.0;
-        break;
-    case EyeAxes::AheadRightUp:
-        m[0][2] = -1.0;
-        m[1][0] = m[2][1] = 1.0;
-        break;
-    case EyeAxes::AheadLeftUp:
-        m[0][2] = m[1][0] = -1.0;
-        m[2][1] = 1.0;
-        break;
+    case EyeAxes::RightUpBack: break;
+    case EyeAxes::RightDownAhead: return glm::dmat3(1, 0, 0, 0, -1, 0, 0, 0, -1);
+    case EyeAxes::RightUpAhead: return glm::dmat3(1, 0, 0, 0, 1, 0, 0, 0, -1);
+    case EyeAxes::AheadRightUp: return glm::dmat3(0, 0, -1, 1, 0, 0, 0, 1, 0);
+    case EyeAxes::AheadLeftUp: return glm::dmat3(0, 0, -1, -1, 0, 0, 0, 1, 0);
     }
-    return m;
+    return glm::dmat3(1.0);
 }
 
 /// The inverse of a transform whose last row is 0 0 0 1.
@@ -248,7 +234,7 @@ glm::dmat4 eyeFromWorldOf(const ForeignCamera &camera, const glm::dmat4 &pose, c
     if (camera.center)
         given[3] = glm::dvec4(isToCamera ? -(glm::dmat3(pose) * *camera.center) : *camera.center, 1.0);
     const glm::dmat4 cameraFromWorld = isToCamera ? given : affineInverse(given);
-    return eyeFromCamera(reading.axes) * cameraFromWorld * affineInverse(camera.rightHandedFromWorld);
+    return glm::dmat4(eyeFromCamera(reading.axes)) * cameraFromWorld * affineInverse(camera.rightHandedFromWorld);
 }
 
 /// Where a camera stands and where it looks, for a sentence.
