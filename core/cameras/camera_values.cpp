@@ -163,17 +163,13 @@ void CameraValues::addNumber(const CameraValue &value)
 }
 
 /// The values with a focal length.
-std::vector<const CameraValue *> CameraValues::lenses() const
+std::vector<CameraValue> CameraValues::lenses() const
 {
-    std::vector<const CameraValue *> found;
-    for (const Part part : {Part::Intrinsics, Part::CameraMatrix, Part::Focal}) {
-        for (const CameraValue &value : all(part))
-            found.push_back(&value);
-    }
-    for (const CameraValue &number : m_numbers) {
-        if (number.isNamed("fx"))
-            found.push_back(&number);
-    }
+    std::vector<CameraValue> found;
+    for (const Part part : {Part::Intrinsics, Part::CameraMatrix, Part::Focal})
+        found.insert(found.end(), all(part).begin(), all(part).end());
+    std::copy_if(m_numbers.begin(), m_numbers.end(), std::back_inserter(found),
+                 [](const CameraValue &number) { return number.isNamed("fx"); });
     return found;
 }
 
@@ -220,8 +216,8 @@ bool CameraValues::isOfOtherThan(const CameraValue &lens, const CameraValue &val
     const std::string camera = cameras::cameraOf(outline.nameOf(*a)), its = cameras::cameraOf(outline.nameOf(*b));
     Place place;
     const std::string *reference = idAround(value, m_references, place);
-    const bool isOfId = !reference || (m_ids.empty() && m_references.size() < 2) || *reference == idOf(lens)
-                        || *reference == outline.nameOf(*a);
+    const std::string id = idOf(lens);
+    const bool isOfId = !reference || id.empty() || *reference == id || *reference == outline.nameOf(*a);
     return (!camera.empty() && !its.empty() && camera != its) || !isOfId;
 }
 
@@ -229,16 +225,12 @@ bool CameraValues::isOfOtherThan(const CameraValue &lens, const CameraValue &val
 /// cameras, and the transform to the camera before.
 void CameraValues::dropElsewhere()
 {
-    const std::vector<const CameraValue *> found = lenses();
-    std::vector<CameraValue> lenses;
+    const std::vector<CameraValue> lenses = this->lenses();
     std::set<std::string> around;
-    for (const CameraValue *lens : found) {
-        const std::vector<std::string> sections = sectionsOf(lens->text, lens->node);
-        around.insert(sections.begin(), sections.end());
-        lenses.push_back(*lens);
-    }
+    for (const CameraValue &lens : lenses)
+        std::ranges::move(sectionsOf(lens), std::inserter(around, around.end()));
     const auto isApart = [&](const CameraValue &value) {
-        const std::vector<std::string> sections = sectionsOf(value.text, value.node);
+        const std::vector<std::string> sections = sectionsOf(value);
         return std::any_of(sections.begin(), sections.end(), [&](const std::string &section) {
             return !around.contains(section) && isElsewhere(section);
         });
@@ -273,11 +265,12 @@ CameraValue CameraValues::valueOf(const NamedValue &named) const
 }
 
 /// The names of the parts of a text around a place, the outermost first.
-std::vector<std::string> CameraValues::sectionsOf(std::size_t text, std::size_t node) const
+std::vector<std::string> CameraValues::sectionsOf(const CameraValue &value) const
 {
+    const Outline &outline = m_outlines[value.text];
     std::vector<std::string> names;
-    for (const std::size_t around : m_outlines[text].pathTo(node))
-        names.push_back(m_outlines[text].nameOf(around));
+    for (const std::size_t around : outline.pathTo(value.node))
+        names.push_back(outline.nameOf(around));
     return names;
 }
 
@@ -285,36 +278,24 @@ std::vector<std::string> CameraValues::sectionsOf(std::size_t text, std::size_t 
 /// of the lenses.
 void CameraValues::findCameras()
 {
-    std::vector<std::vector<std::string>> lenses;
-    std::vector<std::string> ends;
-    for (const CameraValue *lens : this->lenses()) {
-        lenses.push_back(sectionsOf(lens->text, lens->node));
-        ends.push_back(lens->camera);
-    }
-    const auto setCameras = [this](const std::vector<std::string> &names) {
+    const std::vector<CameraValue> lenses = this->lenses();
+    const auto setCameras = [&](std::size_t depth) {
+        m_depth = depth;
         std::set<std::string> seen;
-        for (const std::string &name : names) {
-            if (seen.insert(name).second)
-                m_cameras.push_back(name);
+        m_cameras.clear();
+        for (const CameraValue &lens : lenses) {
+            if (const auto &[name, isNew] = seen.insert(cameraOf(lens)); isNew)
+                m_cameras.push_back(*name);
         }
-        if (m_cameras.size() < 2)
+        if (m_cameras.size() < 2 || seen.contains({}))
             m_cameras.clear();
         return !m_cameras.empty();
     };
-    const auto isLong = [](std::size_t depth) {
-        return [depth](const std::vector<std::string> &sections) { return sections.size() > depth; };
-    };
-    for (m_depth = 1; !lenses.empty() && std::all_of(lenses.begin(), lenses.end(), isLong(m_depth)); ++m_depth) {
-        std::vector<std::string> names;
-        names.reserve(lenses.size());
-        for (const std::vector<std::string> &sections : lenses)
-            names.push_back(sections[m_depth]);
-        if (setCameras(names))
+    for (std::size_t depth = 1; !lenses.empty() && depth < sectionsOf(lenses.front()).size(); ++depth) {
+        if (setCameras(depth))
             return;
     }
-    m_depth = 0;
-    if (std::none_of(ends.begin(), ends.end(), [](const std::string &end) { return end.empty(); }))
-        setCameras(ends);
+    setCameras(0);
 }
 
 void CameraValues::keepCamera(const std::string &name, Place image)
@@ -353,13 +334,13 @@ std::vector<CameraValues::Image> CameraValues::images() const
 
 bool CameraValues::keepImage(const Image &image)
 {
-    const std::vector<const CameraValue *> lenses = this->lenses();
-    const auto lens = std::find_if(lenses.begin(), lenses.end(), [&](const CameraValue *one) {
-        return idOf(*one) == image.camera || cameraOf(*one) == image.camera;
+    const std::vector<CameraValue> lenses = this->lenses();
+    const auto lens = std::find_if(lenses.begin(), lenses.end(), [&](const CameraValue &one) {
+        return idOf(one) == image.camera || cameraOf(one) == image.camera;
     });
     if (lens == lenses.end())
         return false;
-    const std::string name = cameraOf(**lens);
+    const std::string name = cameraOf(*lens);
     for (const Part part : kPoseParts) {
         std::erase_if(of(part), [&](const CameraValue &value) {
             Place place;
@@ -380,7 +361,7 @@ std::string CameraValues::cameraOf(const CameraValue &value) const
 {
     if (m_depth == 0)
         return value.camera;
-    const std::vector<std::string> sections = sectionsOf(value.text, value.node);
+    const std::vector<std::string> sections = sectionsOf(value);
     return m_depth < sections.size() ? sections[m_depth] : std::string();
 }
 
@@ -408,7 +389,7 @@ bool CameraValues::setDirectionAround(CameraValue &value) const
     const Part part = value.role.part;
     if (part != Part::Rotation && part != Part::Quaternion && part != Part::Translation)
         return true;
-    for (const std::string &section : sectionsOf(value.text, value.node)) {
+    for (const std::string &section : sectionsOf(value)) {
         if (isBetweenCameras(section))
             return false;
         const std::optional<Role> around = cameras::roleOf(section, 16);

@@ -86,11 +86,11 @@ private:
     void addComponents(const NamedValues &named);
     void addEach(Part part, CameraValue value, std::size_t entries);
     CameraValue valueOf(const NamedValue &value) const;
-    std::vector<std::string> sectionsOf(std::size_t text, std::size_t node) const;
+    std::vector<std::string> sectionsOf(const CameraValue &value) const;
     std::string cameraOf(const CameraValue &value) const;
     bool setDirectionAround(CameraValue &value) const;
     void dropElsewhere();
-    std::vector<const CameraValue *> lenses() const;
+    std::vector<CameraValue> lenses() const;
     bool isOfOtherThan(const CameraValue &lens, const CameraValue &value) const;
     std::string idOf(const CameraValue &lens) const;
     std::vector<CameraValue> &of(Part part) { return m_parts[std::size_t(part)]; }

@@ -757,14 +757,11 @@ private:
     void readDistortion()
     {
         const std::optional<CameraValue> list = coefficients();
-        const auto model = unknownModel(list);
-        const CameraValue *unknown = model ? nullptr : unknownCoefficient();
-        if (const CameraValue *other = model ? &*model : unknown) {
-            const std::string what = model ? model->word : unknown->name + " = " + shortestText(unknown->numbers[0]);
+        if (const auto model = unknownModel(list)) {
             if (!m_reading.choices.isUndistorted)
-                fail(*other, unknownDistortionText(what));
+                fail(*model, unknownDistortionText(model->word));
             m_camera.assumed.push_back(
-                tr("The distortion %1 is dropped: pixels are those of the undistorted image.", what));
+                tr("The distortion %1 is dropped: pixels are those of the undistorted image.", model->word));
             return;
         }
         if (!list)
@@ -777,16 +774,6 @@ private:
         else
             m_camera.assumed.push_back(tr("The distortion coefficients are dropped: pixels are those of the "
                                           "undistorted image."));
-    }
-
-    /// A coefficient that is not read; null if there is none.
-    const CameraValue *unknownCoefficient() const
-    {
-        const std::vector<CameraValue> &numbers = m_values.numbers();
-        const auto found = std::find_if(numbers.begin(), numbers.end(), [this](const CameraValue &value) {
-            return value.numbers[0] != 0.0 && !m_used.contains(&value) && !coefficientOf(value.name).empty();
-        });
-        return found == numbers.end() ? nullptr : &*found;
     }
 
     /// The coefficients in OpenCV's order: a list, or numbers with their names.
@@ -816,12 +803,19 @@ private:
         return named.line > 0 ? std::optional(named) : std::nullopt;
     }
 
-    /// The first model whose coefficients are not read; nothing if there is none.
+    /// The first model whose coefficients are not read, or such a coefficient; nothing if there is none.
     std::optional<CameraValue> unknownModel(const std::optional<CameraValue> &list) const
     {
         for (const CameraValue &model : m_values.all(Part::Model)) {
             if (!isKnown(model, list))
                 return model;
+        }
+        for (const CameraValue &value : m_values.numbers()) {
+            if (value.numbers[0] == 0.0 || m_used.contains(&value) || coefficientOf(value.name).empty())
+                continue;
+            CameraValue named = value;
+            named.word = value.name + " = " + shortestText(value.numbers[0]);
+            return named;
         }
         return std::nullopt;
     }
