@@ -168,8 +168,8 @@ std::vector<CameraValue> CameraValues::lenses() const
     std::vector<CameraValue> found;
     for (const Part part : {Part::Intrinsics, Part::CameraMatrix, Part::Focal})
         found.insert(found.end(), all(part).begin(), all(part).end());
-    std::copy_if(m_numbers.begin(), m_numbers.end(), std::back_inserter(found),
-                 [](const CameraValue &number) { return number.isNamed("fx"); });
+    std::ranges::copy_if(m_numbers, std::back_inserter(found),
+                         [](const CameraValue &number) { return number.isNamed("fx"); });
     return found;
 }
 
@@ -231,14 +231,12 @@ void CameraValues::dropElsewhere()
         std::ranges::move(sectionsOf(lens), std::inserter(around, around.end()));
     const auto isApart = [&](const CameraValue &value) {
         const std::vector<std::string> sections = sectionsOf(value);
-        return std::any_of(sections.begin(), sections.end(), [&](const std::string &section) {
-            return !around.contains(section) && isElsewhere(section);
-        });
+        return std::ranges::any_of(
+            sections, [&](const std::string &section) { return !around.contains(section) && isElsewhere(section); });
     };
     const auto isOfOther = [&](const CameraValue &value) {
-        return !lenses.empty() && std::all_of(lenses.begin(), lenses.end(), [&](const CameraValue &lens) {
-            return isOfOtherThan(lens, value);
-        });
+        return !lenses.empty()
+               && std::ranges::all_of(lenses, [&](const CameraValue &lens) { return isOfOtherThan(lens, value); });
     };
     const auto split = [&](Part part, const auto &isOther) {
         std::vector<CameraValue> kept;
@@ -250,7 +248,7 @@ void CameraValues::dropElsewhere()
         split(part, [&](const CameraValue &value) { return isOfOther(value) || isApart(value); });
     split(Part::Size, isApart);
     const auto isToCameraBefore = [](const CameraValue &value) { return value.role.world == "camera before"; };
-    if (const auto &poses = all(Part::Pose); !std::all_of(poses.begin(), poses.end(), isToCameraBefore))
+    if (const auto &poses = all(Part::Pose); !std::ranges::all_of(poses, isToCameraBefore))
         split(Part::Pose, isToCameraBefore);
     std::erase_if(m_numbers, [&](const CameraValue &number) { return !number.isNamed("fx") && isApart(number); });
 }
@@ -302,8 +300,8 @@ void CameraValues::keepCamera(const std::string &name, Place image)
 {
     const auto isOfOther = [&](const CameraValue &value) {
         const std::vector<std::size_t> path = m_outlines[value.text].pathTo(value.node);
-        const bool isOfImage = value.text == image.first && image.second > 0
-                               && std::find(path.begin(), path.end(), image.second) != path.end();
+        const bool isOfImage =
+            value.text == image.first && image.second > 0 && std::ranges::find(path, image.second) != path.end();
         return !isOfImage && cameraOf(value) != name && isOfCamera(value);
     };
     for (std::vector<CameraValue> &values : m_parts)
@@ -335,9 +333,8 @@ std::vector<CameraValues::Image> CameraValues::images() const
 bool CameraValues::keepImage(const Image &image)
 {
     const std::vector<CameraValue> lenses = this->lenses();
-    const auto lens = std::find_if(lenses.begin(), lenses.end(), [&](const CameraValue &one) {
-        return idOf(one) == image.camera || cameraOf(one) == image.camera;
-    });
+    const auto lens = std::ranges::find_if(
+        lenses, [&](const CameraValue &one) { return idOf(one) == image.camera || cameraOf(one) == image.camera; });
     if (lens == lenses.end())
         return false;
     const std::string name = cameraOf(*lens);
@@ -367,7 +364,7 @@ std::string CameraValues::cameraOf(const CameraValue &value) const
 
 bool CameraValues::isOfCamera(const CameraValue &value) const
 {
-    return std::find(m_cameras.begin(), m_cameras.end(), cameraOf(value)) != m_cameras.end();
+    return std::ranges::find(m_cameras, cameraOf(value)) != m_cameras.end();
 }
 
 /// ROS's messages and its calibration files have a model, K and P; R is then the rectification.
@@ -533,7 +530,7 @@ void CameraValues::addComponents(const NamedValues &named)
         return value.role.part == Part::Quaternion && value.numbers.size() == 4;
     };
     // A position beside a quaternion is a pose; alone, it may be another thing's.
-    const bool isPose = std::any_of(found.begin(), found.end(), isTurn);
+    const bool isPose = std::ranges::any_of(found, isTurn);
     for (CameraValue &value : found) {
         if (isPose && value.role.part == Part::Center)
             value.role = {Part::Translation};
@@ -554,8 +551,8 @@ const CameraValue *CameraValues::find(std::string_view names) const
 {
     base::TextScanner scanner(names);
     for (std::string_view name = scanner.nextWord(); !name.empty(); name = scanner.nextWord()) {
-        const auto found = std::find_if(m_numbers.begin(), m_numbers.end(),
-                                        [name](const CameraValue &number) { return number.isNamed(name); });
+        const auto found =
+            std::ranges::find_if(m_numbers, [name](const CameraValue &number) { return number.isNamed(name); });
         if (found != m_numbers.end())
             return &*found;
     }
@@ -566,13 +563,13 @@ const CameraValue *CameraValues::coefficient(std::string_view name) const
 {
     const auto isIt = [&](const CameraValue &number) { return coefficientOf(number.name) == name; };
     const CameraValue *exact = find(name);
-    const auto found = std::find_if(m_numbers.begin(), m_numbers.end(), isIt);
+    const auto found = std::ranges::find_if(m_numbers, isIt);
     return exact || found == m_numbers.end() ? exact : &*found;
 }
 
 bool CameraValues::differs(const CameraValue &value) const
 {
-    return std::any_of(m_numbers.begin(), m_numbers.end(), [&](const CameraValue &number) {
+    return std::ranges::any_of(m_numbers, [&](const CameraValue &number) {
         return number.words == value.words && number.numbers != value.numbers;
     });
 }
@@ -580,10 +577,9 @@ bool CameraValues::differs(const CameraValue &value) const
 bool CameraValues::hasAny(const std::string &file) const
 {
     const auto isOfFile = [&file](const CameraValue &value) { return value.file == file; };
-    return std::any_of(m_parts.begin(), m_parts.end(),
-                       [&](const auto &values) { return std::any_of(values.begin(), values.end(), isOfFile); })
-           || std::any_of(m_numbers.begin(), m_numbers.end(),
-                          [&](const CameraValue &number) { return isOfFile(number) && isScalar(number); });
+    return std::ranges::any_of(m_parts, [&](const auto &values) { return std::ranges::any_of(values, isOfFile); })
+           || std::ranges::any_of(m_numbers,
+                                  [&](const CameraValue &number) { return isOfFile(number) && isScalar(number); });
 }
 
 } // namespace unprojector::cameras

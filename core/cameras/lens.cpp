@@ -100,9 +100,9 @@ std::optional<glm::dvec2> undistortedPixel(const Distortion &lens, const Intrins
 geometry::Result<Distortion, std::string> distortionOf(std::span<const double> coefficients)
 {
     const auto &c = coefficients;
-    if (!std::all_of(c.begin(), c.end(), [](double value) { return std::isfinite(value); }))
+    if (!std::ranges::all_of(c, [](double value) { return std::isfinite(value); }))
         return tr("a distortion coefficient is not finite");
-    if (std::all_of(c.begin(), c.end(), [](double value) { return value == 0.0; }))
+    if (std::ranges::all_of(c, [](double value) { return value == 0.0; }))
         return Distortion{};
     if (c.size() == 1)
         return tr("there is 1 distortion coefficient; give four or five: k1, k2, p1, p2, k3");

@@ -105,14 +105,12 @@ public:
 
     bool isRecognised() const
     {
-        const auto has = [this](Part part) { return !m_values.all(part).empty(); };
         const bool hasFocal = (m_values.find(kFx) && m_values.find(kFy)) || hasFocalAndPrincipal();
         // In other texts, a letter K may stand before a number.
         const auto isNamed = [](const auto &value, const char *name) {
             return value && value->numbers.size() >= 3 && plain(value->name) == name;
         };
-        const bool hasVectors = !m_values.all(Part::Rotation).empty()
-                                && plain(m_values.all(Part::Rotation).front().name).starts_with("rvec");
+        const bool hasVectors = has(Part::Rotation) && plain(all(Part::Rotation).front().name).starts_with("rvec");
         return has(Part::Intrinsics) || has(Part::CameraMatrix) || hasFocal || hasVectors
                || isNamed(m_values.unfit(Part::Intrinsics), "k")
                || isNamed(m_values.unfit(Part::Intrinsics), "cameramatrix");
@@ -134,18 +132,22 @@ public:
         readClipDistances();
         reportUnused();
         for (const CameraValue *value : m_used) {
-            if (std::find(m_camera.files.begin(), m_camera.files.end(), value->file) == m_camera.files.end())
+            if (std::ranges::find(m_camera.files, value->file) == m_camera.files.end())
                 m_camera.files.push_back(value->file);
         }
         return std::move(m_camera);
     }
 
 private:
+    const std::vector<CameraValue> &all(Part part) const { return m_values.all(part); }
+    bool has(Part part) const { return !all(part).empty(); }
+    void say(std::string sentence) { m_camera.assumed.push_back(std::move(sentence)); }
+
     /// The value of the chosen image, or the one that all images share; null if there is none. It
     /// counts as used, and so do those of the other images.
     const CameraValue *valueOf(Part part)
     {
-        const std::vector<CameraValue> &values = m_values.all(part);
+        const std::vector<CameraValue> &values = all(part);
         if (values.empty())
             return nullptr;
         const std::size_t images = m_values.cameras().empty() ? m_camera.images.size() : 0;
@@ -178,14 +180,14 @@ private:
                 throw base::Error{.text = tr("the text ends before its brackets are closed; its last number may be "
                                              "cut off. Give the whole text"),
                                   .file = m_texts[i].name};
-            m_camera.assumed.push_back(tr("The text ends before its brackets are closed."));
+            say(tr("The text ends before its brackets are closed."));
         }
     }
 
     void setUsed(std::initializer_list<Part> parts)
     {
         for (const Part part : parts) {
-            for (const CameraValue &value : m_values.all(part))
+            for (const CameraValue &value : all(part))
                 m_used.insert(&value);
         }
     }
@@ -199,11 +201,11 @@ private:
             if (value.numbers.size() < 2 || m_used.contains(&value))
                 return;
             std::string name = tr("%1 (%2 numbers)", value.name, value.numbers.size());
-            if (std::find(names.begin(), names.end(), name) == names.end() && names.size() <= kMost)
+            if (std::ranges::find(names, name) == names.end() && names.size() <= kMost)
                 names.push_back(std::move(name));
         };
         for (std::size_t i = 0; i < kParts; ++i) {
-            for (const CameraValue &value : m_values.all(Part(i)))
+            for (const CameraValue &value : all(Part(i)))
                 report(value);
             if (const auto &unfit = m_values.unfit(Part(i)))
                 report(*unfit);
@@ -219,7 +221,7 @@ private:
         for (std::size_t i = 0; i < names.size(); ++i)
             list += (i > 0 ? ", " : "") + (i < kMost ? names[i] : "…");
         if (!list.empty())
-            m_camera.assumed.push_back(tr("Not used: %1.", list));
+            say(tr("Not used: %1.", list));
     }
 
     /// Fails if a value's numbers are not those that it stands for: the text computes with them, one is
@@ -233,14 +235,13 @@ private:
                    isTurn = part == Part::Rotation && base::isListed(kAngles, value.unit),
                    isOfWorld = isLength && isPoseWithShift(part);
         if (isOfWorld && value.unit != "m")
-            m_camera.assumed.push_back(tr("%1 is in %2: this is the scene's unit.", value.name, value.unit));
+            say(tr("%1 is in %2: this is the scene's unit.", value.name, value.unit));
         else if (!value.unit.empty() && !isOfWorld && !isTurn && !base::isListed(kPixels, value.unit))
             fail(value, tr("its unit is %1, which is not known here; give numbers without a unit", value.unit));
         const bool isVector = part == Part::Distortion || part == Part::Size || value.numbers.size() == 3;
         if (!value.arithmetic.empty() && !(isVector && value.arithmetic == ".T"))
             fail(value, value.computedError().text);
-        if (!std::all_of(value.numbers.begin(), value.numbers.end(),
-                         [](double number) { return std::isfinite(number); }))
+        if (!std::ranges::all_of(value.numbers, [](double number) { return std::isfinite(number); }))
             fail(value, tr("a number is not finite"));
     }
 
@@ -253,7 +254,7 @@ private:
     void refuseUnfit(Part part, const std::string &wanted)
     {
         const auto &unfit = m_values.unfit(part);
-        if (!unfit || !m_values.all(part).empty())
+        if (!unfit || has(part))
             return;
         refuseComputed(part, *unfit);
         if (!unfit->decimal.empty())
@@ -269,7 +270,7 @@ private:
             m_camera.images = m_values.cameras();
             std::vector<std::string> lenses;
             for (const Part part : {Part::Intrinsics, Part::CameraMatrix}) {
-                if (m_values.all(part).size() == m_camera.images.size())
+                if (all(part).size() == m_camera.images.size())
                     lenses = namesOf(part);
             }
             m_reading.chooseImage(lenses);
@@ -281,8 +282,8 @@ private:
         std::size_t count = 1;
         Part most = Part::Pose;
         const auto look = [&](Part part) {
-            if (m_values.all(part).size() > count) {
-                count = m_values.all(part).size();
+            if (all(part).size() > count) {
+                count = all(part).size();
                 most = part;
             }
         };
@@ -292,7 +293,7 @@ private:
             look(Part::Intrinsics);
         if (m_values.isCameraInfo()) {
             most = Part::Intrinsics;
-            count = m_values.all(most).size();
+            count = all(most).size();
         }
         m_camera.images = count > 1 ? namesOf(most) : std::vector<std::string>();
         if (hasSeveralLenses())
@@ -309,7 +310,7 @@ private:
     {
         const std::vector<CameraValues::Image> images = m_values.images();
         const std::vector<std::string> &cameras = m_values.cameras();
-        if (images.empty() || std::find(cameras.begin(), cameras.end(), m_reading.choices.image) != cameras.end())
+        if (images.empty() || std::ranges::find(cameras, m_reading.choices.image) != cameras.end())
             return false;
         for (const CameraValues::Image &image : images)
             m_camera.images.push_back(image.name);
@@ -325,7 +326,7 @@ private:
     std::vector<std::string> namesOf(Part part) const
     {
         std::vector<std::string> names, labels;
-        for (const CameraValue &value : m_values.all(part)) {
+        for (const CameraValue &value : all(part)) {
             names.push_back(value.name);
             labels.push_back(m_values.labelOf(value));
         }
@@ -345,14 +346,14 @@ private:
     {
         const std::vector<std::string> &cameras = m_values.cameras();
         for (const Part part : {Part::Rotation, Part::Translation}) {
-            for (const CameraValue &value : m_values.all(part)) {
+            for (const CameraValue &value : all(part)) {
                 if (!m_values.isOfCamera(value))
-                    failCount(value, cameras.size(), m_values.all(part).size());
+                    failCount(value, cameras.size(), all(part).size());
             }
         }
-        const std::vector<CameraValue> &poses = m_values.all(Part::Pose);
-        if (const auto count = std::count_if(poses.begin(), poses.end(),
-                                             [this](const CameraValue &pose) { return !m_values.isOfCamera(pose); });
+        const std::vector<CameraValue> &poses = all(Part::Pose);
+        if (const auto count =
+                std::ranges::count_if(poses, [this](const CameraValue &pose) { return !m_values.isOfCamera(pose); });
             count > 1)
             failCount(poses.front(), cameras.size(), std::size_t(count));
     }
@@ -360,21 +361,21 @@ private:
     /// Returns whether the text has several K that differ.
     bool hasSeveralLenses() const
     {
-        const std::vector<CameraValue> &all = m_values.all(Part::Intrinsics);
-        return std::any_of(all.begin(), all.end(),
-                           [&all](const CameraValue &k) { return k.numbers != all.front().numbers; });
+        const std::vector<CameraValue> &lenses = all(Part::Intrinsics);
+        return std::ranges::any_of(
+            lenses, [&lenses](const CameraValue &k) { return k.numbers != lenses.front().numbers; });
     }
 
     /// Fails if several K stand beside fewer or more parts of another kind: nothing tells which
     /// belong together, unless the user chooses a K by its name.
     void refuseMixed() const
     {
-        const std::size_t count = m_values.all(Part::Intrinsics).size();
+        const std::size_t count = all(Part::Intrinsics).size();
         const std::vector<std::string> names = namesOf(Part::Intrinsics);
-        if (std::find(names.begin(), names.end(), m_reading.choices.image) != names.end() && names[0] != "0")
+        if (std::ranges::find(names, m_reading.choices.image) != names.end() && names[0] != "0")
             return;
         for (const Part part : {Part::Rotation, Part::Quaternion, Part::Translation, Part::Pose, Part::Distortion}) {
-            const std::vector<CameraValue> &values = m_values.all(part);
+            const std::vector<CameraValue> &values = all(part);
             if (!values.empty() && values.size() != count)
                 failCount(values.front(), count, values.size());
         }
@@ -407,8 +408,7 @@ private:
             fail(*given, tr("%1 and %2 are no size of an image; they must be whole numbers from 1 to 1000000",
                             shortestText(first), shortestText(second)));
         if (areRowsFirst && m_camera.size && first != second)
-            m_camera.assumed.push_back(
-                tr("%1 is read as height, width: the image is %2.", given->name, sizeText(*m_camera.size)));
+            say(tr("%1 is read as height, width: the image is %2.", given->name, sizeText(*m_camera.size)));
     }
 
     void readIntrinsics()
@@ -418,7 +418,7 @@ private:
             m_camera.intrinsics = intrinsicsOf(*k, m_camera.assumed, m_isTransposed);
             const CameraValue *fx = m_values.find("fx");
             if (fx && std::abs(fx->numbers[0] - m_camera.intrinsics->fx) > 1e-3)
-                m_camera.assumed.push_back(tr("%1 counts; fx, fy, cx and cy beside it are ignored.", k->name));
+                say(tr("%1 counts; fx, fy, cx and cy beside it are ignored.", k->name));
             countFromOne(k->name);
         } else if (const auto fx = scalar(kFx), fy = scalar(kFy); fx && fy) {
             const auto cx = scalar(kCx), cy = scalar(kCy);
@@ -434,7 +434,7 @@ private:
                                              skewBeside(focal->numbers[0]),
                                              PixelCentres::AtIntegers};
             countFromOne(principal->name);
-        } else if (m_values.all(Part::CameraMatrix).empty()) {
+        } else if (!has(Part::CameraMatrix)) {
             m_reading.fail(tr("there is a pose, but no camera matrix; give K, nine numbers by rows"));
         }
     }
@@ -453,17 +453,13 @@ private:
                 continue;
             }
             if (skew != 0.0 && !value->isNamed("skew"))
-                m_camera.assumed.push_back(
-                    tr("%1 is read as the skew: %2 pixels.", value->name, significantText(skew, 6)));
+                say(tr("%1 is read as the skew: %2 pixels.", value->name, significantText(skew, 6)));
             return skew;
         }
         return 0.0;
     }
 
-    bool hasFocalAndPrincipal() const
-    {
-        return !m_values.all(Part::Focal).empty() && !m_values.all(Part::Principal).empty();
-    }
+    bool hasFocalAndPrincipal() const { return has(Part::Focal) && has(Part::Principal); }
 
     /// MATLAB's pixels count from 1.
     void countFromOne(std::string_view name)
@@ -472,8 +468,7 @@ private:
             return;
         m_camera.intrinsics->cx -= 1.0;
         m_camera.intrinsics->cy -= 1.0;
-        m_camera.assumed.push_back(
-            tr("%1 is MATLAB's, whose pixels count from 1: here the principal point is (%2, %3).", name,
+        say(tr("%1 is MATLAB's, whose pixels count from 1: here the principal point is (%2, %3).", name,
                shortestText(m_camera.intrinsics->cx), shortestText(m_camera.intrinsics->cy)));
     }
 
@@ -541,8 +536,8 @@ private:
 
     void readPoseOrParts()
     {
-        const std::vector<CameraValue> &poses = m_values.all(Part::Pose);
-        const bool hasParts = !m_values.all(Part::Rotation).empty() && !m_values.all(Part::Translation).empty();
+        const std::vector<CameraValue> &poses = all(Part::Pose);
+        const bool hasParts = has(Part::Rotation) && has(Part::Translation);
         // Beside R and t, a view is OpenGL's matrix of the same pose.
         const bool isView = !poses.empty() && poses.front().role.axes && !poses.front().role.areAxesStated;
         if (!poses.empty() && !(isView && hasParts))
@@ -557,18 +552,15 @@ private:
         std::optional<CameraParts> parts = partsOf(value.numbers);
         if (const auto turned = partsOf(transposedP(value.numbers)); turned && isTurned(parts, *turned)) {
             parts = turned;
-            m_camera.assumed.push_back(
-                tr("%1 is transposed, as MATLAB's cameraMatrix is: its columns are read as rows.", value.name));
+            say(tr("%1 is transposed, as MATLAB's cameraMatrix is: its columns are read as rows.", value.name));
         }
         if (!parts)
             fail(value, tr("its first three columns have no inverse; a camera's P has one"));
-        const bool hasPose = !m_values.all(Part::Pose).empty() || !m_values.all(Part::Rotation).empty()
-                             || !m_values.all(Part::Quaternion).empty();
+        const bool hasPose = has(Part::Pose) || has(Part::Rotation) || has(Part::Quaternion);
         const bool isRectified =
             hasPose && pipeline::largestDifference(glm::dmat3(parts->cameraFromWorld), glm::dmat3(1.0)) < 1e-9;
         if ((m_camera.intrinsics || hasPose) && !isRectified) {
-            m_camera.assumed.push_back(
-                tr("%1 is K [R t]: it counts, and K, R and t beside it are ignored.", value.name));
+            say(tr("%1 is K [R t]: it counts, and K, R and t beside it are ignored.", value.name));
             setUsed({Part::Rotation, Part::Translation, Part::Pose});
         }
         m_camera.intrinsics = parts->intrinsics;
@@ -577,8 +569,7 @@ private:
         double &skew = m_camera.intrinsics->skew;
         if (skew != 0.0 && std::abs(skew) <= 1e-6 * m_camera.intrinsics->fx) {
             if (std::abs(skew) > 1e-12 * m_camera.intrinsics->fx)
-                m_camera.assumed.push_back(
-                    tr("%1 has a skew of %2 pixels, as rounded numbers make it; it is taken as 0.", value.name,
+                say(tr("%1 has a skew of %2 pixels, as rounded numbers make it; it is taken as 0.", value.name,
                        significantText(skew, 2)));
             skew = 0.0;
         }
@@ -591,11 +582,10 @@ private:
     {
         m_camera.pose.reset();
         readPoseOrParts();
-        m_camera.assumed.push_back(tr("%1 has no rotation: it gives K, and the pose beside it counts.", value.name));
+        say(tr("%1 has no rotation: it gives K, and the pose beside it counts.", value.name));
         if (glm::length(shift) > 1e-9)
-            m_camera.assumed.push_back(tr("The shift of %1 by (%2, %3, %4) is not applied.", value.name,
-                                          significantText(shift.x, 6), significantText(shift.y, 6),
-                                          significantText(shift.z, 6)));
+            say(tr("The shift of %1 by (%2, %3, %4) is not applied.", value.name, significantText(shift.x, 6),
+                   significantText(shift.y, 6), significantText(shift.z, 6)));
     }
 
     void readPoseMatrix(const CameraValue &value)
@@ -606,8 +596,8 @@ private:
         m_camera.areAxesCertain = value.role.areAxesStated;
         if (value.role.axes)
             m_camera.axes = *value.role.axes;
-        if (!m_values.all(Part::Rotation).empty()) {
-            m_camera.assumed.push_back(tr("%1 counts; R and t beside it are ignored.", value.name));
+        if (has(Part::Rotation)) {
+            say(tr("%1 counts; R and t beside it are ignored.", value.name));
             setUsed({Part::Rotation, Part::Translation});
         }
     }
@@ -622,7 +612,7 @@ private:
         else
             m_camera.poseName.clear();
         if (!role.world.empty())
-            m_camera.assumed.push_back(tr("The scene's world is the frame \"%1\" of %2.", role.world, value.name));
+            say(tr("The scene's world is the frame \"%1\" of %2.", role.world, value.name));
     }
 
     void readParts()
@@ -653,7 +643,7 @@ private:
             m_camera.isDirectionCertain = false;
             rotation = quaternion;
         } else if (!rotation) {
-            m_camera.assumed.push_back(tr("There is no rotation beside %1: none is assumed.", translation->name));
+            say(tr("There is no rotation beside %1: none is assumed.", translation->name));
         } else if (rotation->numbers.size() == 3) {
             const double unit = rotation->unit.starts_with("deg") ? geometry::radiansFromDegrees(1.0) : 1.0;
             const glm::dvec3 axis = unit * glm::dvec3(rotation->numbers[0], rotation->numbers[1], rotation->numbers[2]);
@@ -662,14 +652,13 @@ private:
                 fail(*rotation, tr("its length is %1; a rotation vector in radians has at most 2 pi. Give R",
                                    significantText(glm::length(axis), 4)));
             if (rotation->name.find("vec") == std::string::npos)
-                m_camera.assumed.push_back(
-                    tr("The three numbers of %1 are read as a rotation vector, in radians.", rotation->name));
+                say(tr("The three numbers of %1 are read as a rotation vector, in radians.", rotation->name));
             turn = rotationOf(axis);
         } else {
             turn = glm::dmat3(*matrixByRows(rotation->numbers));
             if (m_isTransposed) {
                 turn = glm::transpose(turn);
-                m_camera.assumed.push_back(tr("%1 is read by columns, too.", rotation->name));
+                say(tr("%1 is read by columns, too.", rotation->name));
             }
             if (glm::determinant(turn) < 0.0)
                 fail(*rotation, tr("its determinant is %1: it mirrors. Check the sign of a row or a column",
@@ -682,11 +671,11 @@ private:
         if (const CameraValue *given = translation ? translation : center)
             shift = {given->numbers[0], given->numbers[1], given->numbers[2]};
         else
-            m_camera.assumed.push_back(tr("There is no translation beside %1: it is taken as 0.", rotation->name));
+            say(tr("There is no translation beside %1: it is taken as 0.", rotation->name));
         m_camera.pose = rigid(turn, translation ? shift : glm::dvec3(0.0));
         if (center && !translation) {
             m_camera.center = shift;
-            m_camera.assumed.push_back(tr("%1 is the camera's position in the world.", center->name));
+            say(tr("%1 is the camera's position in the world.", center->name));
         }
     }
 
@@ -695,13 +684,13 @@ private:
     void refuseAngles() const
     {
         constexpr std::size_t kMost = 4; // numbers of a rotation
-        if (m_values.all(Part::Translation).empty() && m_values.all(Part::Center).empty())
+        if (!has(Part::Translation) && !has(Part::Center))
             return;
         for (const auto *values : {&m_values.others(), &m_values.numbers()}) {
             for (const CameraValue &value : *values) {
                 const std::vector<double> &numbers = value.numbers;
                 if (isAngle(value.name) && numbers.size() <= kMost
-                    && std::any_of(numbers.begin(), numbers.end(), [](double angle) { return angle != 0.0; }))
+                    && std::ranges::any_of(numbers, [](double angle) { return angle != 0.0; }))
                     fail(value, tr("the rotation is given as angles, whose order and axes programs write differently; "
                                    "give a matrix or a quaternion"));
             }
@@ -731,22 +720,21 @@ private:
         const std::optional<double> binning = m_values.number("binningx"), left = m_values.number("xoffset"),
                                     top = m_values.number("yoffset");
         if (binning.value_or(0.0) > 1.0 || left.value_or(0.0) != 0.0 || top.value_or(0.0) != 0.0)
-            m_camera.assumed.push_back(
-                tr("Binning and region of interest are not applied: pixels are those of the full "
+            say(tr("Binning and region of interest are not applied: pixels are those of the full "
                    "image."));
         setUsed({Part::Rotation, Part::CameraMatrix});
         if (const CameraValue *pose = valueOf(Part::Pose))
             readPoseMatrix(*pose);
         if (!m_reading.choices.isUndistorted) {
-            m_camera.assumed.push_back(tr("Pixels are those of the raw image, so K counts; --undistorted takes P, for "
-                                          "the rectified one."));
+            say(tr("Pixels are those of the raw image, so K counts; --undistorted takes P, for "
+                   "the rectified one."));
             return;
         }
         if (!parts || m_camera.pose) {
-            m_camera.assumed.push_back(tr("P cannot be used here: K counts for the rectified image."));
+            say(tr("P cannot be used here: K counts for the rectified image."));
             return;
         }
-        m_camera.assumed.push_back(tr("Pixels are those of the rectified image, so P and R count; K is ignored."));
+        say(tr("Pixels are those of the rectified image, so P and R count; K is ignored."));
         m_camera.intrinsics = parts->intrinsics;
         m_camera.intrinsics->skew = 0.0;
         const CameraValue *rectification = valueOf(Part::Rotation);
@@ -760,8 +748,7 @@ private:
         if (const auto model = unknownModel(list)) {
             if (!m_reading.choices.isUndistorted)
                 fail(*model, unknownDistortionText(model->word));
-            m_camera.assumed.push_back(
-                tr("The distortion %1 is dropped: pixels are those of the undistorted image.", model->word));
+            say(tr("The distortion %1 is dropped: pixels are those of the undistorted image.", model->word));
             return;
         }
         if (!list)
@@ -772,8 +759,8 @@ private:
         else if (!m_reading.choices.isUndistorted)
             fail(*list, lens.error());
         else
-            m_camera.assumed.push_back(tr("The distortion coefficients are dropped: pixels are those of the "
-                                          "undistorted image."));
+            say(tr("The distortion coefficients are dropped: pixels are those of the "
+                   "undistorted image."));
     }
 
     /// The coefficients in OpenCV's order: a list, or numbers with their names.
@@ -806,7 +793,7 @@ private:
     /// The first model whose coefficients are not read, or such a coefficient; nothing if there is none.
     std::optional<CameraValue> unknownModel(const std::optional<CameraValue> &list) const
     {
-        for (const CameraValue &model : m_values.all(Part::Model)) {
+        for (const CameraValue &model : all(Part::Model)) {
             if (!isKnown(model, list))
                 return model;
         }
@@ -831,8 +818,7 @@ private:
         // RealSense's other models are pinholes where all coefficients are 0.
         const bool isVariant = name == "inversebrownconrady" || name == "modifiedbrownconrady";
         return isVariant && coefficients
-               && std::all_of(coefficients->numbers.begin(), coefficients->numbers.end(),
-                              [](double number) { return number == 0.0; });
+               && std::ranges::all_of(coefficients->numbers, [](double number) { return number == 0.0; });
     }
 
     void readClipDistances()

@@ -13,7 +13,7 @@ using base::tr;
 namespace {
 
 /// The words of a name, each without the names of its objects.
-std::vector<std::string> wordsOf(std::string_view name)
+std::vector<std::string> namesIn(std::string_view name)
 {
     std::vector<std::string> words;
     for (std::size_t at = 0, end = 0; at < name.size(); at = end + 1) {
@@ -74,7 +74,7 @@ NamedValues::NamedValues(std::string_view text)
         if (group.kind == GroupKind::Name && isValue) {
             m_values.back().arithmetic = std::move(group.arithmetic);
         } else if (group.kind == GroupKind::Name) {
-            NamedValue value{wordsOf(group.name),
+            NamedValue value{namesIn(group.name),
                              std::string(group.name),
                              isEmpty ? m_values.back().words.back() : parent,
                              {},
@@ -141,7 +141,7 @@ std::vector<double> NamedValues::numbers(Names names, std::size_t count, Names c
         }
         std::vector<double> found;
         for (const std::string_view component : components) {
-            const auto one = std::find_if(m_values.begin(), m_values.end(), [&](const NamedValue &value) {
+            const auto one = std::ranges::find_if(m_values, [&](const NamedValue &value) {
                 return value.parent.ends_with(name) && value.isNamed(component) && value.numbers.size() == 1;
             });
             if (one != m_values.end())

@@ -87,8 +87,7 @@ private:
 
     bool isInBrackets() const
     {
-        return std::any_of(m_open.begin(), m_open.end(),
-                           [](const Open &open) { return open.kind == '{' || open.kind == '['; });
+        return std::ranges::any_of(m_open, [](const Open &open) { return open.kind == '{' || open.kind == '['; });
     }
 
     /// Sections and YAML's indentation, outside of brackets.
@@ -115,7 +114,7 @@ private:
             column = std::min(line.find_first_not_of(" \t", column + 1), line.size());
         const std::size_t colon = line.find(':', column);
         const std::string_view key = trimmed(line.substr(column, colon == line.npos ? 0 : colon - column));
-        const bool isKey = !key.empty() && std::all_of(key.begin(), key.end(), isOfName);
+        const bool isKey = !key.empty() && std::ranges::all_of(key, isOfName);
         if (!isKey)
             return; // numbers of the key above
         while (!m_open.empty() && m_open.back().kind == 'y'

@@ -1,10 +1,10 @@
 #include "core/cameras/pasted_names.h"
 
+#include "core/base/letters.h"
 #include "core/base/text_scanner.h"
 #include "core/cameras/scan.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string>
 #include <vector>
 
@@ -68,33 +68,14 @@ NamedPart namedByLetters(std::string_view letters)
     return {};
 }
 
-/// The words of names in lower case: "inv_viewMatrix" has "inv", "view" and "matrix". The 2 of
-/// "world2cam" is the word "to".
-std::vector<std::string> wordsOf(std::string_view names)
-{
-    std::vector<std::string> words;
-    const auto is = [names](int (*kind)(int), std::size_t i) {
-        return i < names.size() && kind(static_cast<unsigned char>(names[i])) != 0;
-    };
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const bool isFirst = !is(std::isalpha, i - 1);
-        if (names[i] == '2' && !isFirst && is(std::isalpha, i + 1))
-            words.emplace_back("to");
-        if (!is(std::isalpha, i))
-            continue;
-        if (isFirst || (is(std::islower, i - 1) && is(std::isupper, i)))
-            words.emplace_back();
-        words.back() += base::lowerCase(names.substr(i, 1));
-    }
-    return words;
-}
-
 /// What whole names tell, with the names of their objects: "camera.matrixWorld".
 NamedPart namedByAll(std::string_view names)
 {
     std::string letters;
     bool isInverse = false, isAxis = false;
     for (std::string word : wordsOf(names)) {
+        if (base::isDigit(word[0]))
+            continue;
         for (const std::string_view inverse : {"inverse", "inverted", "inv"}) {
             const auto at = word.find(inverse);
             const std::string rest = at == word.npos ? word : std::string(word).erase(at, inverse.size());

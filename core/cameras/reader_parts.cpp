@@ -94,7 +94,7 @@ void Reading::fail(std::string reason, std::size_t line) const
 
 void Reading::chooseImage(std::span<const std::string> ids)
 {
-    const auto id = std::find(ids.begin(), ids.end(), choices.image);
+    const auto id = std::ranges::find(ids, choices.image);
     const bool isId = id != ids.end() && !choices.image.empty();
     const std::vector<std::size_t> found =
         isId ? std::vector{std::size_t(id - ids.begin())} : imageIndexes(camera.images, choices.image);

@@ -117,8 +117,9 @@ bool isFrame(Word kind)
 /// Returns whether a word of a kind stands before or between the frames of a transform.
 bool isTransformWord(Word kind)
 {
-    return kind == Word::Transform || kind == Word::Extrinsics || kind == Word::Rotation || kind == Word::Quaternion
-           || kind == Word::Translation || kind == Word::Pose;
+    using enum Word;
+    return kind == Transform || kind == Extrinsics || kind == Rotation || kind == Quaternion || kind == Translation
+           || kind == Pose;
 }
 
 /// Letters in front of two frames: T_WC, R_cw, q_WC.
@@ -190,36 +191,12 @@ bool isUpper(char c)
     return c >= 'A' && c <= 'Z';
 }
 
-/// The words of a name in lower case: split at marks, at changes of case, and between known words.
-/// The 2 in "cam2world" is the word "to".
-std::vector<std::string> wordsOf(std::string_view name)
+/// The words of a name, split between known words too.
+std::vector<std::string> knownWordsOf(std::string_view name)
 {
     std::vector<std::string> words;
-    std::string word;
-    const auto end = [&] {
-        if (!word.empty())
-            addWord(word, words);
-        word.clear();
-    };
-    const auto at = [&](std::size_t i) { return i < name.size() ? name[i] : ' '; };
-    for (std::size_t i = 0; i < name.size(); ++i) {
-        const char c = name[i], before = i > 0 ? name[i - 1] : ' ';
-        const bool isLetter = isLower(c) || isUpper(c), wasLetter = isLower(before) || isUpper(before);
-        if (!isLetter && !isDigit(c)) {
-            end();
-            continue;
-        }
-        const bool isHump =
-            isUpper(c) && (isLower(before) || (isUpper(before) && isLower(at(i + 1)) && i + 2 < name.size()));
-        if ((isDigit(c) != isDigit(before) && !word.empty()) || (isHump && wasLetter))
-            end();
-        if (c == '2' && wasLetter && (isLower(at(i + 1)) || isUpper(at(i + 1)))) {
-            words.emplace_back("to");
-            continue;
-        }
-        word += isUpper(c) ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-    end();
+    for (const std::string &word : wordsOf(name))
+        addWord(word, words);
     return words;
 }
 
@@ -227,7 +204,7 @@ constexpr std::size_t kLongestName = 80; // longer ones are prose
 
 /// The words of a name with what they mean, without its numbers.
 struct Name {
-    explicit Name(std::string_view name) : words(wordsOf(name.substr(0, kLongestName)))
+    explicit Name(std::string_view name) : words(knownWordsOf(name.substr(0, kLongestName)))
     {
         std::erase_if(words, [](const std::string &word) { return isDigit(word[0]); });
         for (const std::string &word : words)
@@ -238,14 +215,14 @@ struct Name {
         }
     }
 
-    bool has(Word kind) const { return std::find(kinds.begin(), kinds.end(), kind) != kinds.end(); }
-    bool hasWord(std::string_view word) const { return std::find(words.begin(), words.end(), word) != words.end(); }
+    bool has(Word kind) const { return std::ranges::find(kinds, kind) != kinds.end(); }
+    bool hasWord(std::string_view word) const { return std::ranges::find(words, word) != words.end(); }
     /// Returns whether the name has none but these kinds and those that say nothing.
     bool isOnly(std::initializer_list<Word> some) const
     {
-        return std::all_of(kinds.begin(), kinds.end(), [&](Word kind) {
+        return std::ranges::all_of(kinds, [&](Word kind) {
             return kind == Word::Filler || kind == Word::Camera || kind == Word::Side
-                   || std::find(some.begin(), some.end(), kind) != some.end();
+                   || std::ranges::find(some, kind) != some.end();
         });
     }
 
@@ -260,19 +237,20 @@ struct Frames {
 
 Frames framesOf(const Name &name)
 {
+    using enum Word;
     const std::vector<Word> &kinds = name.kinds;
-    const auto at = [&](std::size_t i) { return i < kinds.size() ? kinds[i] : Word::Unknown; };
-    const auto isEnd = [&](std::size_t i) { return isFrame(at(i)) || at(i) == Word::Side; };
+    const auto at = [&](std::size_t i) { return i < kinds.size() ? kinds[i] : Unknown; };
+    const auto isEnd = [&](std::size_t i) { return isFrame(at(i)) || at(i) == Side; };
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         const std::optional<std::size_t> before = i > 0 && isEnd(i - 1) ? std::optional(i - 1) : std::nullopt;
         std::size_t next = i + 1;
-        while (isEnd(next) && isEnd(next + 1) && at(next) != Word::World) // "to_left_camera"
+        while (isEnd(next) && isEnd(next + 1) && at(next) != World) // "to_left_camera"
             ++next;
         if (!isEnd(next))
             continue;
-        if (at(i) == Word::To || at(i) == Word::In)
+        if (at(i) == To || at(i) == In)
             return {before, next};
-        if (at(i) == Word::From)
+        if (at(i) == From)
             return {next, before};
     }
     for (std::size_t i = 0; i < kinds.size(); ++i) {
@@ -321,47 +299,46 @@ constexpr std::array kNamesOfPrograms{
 /// The part by the words that are not frames.
 std::optional<Part> partOf(const Name &name, std::size_t count)
 {
-    const bool isMatrix = name.has(Word::Matrix), isTransform = name.has(Word::Transform);
+    using enum Word;
+    const bool isMatrix = name.has(Matrix), isTransform = name.has(Transform);
     const bool hasFrames = framesOf(name).from || framesOf(name).to;
-    if (name.has(Word::Model) && !name.has(Word::View))
-        return name.isOnly({Word::Model, Word::Distortion}) ? std::optional(Part::Model) : std::nullopt;
-    if (name.hasWord("sensor") && name.has(Word::Size)) // millimetres
+    if (name.has(Model) && !name.has(View))
+        return name.isOnly({Model, Distortion}) ? std::optional(Part::Model) : std::nullopt;
+    if (name.hasWord("sensor") && name.has(Size)) // millimetres
         return std::nullopt;
-    if (name.has(Word::Size) || name.has(Word::Shape))
-        return name.isOnly({Word::Size, Word::Shape, Word::Image}) ? std::optional(Part::Size) : std::nullopt;
-    for (const auto &[kind, part] :
-         {std::pair(Word::Radial, Part::Radial), std::pair(Word::Tangential, Part::Tangential)}) {
-        if (name.has(kind) && name.isOnly({kind, Word::Distortion, Word::Coefficients}))
+    if (name.has(Size) || name.has(Shape))
+        return name.isOnly({Size, Shape, Image}) ? std::optional(Part::Size) : std::nullopt;
+    for (const auto &[kind, part] : {std::pair(Radial, Part::Radial), std::pair(Tangential, Part::Tangential)}) {
+        if (name.has(kind) && name.isOnly({kind, Distortion, Coefficients}))
             return part;
     }
-    if ((name.has(Word::Distortion) || name.has(Word::Coefficients))
-        && name.isOnly({Word::Distortion, Word::Coefficients, Word::Image}))
+    if ((name.has(Distortion) || name.has(Coefficients)) && name.isOnly({Distortion, Coefficients, Image}))
         return Part::Distortion;
-    if (name.has(Word::Focal) || name.has(Word::Principal))
-        return name.has(Word::Focal) ? Part::Focal : Part::Principal;
-    if (name.has(Word::Rotation) && name.hasWord("rect")) // KITTI's R_rect
+    if (name.has(Focal) || name.has(Principal))
+        return name.has(Focal) ? Part::Focal : Part::Principal;
+    if (name.has(Rotation) && name.hasWord("rect")) // KITTI's R_rect
         return std::nullopt;
-    if (name.has(Word::Rotation) || name.has(Word::Quaternion))
-        return count == 4 || name.has(Word::Quaternion) ? Part::Quaternion : Part::Rotation;
-    if (name.has(Word::Translation))
+    if (name.has(Rotation) || name.has(Quaternion))
+        return count == 4 || name.has(Quaternion) ? Part::Quaternion : Part::Rotation;
+    if (name.has(Translation))
         return Part::Translation;
-    if (name.has(Word::Center))
+    if (name.has(Center))
         return count == 12 || count == 16 ? Part::Pose : Part::Center;
     if (count == 3 && !name.words.empty() && (name.words.back() == "c" || name.words.back() == "eye")
         && name.isOnly({}))
         return Part::Center;
-    if (name.has(Word::Intrinsics) && !hasFrames)
+    if (name.has(Intrinsics) && !hasFrames)
         return Part::Intrinsics;
     if (name.hasWord("p") && hasFrames && count == 3) // Drake's p_WC
         return Part::Translation;
-    if (name.has(Word::Projection) && name.isOnly({Word::Projection, Word::Matrix}))
+    if (name.has(Projection) && name.isOnly({Projection, Matrix}))
         return Part::CameraMatrix;
-    const bool isPose = name.has(Word::Pose) || name.has(Word::Extrinsics) || name.has(Word::View) || isTransform
-                        || hasFrames || (isMatrix && name.has(Word::World));
+    const bool isPose = name.has(Pose) || name.has(Extrinsics) || name.has(View) || isTransform || hasFrames
+                        || (isMatrix && name.has(World));
     if (isPose)
         return isTransform && count <= 6 ? Part::Translation : Part::Pose; // t, or its vectors
-    if (isMatrix && name.isOnly({Word::Matrix}))
-        return name.has(Word::Camera) || name.hasWord("mtx") ? std::optional(Part::Intrinsics) : std::nullopt;
+    if (isMatrix && name.isOnly({Matrix}))
+        return name.has(Camera) || name.hasWord("mtx") ? std::optional(Part::Intrinsics) : std::nullopt;
     return std::nullopt;
 }
 
@@ -374,53 +351,55 @@ bool allowsUnknown(Part part, std::size_t count)
 /// Sets what a pose's words usually mean.
 void setCustom(const Name &name, Role &role)
 {
-    if (name.has(Word::OpenGl) || name.has(Word::View))
+    using enum Word;
+    if (name.has(OpenGl) || name.has(View))
         role.axes = EyeAxes::RightUpBack;
-    else if (name.has(Word::OpenCv) || name.hasWord("rt"))
+    else if (name.has(OpenCv) || name.hasWord("rt"))
         role.axes = EyeAxes::RightDownAhead;
-    role.areAxesStated = name.has(Word::OpenGl) || name.has(Word::OpenCv) || name.hasWord("rt");
+    role.areAxesStated = name.has(OpenGl) || name.has(OpenCv) || name.hasWord("rt");
     if (role.direction)
         return;
-    const bool isOfObject = name.has(Word::Matrix) && name.has(Word::World); // Blender's matrix_world
-    const bool isCameras = name.has(Word::Camera) && name.has(Word::Transform);
-    if (name.has(Word::Extrinsics) || name.has(Word::View) || name.hasWord("qvec")) // COLMAP's qvec
+    const bool isOfObject = name.has(Matrix) && name.has(World); // Blender's matrix_world
+    const bool isCameras = name.has(Camera) && name.has(Transform);
+    if (name.has(Extrinsics) || name.has(View) || name.hasWord("qvec")) // COLMAP's qvec
         role.direction = PoseDirection::WorldToCamera;
-    else if (name.has(Word::Pose) || isOfObject || isCameras || name.hasWord("position") || name.hasWord("pos")
+    else if (name.has(Pose) || isOfObject || isCameras || name.hasWord("position") || name.hasWord("pos")
              || name.hasWord("location")) // an object's in the world
         role.direction = PoseDirection::CameraToWorld;
 }
 
 bool isOfOther(const Name &name)
 {
+    using enum Word;
     constexpr std::string_view kOthers =
         " imu lidar marker markers object objects obj robot projector display window screen monitor crop roi thumbnail "
         "checkerboard bbox box tag light board velodyne ";
-    return !name.has(Word::Pose) && !name.has(Word::Extrinsics) && !name.has(Word::Transform)
-           && std::any_of(name.words.begin(), name.words.end(),
-                          [&](const std::string &word) { return isListed(kOthers, word); });
+    return !name.has(Pose) && !name.has(Extrinsics) && !name.has(Transform)
+           && std::ranges::any_of(name.words, [&](const std::string &word) { return isListed(kOthers, word); });
 }
 
 bool areAngles(const Name &name)
 {
-    return (name.has(Word::Angles) || name.has(Word::Rotation)) && !name.has(Word::Other) && !isOfOther(name);
+    using enum Word;
+    return (name.has(Angles) || name.has(Rotation)) && !name.has(Other) && !isOfOther(name);
 }
 
 } // namespace
 
 std::optional<Role> roleOf(std::string_view text, std::size_t count)
 {
+    using enum Word;
     const Name name(text);
-    const bool isOfPipeline = name.has(Word::View) && (name.has(Word::Model) || name.has(Word::Projection));
-    if (name.words.empty() || name.has(Word::Other) || name.has(Word::Angles) || isOfPipeline
-        || text.size() > kLongestName)
+    const bool isOfPipeline = name.has(View) && (name.has(Model) || name.has(Projection));
+    if (name.words.empty() || name.has(Other) || name.has(Angles) || isOfPipeline || text.size() > kLongestName)
         return std::nullopt;
     const std::optional<Part> part = partOf(name, count);
-    if (!part || (name.has(Word::Unknown) && !allowsUnknown(*part, count)))
+    if (!part || (name.has(Unknown) && !allowsUnknown(*part, count)))
         return std::nullopt;
     if (count == 1 && *part != Part::Distortion && *part != Part::Model)
         return std::nullopt;
     Role role{*part};
-    role.areRowsFirst = name.has(Word::Shape) || text.find("ImageSize") != text.npos;
+    role.areRowsFirst = name.has(Shape) || text.find("ImageSize") != text.npos;
     if (!isOfPose(*part))
         return role;
     for (const NameOfProgram &known : kNamesOfPrograms) {
@@ -435,13 +414,12 @@ std::optional<Role> roleOf(std::string_view text, std::size_t count)
         return std::nullopt;
     // "marker_pose", "R_imu": of another thing than a camera
     constexpr std::string_view kWorlds = " world w global g map odom c cam camera ";
-    const bool isOfOtherWorld = std::any_of(name.words.begin(), name.words.end(), [&](const std::string &word) {
-        return kindOf(word) == Word::World && !isListed(kWorlds, word);
-    });
-    if (!role.isDirectionStated && isOfOtherWorld && !name.has(Word::Camera))
+    const bool isOfOtherWorld = std::ranges::any_of(
+        name.words, [&](const std::string &word) { return kindOf(word) == World && !isListed(kWorlds, word); });
+    if (!role.isDirectionStated && isOfOtherWorld && !name.has(Camera))
         return std::nullopt;
     setCustom(name, role);
-    if (name.has(Word::Unknown) && !role.isDirectionStated)
+    if (name.has(Unknown) && !role.isDirectionStated)
         role.direction.reset(); // "head_pose"
     role.w = name.hasWord("xyzw") ? 3 : name.hasWord("wxyz") || name.hasWord("qvec") ? 0 : 4;
     return role;
@@ -482,10 +460,10 @@ std::string cameraOf(std::string_view text)
 
 bool hasPartWord(std::string_view text)
 {
+    using enum Word;
     const Name name(text);
-    return std::any_of(name.kinds.begin(), name.kinds.end(), [](Word kind) {
-        return (kind >= Word::Intrinsics && kind <= Word::View && kind != Word::Matrix) || kind == Word::Transform
-               || kind == Word::Distortion;
+    return std::ranges::any_of(name.kinds, [](Word kind) {
+        return (kind >= Intrinsics && kind <= View && kind != Matrix) || kind == Transform || kind == Distortion;
     });
 }
 
@@ -496,14 +474,14 @@ bool isAngle(std::string_view text)
 
 bool isScalarOfPart(std::string_view text)
 {
+    using enum Word;
     constexpr std::string_view kOthers = " skew gamma s alphac tx ty tz qx qy qz qw ";
     const Name name(text);
-    const bool isOfLens = std::any_of(name.kinds.begin(), name.kinds.end(), [](Word kind) {
-        return kind == Word::Distortion || kind == Word::Radial || kind == Word::Tangential || kind == Word::Focal
-               || kind == Word::Principal;
+    const bool isOfLens = std::ranges::any_of(name.kinds, [](Word kind) {
+        return kind == Distortion || kind == Radial || kind == Tangential || kind == Focal || kind == Principal;
     });
     return isOfLens || !coefficientOf(text).empty() || isListed(kOthers, plain(text))
-           || (areAngles(name) && !name.has(Word::Unknown));
+           || (areAngles(name) && !name.has(Unknown));
 }
 
 std::string coefficientOf(std::string_view text)

@@ -711,6 +711,30 @@ std::string plain(std::string_view name)
     return letters;
 }
 
+std::vector<std::string> wordsOf(std::string_view names)
+{
+    std::vector<std::string> words;
+    const auto at = [&](std::size_t i) { return i < names.size() ? names[i] : ' '; };
+    const auto isUpper = [&](std::size_t i) { return at(i) >= 'A' && at(i) <= 'Z'; };
+    const auto isLower = [&](std::size_t i) { return at(i) >= 'a' && at(i) <= 'z'; };
+    const auto isPart = [&](std::size_t i) { return isUpper(i) || isLower(i) || isDigit(at(i)); };
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (!isPart(i))
+            continue;
+        const bool isHump =
+            isUpper(i) && (isLower(i - 1) || (isUpper(i - 1) && isLower(i + 1) && i + 2 < names.size()));
+        const bool wasLetter = isUpper(i - 1) || isLower(i - 1);
+        if (at(i) == '2' && wasLetter && (isUpper(i + 1) || isLower(i + 1))) {
+            words.emplace_back("to");
+            continue;
+        }
+        if (!isPart(i - 1) || isDigit(at(i)) != isDigit(at(i - 1)) || isHump)
+            words.emplace_back();
+        words.back() += base::lowerCase(names.substr(i, 1));
+    }
+    return words;
+}
+
 std::string_view lastPart(std::string_view path)
 {
     return path.substr(path.find_last_of(".>:") + 1);

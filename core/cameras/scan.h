@@ -51,6 +51,9 @@ std::string withoutRemarks(std::string_view text);
 
 /// The letters and digits of a name in lower case: "nearclip" of "near_Clip".
 std::string plain(std::string_view name);
+/// The words of names in lower case, split at marks, between digits and letters, and at changes of case:
+/// "inv_viewMatrix" has "inv", "view" and "matrix". The 2 of "world2cam" is the word "to".
+std::vector<std::string> wordsOf(std::string_view names);
 /// The part of "camera.data.lens", "cam->lens" or "cv::Mat" behind the last dot, arrow or colon.
 std::string_view lastPart(std::string_view path);
 

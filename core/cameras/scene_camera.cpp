@@ -266,13 +266,11 @@ void sayReading(const ForeignCamera &camera, const std::vector<PoseReading> &rea
 {
     const bool isAnother = taken.direction != readings.front().direction || taken.axes != readings.front().axes;
     const auto isOpen = [&](auto part) {
-        return std::any_of(readings.begin(), readings.end(),
-                           [&](const PoseReading &r) { return r.*part != taken.*part; });
+        return std::ranges::any_of(readings, [&](const PoseReading &r) { return r.*part != taken.*part; });
     };
     const bool isDirectionOpen = isOpen(&PoseReading::direction), areAxesOpen = isOpen(&PoseReading::axes);
-    const auto others =
-        std::count_if(readings.begin(), readings.end(), [&](const PoseReading &r) { return r.seen > 0.0; })
-        - (taken.seen > 0.0 ? 1 : 0);
+    const auto others = std::ranges::count_if(readings, [&](const PoseReading &r) { return r.seen > 0.0; })
+                        - (taken.seen > 0.0 ? 1 : 0);
     const auto because = [&](const std::string &usual) {
         return !haveObjects        ? tr("%1. No objects decide it: give them with --objects", usual)
                : taken.seen == 0.0 ? tr("%1. No reading shows the objects", usual)
@@ -383,9 +381,8 @@ SceneCamera converted(const ForeignCamera &camera, const CameraChoices &choices,
         }
     }
     const auto isSeen = [&](PoseDirection direction) {
-        return std::any_of(readings.begin(), readings.end(), [&](const PoseReading &reading) {
-            return reading.direction == direction && reading.seen > 0.0;
-        });
+        return std::ranges::any_of(
+            readings, [&](const PoseReading &reading) { return reading.direction == direction && reading.seen > 0.0; });
     };
     if (camera.pose && camera.isDirectionOpen && !choices.direction
         && isSeen(PoseDirection::CameraToWorld) == isSeen(PoseDirection::WorldToCamera))
