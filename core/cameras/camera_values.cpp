@@ -165,25 +165,26 @@ void CameraValues::addNumber(const CameraValue &value)
 /// The values with a focal length.
 std::vector<CameraValue> CameraValues::lenses() const
 {
+    using enum Part;
     std::vector<CameraValue> found;
-    for (const Part part : {Part::Intrinsics, Part::CameraMatrix, Part::Focal})
+    for (const Part part : {Intrinsics, CameraMatrix, Focal})
         found.insert(found.end(), all(part).begin(), all(part).end());
     std::ranges::copy_if(m_numbers, std::back_inserter(found),
                          [](const CameraValue &number) { return number.isNamed("fx"); });
     return found;
 }
 
-/// The innermost id around a value; null if there is none.
+/// The innermost id around a value; empty if there is none.
 /// @param place  set to the part of the text that has it
-const std::string *CameraValues::idAround(const CameraValue &value, const std::map<Place, std::string> &ids,
-                                          Place &place) const
+std::string CameraValues::idAround(const CameraValue &value, const std::map<Place, std::string> &ids,
+                                   Place &place) const
 {
     for (place = {value.text, value.node}; place.second > 0;
          place.second = m_outlines[value.text].node(place.second).parent) {
         if (const auto found = ids.find(place); found != ids.end())
-            return &found->second;
+            return found->second;
     }
-    return nullptr;
+    return {};
 }
 
 /// The id of a lens, or the name of its camera.
@@ -191,8 +192,8 @@ std::string CameraValues::idOf(const CameraValue &lens) const
 {
     Place place;
     for (const auto *ids : {&m_ids, &m_references}) {
-        if (const std::string *id = idAround(lens, *ids, place))
-            return *id;
+        if (std::string id = idAround(lens, *ids, place); !id.empty())
+            return id;
     }
     return cameraOf(lens);
 }
@@ -201,30 +202,30 @@ std::string CameraValues::idOf(const CameraValue &lens) const
 /// parts that have the names of two cameras, or the value names another one.
 bool CameraValues::isOfOtherThan(const CameraValue &lens, const CameraValue &value) const
 {
-    if (!lens.camera.empty() && !value.camera.empty() && lens.camera != value.camera)
-        return true;
-    if (lens.text != value.text)
-        return false;
+    const auto differ = [](const std::string &one, const std::string &other) {
+        return !one.empty() && !other.empty() && one != other;
+    };
+    if (lens.text != value.text || differ(lens.camera, value.camera))
+        return differ(lens.camera, value.camera);
     const Outline &outline = m_outlines[lens.text];
     const std::vector<std::size_t> first = outline.pathTo(lens.node), second = outline.pathTo(value.node);
-    const auto [a, b] = std::mismatch(first.begin(), first.end(), second.begin(), second.end());
+    const auto [a, b] = std::ranges::mismatch(first, second);
     if (a == first.end() || b == second.end())
         return false;
     const Outline::Node &one = outline.node(*a), &other = outline.node(*b);
-    if (one.isOfSeveral && other.isOfSeveral && one.name == other.name)
-        return true;
-    const std::string camera = cameras::cameraOf(outline.nameOf(*a)), its = cameras::cameraOf(outline.nameOf(*b));
+    const std::string name = outline.nameOf(*a);
     Place place;
-    const std::string *reference = idAround(value, m_references, place);
-    const std::string id = idOf(lens);
-    const bool isOfId = !reference || id.empty() || *reference == id || *reference == outline.nameOf(*a);
-    return (!camera.empty() && !its.empty() && camera != its) || !isOfId;
+    const std::string reference = idAround(value, m_references, place);
+    return (one.isOfSeveral && other.isOfSeveral && one.name == other.name)
+           || differ(cameras::cameraOf(name), cameras::cameraOf(outline.nameOf(*b)))
+           || (differ(reference, idOf(lens)) && reference != name);
 }
 
 /// Sets apart what stands with other things than the camera ("imu", "display"), poses of other
 /// cameras, and the transform to the camera before.
 void CameraValues::dropElsewhere()
 {
+    using enum Part;
     const std::vector<CameraValue> lenses = this->lenses();
     std::set<std::string> around;
     for (const CameraValue &lens : lenses)
@@ -246,10 +247,10 @@ void CameraValues::dropElsewhere()
     };
     for (const Part part : kPoseParts)
         split(part, [&](const CameraValue &value) { return isOfOther(value) || isApart(value); });
-    split(Part::Size, isApart);
+    split(Size, isApart);
     const auto isToCameraBefore = [](const CameraValue &value) { return value.role.world == "camera before"; };
-    if (const auto &poses = all(Part::Pose); !std::ranges::all_of(poses, isToCameraBefore))
-        split(Part::Pose, isToCameraBefore);
+    if (const auto &poses = all(Pose); !std::ranges::all_of(poses, isToCameraBefore))
+        split(Pose, isToCameraBefore);
     std::erase_if(m_numbers, [&](const CameraValue &number) { return !number.isNamed("fx") && isApart(number); });
 }
 
@@ -322,9 +323,9 @@ std::vector<CameraValues::Image> CameraValues::images() const
     Place place;
     for (const Part part : kPoseParts) {
         for (const CameraValue &value : all(part)) {
-            const std::string *camera = idAround(value, m_references, place);
-            if (camera && seen.insert(place).second)
-                images.push_back({m_outlines[place.first].nameOf(place.second), *camera, place});
+            const std::string camera = idAround(value, m_references, place);
+            if (!camera.empty() && seen.insert(place).second)
+                images.push_back({m_outlines[place.first].nameOf(place.second), camera, place});
         }
     }
     return images;
@@ -341,7 +342,7 @@ bool CameraValues::keepImage(const Image &image)
     for (const Part part : kPoseParts) {
         std::erase_if(of(part), [&](const CameraValue &value) {
             Place place;
-            return idAround(value, m_references, place) && place != image.place;
+            return !idAround(value, m_references, place).empty() && place != image.place;
         });
     }
     keepCamera(name, image.place);
@@ -371,26 +372,28 @@ bool CameraValues::isOfCamera(const CameraValue &value) const
 /// Without the model, P = K' [1 t'] and R without t are the same.
 bool CameraValues::isCameraInfo() const
 {
-    if (all(Part::CameraMatrix).empty() || all(Part::Intrinsics).empty())
+    using enum Part;
+    if (all(CameraMatrix).empty() || all(Intrinsics).empty())
         return false;
-    const std::vector<double> &p = all(Part::CameraMatrix).front().numbers;
+    const std::vector<double> &p = all(CameraMatrix).front().numbers;
     const bool isUpper = p[1] == 0.0 && p[4] == 0.0 && p[8] == 0.0 && p[9] == 0.0;
-    return !all(Part::Model).empty()
-           || (isUpper && !all(Part::Rotation).empty() && all(Part::Translation).empty() && all(Part::Center).empty());
+    return !all(Model).empty()
+           || (isUpper && !all(Rotation).empty() && all(Translation).empty() && all(Center).empty());
 }
 
 /// Sets the direction that the name around R or t states: "T_cam_imu: {R: …, t: …}".
 /// @return false for a part of a transform between two cameras: "depth_to_color: {rotation: …}"
 bool CameraValues::setDirectionAround(CameraValue &value) const
 {
+    using enum Part;
     const Part part = value.role.part;
-    if (part != Part::Rotation && part != Part::Quaternion && part != Part::Translation)
+    if (part != Rotation && part != Quaternion && part != Translation)
         return true;
     for (const std::string &section : sectionsOf(value)) {
         if (isBetweenCameras(section))
             return false;
         const std::optional<Role> around = cameras::roleOf(section, 16);
-        if (around && around->part == Part::Pose && around->direction && !value.role.isDirectionStated) {
+        if (around && around->part == Pose && around->direction && !value.role.isDirectionStated) {
             const std::size_t w = value.role.w;
             value.role = *around;
             value.role.part = part;
@@ -402,13 +405,14 @@ bool CameraValues::setDirectionAround(CameraValue &value) const
 
 void CameraValues::add(CameraValue value)
 {
+    using enum Part;
     const std::string plainName = plain(value.name);
     const bool isFlag = isListed(" true yes on ", plain(value.word)) || value.numbers == std::vector{1.0};
     if (isFlag && plainName.find("fisheye") != plainName.npos)
         value.word = "fisheye";
     const bool isProjection = plainName.find("projection") != plainName.npos || plainName == "lens";
     if (isLens(value.word) && (isFlag || isProjection || value.word == "fisheye"))
-        return of(Part::Model).push_back(std::move(value));
+        return of(Model).push_back(std::move(value));
     const std::optional<Role> role = roleOf(value);
     const std::size_t count = value.numbers.size();
     if (!role) {
@@ -420,28 +424,28 @@ void CameraValues::add(CameraValue value)
     value.role = *role;
     const Part part = role->part;
     value.camera = cameras::cameraOf(value.name);
-    const bool isWord = part == Part::Model;
+    const bool isWord = part == Model;
     if (isWord ? value.word.empty() : value.numbers.empty())
         return;
     if (isWord && value.name.ends_with("type") && !isLens(value.word))
         return; // "camera_type": "rgb"
-    if (part == Part::Quaternion && count != 4) {
+    if (part == Quaternion && count != 4) {
         m_others.push_back(std::move(value));
         return;
     }
-    if (part == Part::Intrinsics)
+    if (part == Intrinsics)
         value.numbers = withoutBorder(value.numbers);
     if (!setDirectionAround(value)) {
         m_others.push_back(std::move(value));
         return;
     }
-    if (part == Part::Quaternion && role->w < 4) {
+    if (part == Quaternion && role->w < 4) {
         if (role->w == 0)
             std::rotate(value.numbers.begin(), value.numbers.begin() + 1, value.numbers.end());
         return of(part).push_back(std::move(value));
     }
     // The vectors of several images: rvecs, tvecs.
-    const bool isVectors = (part == Part::Rotation || part == Part::Translation) && count > 3 && count % 3 == 0
+    const bool isVectors = (part == Rotation || part == Translation) && count > 3 && count % 3 == 0
                            && value.name.find("vec") != value.name.npos && (count != 9 || value.name.ends_with("vecs"));
     if (isVectors) {
         addEach(part, value, 3);
@@ -458,6 +462,7 @@ void CameraValues::add(CameraValue value)
 /// the poses of several images.
 void CameraValues::addUnnamed(CameraValue value)
 {
+    using enum Part;
     const std::size_t count = value.numbers.size();
     const auto isLastRow = [&](std::size_t i) { return i % 16 < 12 || value.numbers[i] == (i % 16 == 15 ? 1.0 : 0.0); };
     bool are16 = count % 16 == 0;
@@ -468,12 +473,12 @@ void CameraValues::addUnnamed(CameraValue value)
         return;
     value.name = stemOf(value.file);
     const std::optional<Role> role = cameras::roleOf(value.name, std::min(count, entries));
-    if (role && role->part == Part::Intrinsics)
+    if (role && role->part == Intrinsics)
         return add(std::move(value));
     if (count == 9)
         return;
-    value.role = role && role->part == Part::Pose ? *role : Role{};
-    addEach(Part::Pose, value, entries);
+    value.role = role && role->part == Pose ? *role : Role{};
+    addEach(Pose, value, entries);
 }
 
 /// Adds the parts that stand in one list.
@@ -504,6 +509,7 @@ void CameraValues::addPoses(CameraValue value)
 /// "orientation: {x: 0, y: 0, z: 0, w: 1}".
 void CameraValues::addComponents(const NamedValues &named)
 {
+    using enum Part;
     constexpr std::string_view kXyzw = "xyzw";
     const std::vector<NamedValue> &values = named.all();
     const auto isComponent = [&](std::size_t i) {
@@ -527,16 +533,16 @@ void CameraValues::addComponents(const NamedValues &named)
         added.role = *role;
     }
     const auto isTurn = [](const CameraValue &value) {
-        return value.role.part == Part::Quaternion && value.numbers.size() == 4;
+        return value.role.part == Quaternion && value.numbers.size() == 4;
     };
     // A position beside a quaternion is a pose; alone, it may be another thing's.
     const bool isPose = std::ranges::any_of(found, isTurn);
     for (CameraValue &value : found) {
-        if (isPose && value.role.part == Part::Center)
-            value.role = {Part::Translation};
+        if (isPose && value.role.part == Center)
+            value.role = {Translation};
         const bool isRead =
             isTurn(value)
-            || (value.numbers.size() == 3 && (value.role.part == Part::Translation || value.role.part == Part::Center));
+            || (value.numbers.size() == 3 && (value.role.part == Translation || value.role.part == Center));
         (isRead && setDirectionAround(value) ? of(value.role.part) : m_others).push_back(std::move(value));
     }
 }

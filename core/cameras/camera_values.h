@@ -102,7 +102,7 @@ private:
 
     std::vector<CameraValue> m_numbers;                ///< values of one number
     using Place = std::pair<std::size_t, std::size_t>; ///< a text and a node of its outline
-    const std::string *idAround(const CameraValue &value, const std::map<Place, std::string> &ids, Place &place) const;
+    std::string idAround(const CameraValue &value, const std::map<Place, std::string> &ids, Place &place) const;
     std::map<Place, std::string> m_ids, m_references; ///< of parts of a text, and those of the cameras they name
     std::optional<std::pair<std::size_t, CameraValue>> m_twice;
     std::vector<std::string> m_cameras;

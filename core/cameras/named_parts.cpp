@@ -39,8 +39,6 @@ namespace {
     fail(value, tr("the text has %1 camera matrices, but %2 of this. Give the text of one camera", lenses, count));
 }
 
-constexpr std::string_view kPixels = " px pixel pixels ";
-
 bool isNear(double value, double wanted, double scale)
 {
     return std::abs(value - wanted) <= 1e-9 * scale;
@@ -97,6 +95,8 @@ constexpr std::string_view kFx = "fx focallengthx focalx", kFy = "fy focallength
                            kCx = "cx ppx principalpointx", kCy = "cy ppy principalpointy";
 
 class Reader {
+    using enum Part;
+
 public:
     Reader(std::span<const NamedText> texts, const CameraChoices &choices)
         : m_texts(texts), m_values(texts), m_reading(texts.front(), choices)
@@ -110,10 +110,9 @@ public:
         const auto isNamed = [](const auto &value, const char *name) {
             return value && value->numbers.size() >= 3 && plain(value->name) == name;
         };
-        const bool hasVectors = has(Part::Rotation) && plain(all(Part::Rotation).front().name).starts_with("rvec");
-        return has(Part::Intrinsics) || has(Part::CameraMatrix) || hasFocal || hasVectors
-               || isNamed(m_values.unfit(Part::Intrinsics), "k")
-               || isNamed(m_values.unfit(Part::Intrinsics), "cameramatrix");
+        const bool hasVectors = has(Rotation) && plain(all(Rotation).front().name).starts_with("rvec");
+        return has(Intrinsics) || has(CameraMatrix) || hasFocal || hasVectors
+               || isNamed(m_values.unfit(Intrinsics), "k") || isNamed(m_values.unfit(Intrinsics), "cameramatrix");
     }
 
     ForeignCamera read()
@@ -198,9 +197,12 @@ private:
         constexpr std::size_t kMost = 5;
         std::vector<std::string> names;
         const auto report = [&](const CameraValue &value) {
-            if (value.numbers.size() < 2 || m_used.contains(&value))
+            const bool isOne = value.numbers.size() == 1;
+            if (value.numbers.empty() || m_used.contains(&value)
+                || (isOne && (value.numbers[0] == 0.0 || !isScalarOfPart(value.name))))
                 return;
-            std::string name = tr("%1 (%2 numbers)", value.name, value.numbers.size());
+            std::string name = isOne ? value.name + " = " + shortestText(value.numbers[0])
+                                     : tr("%1 (%2 numbers)", value.name, value.numbers.size());
             if (std::ranges::find(names, name) == names.end() && names.size() <= kMost)
                 names.push_back(std::move(name));
         };
@@ -210,13 +212,8 @@ private:
             if (const auto &unfit = m_values.unfit(Part(i)))
                 report(*unfit);
         }
-        for (const CameraValue &value : m_values.others())
-            report(value);
-        for (const CameraValue &value : m_values.numbers()) {
-            if (value.numbers[0] != 0.0 && !m_used.contains(&value) && isScalarOfPart(value.name)
-                && names.size() <= kMost)
-                names.push_back(value.name + " = " + shortestText(value.numbers[0]));
-        }
+        for (const auto *values : {&m_values.others(), &m_values.numbers()})
+            std::ranges::for_each(*values, report);
         std::string list;
         for (std::size_t i = 0; i < names.size(); ++i)
             list += (i > 0 ? ", " : "") + (i < kMost ? names[i] : "…");
@@ -228,26 +225,18 @@ private:
     /// not finite, or they have another unit.
     void refuseComputed(Part part, const CameraValue &value)
     {
-        constexpr std::string_view kLengths = " m mm cm km inch inches ft um ", kAngles =
-                                                                                    " deg degree degrees rad radian "
-                                                                                    "radians ";
-        const bool isLength = base::isListed(kLengths, value.unit),
-                   isTurn = part == Part::Rotation && base::isListed(kAngles, value.unit),
-                   isOfWorld = isLength && isPoseWithShift(part);
-        if (isOfWorld && value.unit != "m")
-            say(tr("%1 is in %2: this is the scene's unit.", value.name, value.unit));
-        else if (!value.unit.empty() && !isOfWorld && !isTurn && !base::isListed(kPixels, value.unit))
+        const bool isAngle = value.unit.starts_with("deg") || value.unit.starts_with("rad"),
+                   isOfWorld =
+                       !isAngle && part >= Translation && part <= Pose && value.unit.find(' ') == value.unit.npos;
+        if (!value.unit.empty() && !isOfWorld && !(isAngle && part == Rotation))
             fail(value, tr("its unit is %1, which is not known here; give numbers without a unit", value.unit));
-        const bool isVector = part == Part::Distortion || part == Part::Size || value.numbers.size() == 3;
+        if (!value.unit.empty() && isOfWorld && value.unit != "m")
+            say(tr("%1 is in %2: this is the scene's unit.", value.name, value.unit));
+        const bool isVector = part == Distortion || part == Size || value.numbers.size() == 3;
         if (!value.arithmetic.empty() && !(isVector && value.arithmetic == ".T"))
             fail(value, value.computedError().text);
         if (!std::ranges::all_of(value.numbers, [](double number) { return std::isfinite(number); }))
             fail(value, tr("a number is not finite"));
-    }
-
-    static bool isPoseWithShift(Part part)
-    {
-        return part == Part::Translation || part == Part::Center || part == Part::Pose;
     }
 
     /// Fails if the only values of a part have another count of numbers.
@@ -269,7 +258,7 @@ private:
                 return;
             m_camera.images = m_values.cameras();
             std::vector<std::string> lenses;
-            for (const Part part : {Part::Intrinsics, Part::CameraMatrix}) {
+            for (const Part part : {Intrinsics, CameraMatrix}) {
                 if (all(part).size() == m_camera.images.size())
                     lenses = namesOf(part);
             }
@@ -280,19 +269,19 @@ private:
             return;
         }
         std::size_t count = 1;
-        Part most = Part::Pose;
+        Part most = Pose;
         const auto look = [&](Part part) {
             if (all(part).size() > count) {
                 count = all(part).size();
                 most = part;
             }
         };
-        for (const Part part : {Part::Rotation, Part::Quaternion, Part::Translation, Part::Pose, Part::CameraMatrix})
+        for (const Part part : {Rotation, Quaternion, Translation, Pose, CameraMatrix})
             look(part);
         if (hasSeveralLenses())
-            look(Part::Intrinsics);
+            look(Intrinsics);
         if (m_values.isCameraInfo()) {
-            most = Part::Intrinsics;
+            most = Intrinsics;
             count = all(most).size();
         }
         m_camera.images = count > 1 ? namesOf(most) : std::vector<std::string>();
@@ -340,41 +329,35 @@ private:
         return names;
     }
 
-    /// Fails for R or t that no camera of several has for its own: it may lead from one camera to the
-    /// other.
+    /// Fails for R or t that no camera of several has for its own, which may lead from one camera to the
+    /// other, and for several such poses.
     void refuseShared() const
     {
-        const std::vector<std::string> &cameras = m_values.cameras();
-        for (const Part part : {Part::Rotation, Part::Translation}) {
-            for (const CameraValue &value : all(part)) {
-                if (!m_values.isOfCamera(value))
-                    failCount(value, cameras.size(), all(part).size());
-            }
+        for (const Part part : {Rotation, Translation, Pose}) {
+            const auto count =
+                std::ranges::count_if(all(part), [this](const CameraValue &one) { return !m_values.isOfCamera(one); });
+            if (count > (part == Pose ? 1 : 0))
+                failCount(all(part).front(), m_values.cameras().size(), all(part).size());
         }
-        const std::vector<CameraValue> &poses = all(Part::Pose);
-        if (const auto count =
-                std::ranges::count_if(poses, [this](const CameraValue &pose) { return !m_values.isOfCamera(pose); });
-            count > 1)
-            failCount(poses.front(), cameras.size(), std::size_t(count));
     }
 
     /// Returns whether the text has several K that differ.
     bool hasSeveralLenses() const
     {
-        const std::vector<CameraValue> &lenses = all(Part::Intrinsics);
-        return std::ranges::any_of(
-            lenses, [&lenses](const CameraValue &k) { return k.numbers != lenses.front().numbers; });
+        const std::vector<CameraValue> &lenses = all(Intrinsics);
+        return std::ranges::any_of(lenses,
+                                   [&lenses](const CameraValue &k) { return k.numbers != lenses.front().numbers; });
     }
 
     /// Fails if several K stand beside fewer or more parts of another kind: nothing tells which
     /// belong together, unless the user chooses a K by its name.
     void refuseMixed() const
     {
-        const std::size_t count = all(Part::Intrinsics).size();
-        const std::vector<std::string> names = namesOf(Part::Intrinsics);
+        const std::size_t count = all(Intrinsics).size();
+        const std::vector<std::string> names = namesOf(Intrinsics);
         if (std::ranges::find(names, m_reading.choices.image) != names.end() && names[0] != "0")
             return;
-        for (const Part part : {Part::Rotation, Part::Quaternion, Part::Translation, Part::Pose, Part::Distortion}) {
+        for (const Part part : {Rotation, Quaternion, Translation, Pose, Distortion}) {
             const std::vector<CameraValue> &values = all(part);
             if (!values.empty() && values.size() != count)
                 failCount(values.front(), count, values.size());
@@ -383,7 +366,7 @@ private:
 
     void readSize()
     {
-        const CameraValue *given = valueOf(Part::Size);
+        const CameraValue *given = valueOf(Size);
         if (!given) {
             m_camera.size =
                 sizeOf(scalar("imagewidth imgwidth width w", false), scalar("imageheight imgheight height h", false));
@@ -413,8 +396,8 @@ private:
 
     void readIntrinsics()
     {
-        refuseUnfit(Part::Intrinsics, tr("a camera matrix has nine, by rows"));
-        if (const CameraValue *k = valueOf(Part::Intrinsics)) {
+        refuseUnfit(Intrinsics, tr("a camera matrix has nine, by rows"));
+        if (const CameraValue *k = valueOf(Intrinsics)) {
             m_camera.intrinsics = intrinsicsOf(*k, m_camera.assumed, m_isTransposed);
             const CameraValue *fx = m_values.find("fx");
             if (fx && std::abs(fx->numbers[0] - m_camera.intrinsics->fx) > 1e-3)
@@ -424,17 +407,17 @@ private:
             const auto cx = scalar(kCx), cy = scalar(kCy);
             if (!cx || !cy)
                 m_reading.fail(tr("fx and fy are given without cx and cy; give all four"));
-            m_camera.intrinsics = Intrinsics{*fx, *fy, *cx, *cy, skewBeside(*fx), PixelCentres::AtIntegers};
+            m_camera.intrinsics = cameras::Intrinsics{*fx, *fy, *cx, *cy, skewBeside(*fx), PixelCentres::AtIntegers};
         } else if (hasFocalAndPrincipal()) {
-            const CameraValue *focal = valueOf(Part::Focal), *principal = valueOf(Part::Principal);
-            m_camera.intrinsics = Intrinsics{focal->numbers[0],
-                                             focal->numbers[1],
-                                             principal->numbers[0],
-                                             principal->numbers[1],
-                                             skewBeside(focal->numbers[0]),
-                                             PixelCentres::AtIntegers};
+            const CameraValue *focal = valueOf(Focal), *principal = valueOf(Principal);
+            m_camera.intrinsics = cameras::Intrinsics{focal->numbers[0],
+                                                      focal->numbers[1],
+                                                      principal->numbers[0],
+                                                      principal->numbers[1],
+                                                      skewBeside(focal->numbers[0]),
+                                                      PixelCentres::AtIntegers};
             countFromOne(principal->name);
-        } else if (!has(Part::CameraMatrix)) {
+        } else if (!has(CameraMatrix)) {
             m_reading.fail(tr("there is a pose, but no camera matrix; give K, nine numbers by rows"));
         }
     }
@@ -459,7 +442,7 @@ private:
         return 0.0;
     }
 
-    bool hasFocalAndPrincipal() const { return has(Part::Focal) && has(Part::Principal); }
+    bool hasFocalAndPrincipal() const { return has(Focal) && has(Principal); }
 
     /// MATLAB's pixels count from 1.
     void countFromOne(std::string_view name)
@@ -477,7 +460,7 @@ private:
     /// @param isOfOne  the text has no other number with its name
     double use(const CameraValue &value, bool isOfOne = true)
     {
-        if (!value.unit.empty() && !base::isListed(kPixels, value.unit))
+        if (!value.unit.empty())
             fail(value, tr("it is in %1; give pixels", value.unit));
         const double number = value.number();
         if (!std::isfinite(number))
@@ -497,7 +480,7 @@ private:
 
     void readPose()
     {
-        const CameraValue *matrix = valueOf(Part::CameraMatrix);
+        const CameraValue *matrix = valueOf(CameraMatrix);
         if (m_values.isCameraInfo())
             readRectification(*matrix);
         else if (matrix)
@@ -528,7 +511,7 @@ private:
         }
         if (!found)
             return;
-        refuseComputed(Part::Pose, *found);
+        refuseComputed(Pose, *found);
         readPoseMatrix(*found);
         m_camera.isDirectionOpen = true;
         m_used.insert(found);
@@ -536,12 +519,12 @@ private:
 
     void readPoseOrParts()
     {
-        const std::vector<CameraValue> &poses = all(Part::Pose);
-        const bool hasParts = has(Part::Rotation) && has(Part::Translation);
+        const std::vector<CameraValue> &poses = all(Pose);
+        const bool hasParts = has(Rotation) && has(Translation);
         // Beside R and t, a view is OpenGL's matrix of the same pose.
         const bool isView = !poses.empty() && poses.front().role.axes && !poses.front().role.areAxesStated;
         if (!poses.empty() && !(isView && hasParts))
-            readPoseMatrix(*valueOf(Part::Pose));
+            readPoseMatrix(*valueOf(Pose));
         else
             readParts();
     }
@@ -556,12 +539,12 @@ private:
         }
         if (!parts)
             fail(value, tr("its first three columns have no inverse; a camera's P has one"));
-        const bool hasPose = has(Part::Pose) || has(Part::Rotation) || has(Part::Quaternion);
+        const bool hasPose = has(Pose) || has(Rotation) || has(Quaternion);
         const bool isRectified =
             hasPose && pipeline::largestDifference(glm::dmat3(parts->cameraFromWorld), glm::dmat3(1.0)) < 1e-9;
         if ((m_camera.intrinsics || hasPose) && !isRectified) {
             say(tr("%1 is K [R t]: it counts, and K, R and t beside it are ignored.", value.name));
-            setUsed({Part::Rotation, Part::Translation, Part::Pose});
+            setUsed({Rotation, Translation, Pose});
         }
         m_camera.intrinsics = parts->intrinsics;
         m_camera.pose = parts->cameraFromWorld;
@@ -596,9 +579,9 @@ private:
         m_camera.areAxesCertain = value.role.areAxesStated;
         if (value.role.axes)
             m_camera.axes = *value.role.axes;
-        if (has(Part::Rotation)) {
+        if (has(Rotation)) {
             say(tr("%1 counts; R and t beside it are ignored.", value.name));
-            setUsed({Part::Rotation, Part::Translation});
+            setUsed({Rotation, Translation});
         }
     }
 
@@ -617,13 +600,13 @@ private:
 
     void readParts()
     {
-        refuseUnfit(Part::Rotation, tr("a rotation has nine, by rows, or three of a rotation vector"));
-        refuseUnfit(Part::Translation, tr("a translation has three"));
-        refuseUnfit(Part::Pose, tr("a pose has twelve or sixteen, by rows"));
-        const CameraValue *rotation = valueOf(Part::Rotation), *translation = valueOf(Part::Translation),
-                          *quaternion = rotation ? nullptr : valueOf(Part::Quaternion),
-                          *center = translation || !(rotation || quaternion) ? nullptr : valueOf(Part::Center);
-        if (const auto &list = m_values.unfit(Part::Quaternion); list && !rotation && !quaternion)
+        refuseUnfit(Rotation, tr("a rotation has nine, by rows, or three of a rotation vector"));
+        refuseUnfit(Translation, tr("a translation has three"));
+        refuseUnfit(Pose, tr("a pose has twelve or sixteen, by rows"));
+        const CameraValue *rotation = valueOf(Rotation), *translation = valueOf(Translation),
+                          *quaternion = rotation ? nullptr : valueOf(Quaternion),
+                          *center = translation || !(rotation || quaternion) ? nullptr : valueOf(Center);
+        if (const auto &list = m_values.unfit(Quaternion); list && !rotation && !quaternion)
             fail(*list, tr("the order of a quaternion's four numbers is not known; name them, {x: 0, y: 0, z: 0, w: "
                            "1}, or give R"));
         if (!rotation && !quaternion)
@@ -684,7 +667,7 @@ private:
     void refuseAngles() const
     {
         constexpr std::size_t kMost = 4; // numbers of a rotation
-        if (!has(Part::Translation) && !has(Part::Center))
+        if (!has(Translation) && !has(Center))
             return;
         for (const auto *values : {&m_values.others(), &m_values.numbers()}) {
             for (const CameraValue &value : *values) {
@@ -701,7 +684,7 @@ private:
     void setDirectionOfParts(const CameraValue *rotation, const CameraValue *shift)
     {
         const auto stated = [](const CameraValue *value) { // a position has no direction
-            return value && value->role.isDirectionStated && value->role.part != Part::Center;
+            return value && value->role.isDirectionStated && value->role.part != Center;
         };
         if (stated(rotation) && stated(shift) && rotation->role.direction != shift->role.direction)
             fail(*shift, tr("its direction is not that of %1 beside it; give both in one direction", rotation->name));
@@ -709,7 +692,7 @@ private:
             setDirection(stated(rotation) ? *rotation : *shift, stated(rotation) ? rotation->role : shift->role);
         else if (rotation && rotation->role.direction)
             setDirection(*rotation, rotation->role);
-        else if (shift && shift->role.part == Part::Center)
+        else if (shift && shift->role.part == Center)
             m_camera.direction = shift->role.direction.value_or(m_camera.direction);
     }
 
@@ -722,8 +705,8 @@ private:
         if (binning.value_or(0.0) > 1.0 || left.value_or(0.0) != 0.0 || top.value_or(0.0) != 0.0)
             say(tr("Binning and region of interest are not applied: pixels are those of the full "
                    "image."));
-        setUsed({Part::Rotation, Part::CameraMatrix});
-        if (const CameraValue *pose = valueOf(Part::Pose))
+        setUsed({Rotation, CameraMatrix});
+        if (const CameraValue *pose = valueOf(Pose))
             readPoseMatrix(*pose);
         if (!m_reading.choices.isUndistorted) {
             say(tr("Pixels are those of the raw image, so K counts; --undistorted takes P, for "
@@ -737,7 +720,7 @@ private:
         say(tr("Pixels are those of the rectified image, so P and R count; K is ignored."));
         m_camera.intrinsics = parts->intrinsics;
         m_camera.intrinsics->skew = 0.0;
-        const CameraValue *rectification = valueOf(Part::Rotation);
+        const CameraValue *rectification = valueOf(Rotation);
         const bool hasTurn = rectification && rectification->numbers.size() == 9;
         m_camera.pose = parts->cameraFromWorld * (hasTurn ? *matrixByRows(rectification->numbers) : glm::dmat4(1.0));
     }
@@ -753,7 +736,7 @@ private:
         }
         if (!list)
             return;
-        const Result<Distortion, std::string> lens = distortionOf(list->numbers);
+        const Result<cameras::Distortion, std::string> lens = distortionOf(list->numbers);
         if (lens)
             m_camera.distortion = *lens;
         else if (!m_reading.choices.isUndistorted)
@@ -766,11 +749,11 @@ private:
     /// The coefficients in OpenCV's order: a list, or numbers with their names.
     std::optional<CameraValue> coefficients()
     {
-        if (const CameraValue *list = valueOf(Part::Distortion))
+        if (const CameraValue *list = valueOf(Distortion))
             return *list;
         CameraValue named;
         named.file = m_reading.text.name;
-        const CameraValue *radial = valueOf(Part::Radial), *tangential = valueOf(Part::Tangential);
+        const CameraValue *radial = valueOf(Radial), *tangential = valueOf(Tangential);
         if (const CameraValue *given = radial ? radial : tangential) { // MATLAB's
             const std::vector<double> none(3, 0.0);
             const std::vector<double> &k = radial ? radial->numbers : none,
@@ -793,7 +776,7 @@ private:
     /// The first model whose coefficients are not read, or such a coefficient; nothing if there is none.
     std::optional<CameraValue> unknownModel(const std::optional<CameraValue> &list) const
     {
-        for (const CameraValue &model : all(Part::Model)) {
+        for (const CameraValue &model : all(Model)) {
             if (!isKnown(model, list))
                 return model;
         }

@@ -161,8 +161,8 @@ bool isMeantAsNumber(std::string_view word)
 }
 
 /// Units of lengths, angles and pixels.
-constexpr std::string_view kUnits =
-    " mm cm m km inch inches ft um deg degree degrees rad radian radians px pixel pixels ";
+constexpr std::string_view kUnits = " mm cm m km inch inches ft um deg degree degrees rad radian radians ",
+                           kPixels = " px pixel pixels ";
 /// Functions that change numbers.
 constexpr std::string_view kFunctions = " sqrt tan atan exp log log2 log10 sin cos asin acos atan2 arctan arctan2 pow "
                                         "hypot cbrt abs round floor ceil min max ";
@@ -412,17 +412,14 @@ private:
         }
     }
 
-    /// Notes the unit of the last number, if a word is one.
+    /// Notes the unit of the last number, if a word is one; pixels are none.
     bool setUnit(std::string_view word)
     {
         std::string &unit = m_groups[m_value].unit;
-        if (!base::isListed(kUnits, word))
-            return false;
-        if (unit.empty() || unit == word)
-            unit = word;
-        else if (!base::isListed(' ' + unit + ' ', word))
-            unit += ' ' + std::string(word);
-        return true;
+        const bool isUnit = base::isListed(kUnits, word);
+        if (isUnit && !base::isListed(' ' + unit + ' ', word))
+            unit += (unit.empty() ? "" : " ") + std::string(word);
+        return isUnit || base::isListed(kPixels, word);
     }
 
     void addNumber(double value, std::size_t start, bool isInWord = false)
@@ -714,22 +711,20 @@ std::string plain(std::string_view name)
 std::vector<std::string> wordsOf(std::string_view names)
 {
     std::vector<std::string> words;
-    const auto at = [&](std::size_t i) { return i < names.size() ? names[i] : ' '; };
-    const auto isUpper = [&](std::size_t i) { return at(i) >= 'A' && at(i) <= 'Z'; };
-    const auto isLower = [&](std::size_t i) { return at(i) >= 'a' && at(i) <= 'z'; };
-    const auto isPart = [&](std::size_t i) { return isUpper(i) || isLower(i) || isDigit(at(i)); };
+    const auto kind = [&](std::size_t i) {
+        const char c = i < names.size() ? names[i] : ' ';
+        return isDigit(c) ? '9' : c >= 'a' && c <= 'z' ? 'a' : c >= 'A' && c <= 'Z' ? 'A' : ' ';
+    };
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (!isPart(i))
+        const char before = kind(i - 1), here = kind(i), next = kind(i + 1);
+        if (here == ' ')
             continue;
-        const bool isHump =
-            isUpper(i) && (isLower(i - 1) || (isUpper(i - 1) && isLower(i + 1) && i + 2 < names.size()));
-        const bool wasLetter = isUpper(i - 1) || isLower(i - 1);
-        if (at(i) == '2' && wasLetter && (isUpper(i + 1) || isLower(i + 1))) {
-            words.emplace_back("to");
+        const bool isHump = here == 'A' && (before == 'a' || (before == 'A' && next == 'a' && i + 2 < names.size()));
+        const bool isTo = names[i] == '2' && isAmong(before, "aA") && isAmong(next, "aA");
+        if (before == ' ' || (here == '9') != (before == '9') || isHump)
+            words.emplace_back(isTo ? "to" : "");
+        if (isTo)
             continue;
-        }
-        if (!isPart(i - 1) || isDigit(at(i)) != isDigit(at(i - 1)) || isHump)
-            words.emplace_back();
         words.back() += base::lowerCase(names.substr(i, 1));
     }
     return words;

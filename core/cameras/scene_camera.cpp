@@ -20,6 +20,8 @@ using namespace geometry;
 using base::shortestText;
 using base::significantText;
 using base::tr;
+using enum EyeAxes;
+using enum PoseDirection;
 namespace {
 
 constexpr int kMostPixels = 65536; // as for windows
@@ -35,11 +37,11 @@ constexpr double kUsualNear = 0.1, kUsualFar = 1000.0;
 glm::dmat3 eyeFromCamera(EyeAxes axes)
 {
     switch (axes) {
-    case EyeAxes::RightUpBack: break;
-    case EyeAxes::RightDownAhead: return glm::dmat3(1, 0, 0, 0, -1, 0, 0, 0, -1);
-    case EyeAxes::RightUpAhead: return glm::dmat3(1, 0, 0, 0, 1, 0, 0, 0, -1);
-    case EyeAxes::AheadRightUp: return glm::dmat3(0, 0, -1, 1, 0, 0, 0, 1, 0);
-    case EyeAxes::AheadLeftUp: return glm::dmat3(0, 0, -1, -1, 0, 0, 0, 1, 0);
+    case RightUpBack: break;
+    case RightDownAhead: return glm::dmat3(1, 0, 0, 0, -1, 0, 0, 0, -1);
+    case RightUpAhead: return glm::dmat3(1, 0, 0, 0, 1, 0, 0, 0, -1);
+    case AheadRightUp: return glm::dmat3(0, 0, -1, 1, 0, 0, 0, 1, 0);
+    case AheadLeftUp: return glm::dmat3(0, 0, -1, -1, 0, 0, 0, 1, 0);
     }
     return glm::dmat3(1.0);
 }
@@ -83,7 +85,7 @@ glm::dmat4 rigidPose(const glm::dmat4 &pose, PoseDirection direction, std::vecto
         // World-to-camera, the scale turns world units into camera units, and t is in camera units.
         for (int column = 0; column < 3; ++column)
             rigid[column] /= scale;
-        if (direction == PoseDirection::WorldToCamera)
+        if (direction == WorldToCamera)
             rigid[3] = glm::dvec4(glm::dvec3(pose[3]) / scale, 1.0);
         assumed.push_back(
             tr("The pose scales by %1; the camera has no scale, so it is removed.", significantText(scale, 6)));
@@ -210,11 +212,10 @@ std::vector<PoseReading> possibleReadings(const ForeignCamera &camera, const Cam
 {
     std::vector<PoseDirection> directions{choices.direction.value_or(camera.direction)};
     if (!choices.direction && !camera.isDirectionCertain)
-        directions.push_back(camera.direction == PoseDirection::WorldToCamera ? PoseDirection::CameraToWorld
-                                                                              : PoseDirection::WorldToCamera);
+        directions.push_back(camera.direction == WorldToCamera ? CameraToWorld : WorldToCamera);
     std::vector<EyeAxes> axes{choices.axes.value_or(camera.axes)};
     if (!choices.axes && !camera.areAxesCertain) {
-        for (const EyeAxes other : {EyeAxes::RightDownAhead, EyeAxes::RightUpBack}) {
+        for (const EyeAxes other : {RightDownAhead, RightUpBack}) {
             if (other != camera.axes)
                 axes.push_back(other);
         }
@@ -229,7 +230,7 @@ std::vector<PoseReading> possibleReadings(const ForeignCamera &camera, const Cam
 
 glm::dmat4 eyeFromWorldOf(const ForeignCamera &camera, const glm::dmat4 &pose, const PoseReading &reading)
 {
-    const bool isToCamera = reading.direction == PoseDirection::WorldToCamera;
+    const bool isToCamera = reading.direction == WorldToCamera;
     glm::dmat4 given = pose;
     if (camera.center)
         given[3] = glm::dvec4(isToCamera ? -(glm::dmat3(pose) * *camera.center) : *camera.center, 1.0);
@@ -251,8 +252,8 @@ std::pair<std::string, std::string> standing(const glm::dmat4 &eyeFromWorld)
 /// Fails for a pose whose direction neither its name nor the objects tell, with both readings.
 void refuseOpen(const ForeignCamera &camera, const glm::dmat4 &pose, EyeAxes axes)
 {
-    const auto [eye, ahead] = standing(eyeFromWorldOf(camera, pose, {PoseDirection::CameraToWorld, axes}));
-    const auto [otherEye, otherAhead] = standing(eyeFromWorldOf(camera, pose, {PoseDirection::WorldToCamera, axes}));
+    const auto [eye, ahead] = standing(eyeFromWorldOf(camera, pose, {CameraToWorld, axes}));
+    const auto [otherEye, otherAhead] = standing(eyeFromWorldOf(camera, pose, {WorldToCamera, axes}));
     throw base::Error{tr("nothing tells its direction. From the camera to the world, the eye is at %1 and "
                          "looks along %2; from the world to the camera, it is at %3 and looks along %4. Choose with "
                          "--pose camera-to-world or --pose world-to-camera",
@@ -301,15 +302,15 @@ std::string remedyOf(const ForeignCamera &camera, const SceneCamera &scene, cons
     const auto shows = [&](const glm::dmat4 &other, const PoseReading &by) {
         return seenPart(clip, eyeFromWorldOf(camera, other, by), objects) > 0.0;
     };
-    for (const EyeAxes axes : {scene.axes, EyeAxes::RightDownAhead, EyeAxes::RightUpBack}) {
-        for (const PoseDirection direction : {PoseDirection::WorldToCamera, PoseDirection::CameraToWorld}) {
+    for (const EyeAxes axes : {scene.axes, RightDownAhead, RightUpBack}) {
+        for (const PoseDirection direction : {WorldToCamera, CameraToWorld}) {
             if (shows(pose, {direction, axes}))
                 return tr("with --pose %1 --axes %2 it would", keyOf(direction), keyOf(axes));
         }
     }
     if (shows(rigid(glm::transpose(turn), shift), reading))
         return tr("with its rotation transposed it would; check the order of the rotation's numbers");
-    if (scene.direction == PoseDirection::WorldToCamera && shows(rigid(turn, -(turn * shift)), reading))
+    if (scene.direction == WorldToCamera && shows(rigid(turn, -(turn * shift)), reading))
         return tr("with t as the camera's position C it would; give t = -R C");
     for (const double factor : {1e3, 1e-3, 1e2, 1e-2}) {
         ForeignCamera scaled = camera;
@@ -326,18 +327,18 @@ std::string remedyOf(const ForeignCamera &camera, const SceneCamera &scene, cons
 const char *keyOf(EyeAxes axes)
 {
     switch (axes) {
-    case EyeAxes::RightUpBack: return "opengl";
-    case EyeAxes::RightDownAhead: return "opencv";
-    case EyeAxes::RightUpAhead: return "direct3d";
-    case EyeAxes::AheadRightUp: return "unreal";
-    case EyeAxes::AheadLeftUp: return "ros";
+    case RightUpBack: return "opengl";
+    case RightDownAhead: return "opencv";
+    case RightUpAhead: return "direct3d";
+    case AheadRightUp: return "unreal";
+    case AheadLeftUp: return "ros";
     }
     return "";
 }
 
 const char *keyOf(PoseDirection direction)
 {
-    return direction == PoseDirection::WorldToCamera ? "world-to-camera" : "camera-to-world";
+    return direction == WorldToCamera ? "world-to-camera" : "camera-to-world";
 }
 
 bool hasCentres(const ForeignCamera &camera)
@@ -384,8 +385,7 @@ SceneCamera converted(const ForeignCamera &camera, const CameraChoices &choices,
         return std::ranges::any_of(
             readings, [&](const PoseReading &reading) { return reading.direction == direction && reading.seen > 0.0; });
     };
-    if (camera.pose && camera.isDirectionOpen && !choices.direction
-        && isSeen(PoseDirection::CameraToWorld) == isSeen(PoseDirection::WorldToCamera))
+    if (camera.pose && camera.isDirectionOpen && !choices.direction && isSeen(CameraToWorld) == isSeen(WorldToCamera))
         refuseOpen(camera, *camera.pose, readings.front().axes);
     scene.direction = taken->direction;
     scene.axes = taken->axes;
