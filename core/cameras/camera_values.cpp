@@ -417,28 +417,21 @@ void CameraValues::add(CameraValue value)
     const std::size_t count = value.numbers.size();
     if (!role) {
         constexpr std::size_t kFewest = 4, kMost = 16; // of a camera's parts without a known name
-        if ((count >= kFewest && count <= kMost) || (count > 1 && hasPartWord(value.name)))
-            m_others.push_back(std::move(value));
-        return;
+        if ((count < kFewest || count > kMost) && (count < 2 || !hasPartWord(value.name)))
+            return;
+        return m_others.push_back(std::move(value));
     }
     value.role = *role;
     const Part part = role->part;
     value.camera = cameras::cameraOf(value.name);
-    const bool isWord = part == Model;
-    if (isWord ? value.word.empty() : value.numbers.empty())
+    const bool isNone =
+        value.word.empty() || (value.name.ends_with("type") && !isLens(value.word)); // "camera_type": "rgb"
+    if (part == Model ? isNone : value.numbers.empty())
         return;
-    if (isWord && value.name.ends_with("type") && !isLens(value.word))
-        return; // "camera_type": "rgb"
-    if (part == Quaternion && count != 4) {
-        m_others.push_back(std::move(value));
-        return;
-    }
     if (part == Intrinsics)
         value.numbers = withoutBorder(value.numbers);
-    if (!setDirectionAround(value)) {
-        m_others.push_back(std::move(value));
-        return;
-    }
+    if ((part == Quaternion && count != 4) || !setDirectionAround(value))
+        return m_others.push_back(std::move(value));
     if (part == Quaternion && role->w < 4) {
         if (role->w == 0)
             std::rotate(value.numbers.begin(), value.numbers.begin() + 1, value.numbers.end());
@@ -531,6 +524,8 @@ void CameraValues::addComponents(const NamedValues &named)
         added.name = values[i].parent;
         added.numbers.assign(numbers.begin(), numbers.begin() + std::ptrdiff_t(count));
         added.role = *role;
+        for (std::size_t k = i; k < i + count; ++k)
+            added.arithmetic += values[k].arithmetic;
     }
     const auto isTurn = [](const CameraValue &value) {
         return value.role.part == Quaternion && value.numbers.size() == 4;

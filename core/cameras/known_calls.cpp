@@ -13,6 +13,8 @@ namespace unprojector::cameras {
 using namespace geometry;
 using namespace base;
 
+using enum CallKind;
+using enum NdcDepth;
 namespace {
 
 /// The keywords of a parameter in any library, between blanks, as base::plainName. The shapes use the
@@ -37,19 +39,19 @@ constexpr Parameter kParameters[] = {
     {" direction dir eyedirection cameradirection ", true},
     {" up upvector updirection cameraup cameraupvector ", true}};
 
-constexpr CallShape kFieldOfView{CallKind::Perspective, "fov, aspect, near, far"};
-constexpr CallShape kFieldOfViewOfSize{CallKind::Perspective, "fov, width, height, near, far"};
-constexpr CallShape kFrustum{CallKind::Perspective, "left, right, bottom, top, near, far"};
-constexpr CallShape kFrustumOfSize{CallKind::Perspective, "width, height, near, far"};
-constexpr CallShape kBox{CallKind::Orthographic, "left, right, bottom, top, near, far"};
-constexpr CallShape kBoxOfSize{CallKind::Orthographic, "width, height, near, far"};
-constexpr CallShape kFlatBox{CallKind::Orthographic, "left, right, bottom, top"};
-constexpr CallShape kLookAt{CallKind::View, "eye, center, up"};
-constexpr CallShape kLookTo{CallKind::View, "eye, direction, up"};
-constexpr CallShape kLookAtNumbers{CallKind::View, "eyex, eyey, eyez, centerx, centery, centerz, upx, upy, upz"};
-constexpr CallShape kViewport{CallKind::Viewport, "x, y, width, height"};
-constexpr CallShape kThreePerspective{CallKind::Perspective, "fov=50, aspect=1, near=0.1, far=2000"};
-constexpr CallShape kThreeBox{CallKind::Orthographic, "left=-1, right=1, top=1, bottom=-1, near=0.1, far=2000"};
+constexpr CallShape kFieldOfView{Perspective, "fov, aspect, near, far"};
+constexpr CallShape kFieldOfViewOfSize{Perspective, "fov, width, height, near, far"};
+constexpr CallShape kFrustum{Perspective, "left, right, bottom, top, near, far"};
+constexpr CallShape kFrustumOfSize{Perspective, "width, height, near, far"};
+constexpr CallShape kBox{Orthographic, "left, right, bottom, top, near, far"};
+constexpr CallShape kBoxOfSize{Orthographic, "width, height, near, far"};
+constexpr CallShape kFlatBox{Orthographic, "left, right, bottom, top"};
+constexpr CallShape kLookAt{View, "eye, center, up"};
+constexpr CallShape kLookTo{View, "eye, direction, up"};
+constexpr CallShape kLookAtNumbers{View, "eyex, eyey, eyez, centerx, centery, centerz, upx, upy, upz"};
+constexpr CallShape kViewport{Viewport, "x, y, width, height"};
+constexpr CallShape kThreePerspective{Perspective, "fov=50, aspect=1, near=0.1, far=2000"};
+constexpr CallShape kThreeBox{Orthographic, "left=-1, right=1, top=1, bottom=-1, near=0.1, far=2000"};
 
 /// The libraries of a family have calls of the same names, apart from a prefix.
 enum class Family { OpenGl, Three, PyBullet, Android, Glam, DirectX, Glm };
@@ -110,7 +112,7 @@ struct Library {
     Hand hand;
     CallConventions conventions;
 };
-constexpr CallConventions kOpenGl{}, kInDegrees{.areDegrees = true}, kZeroToOne{.ndcDepth = NdcDepth::ZeroToOne};
+constexpr CallConventions kOpenGl{}, kInDegrees{.areDegrees = true}, kZeroToOne{.ndcDepth = ZeroToOne};
 constexpr Library kLibraries[] = {
     {OpenGl, "", "", "", InNameIfLeft, kInDegrees},
     {Three, "", "", "", InNameIfLeft, {.areDegrees = true, .dropsRest = false}},
@@ -118,7 +120,7 @@ constexpr Library kLibraries[] = {
     {Android, "", "", "", InNameIfLeft, {.areDegrees = true, .skipped = 2}},
     {Glam, "", "", "", InName, kZeroToOne},
     {DirectX, "XMMatrix", "", "", InName, kZeroToOne},
-    {DirectX, "D3DXMatrix", "", "", InName, {.ndcDepth = NdcDepth::ZeroToOne, .skipped = 1}},
+    {DirectX, "D3DXMatrix", "", "", InName, {.ndcDepth = ZeroToOne, .skipped = 1}},
     {DirectX, "", " Matrix ", "", InName, kZeroToOne},                    // SharpDX
     {DirectX, "Create", " Matrix4 Matrix4d ", "", InNameIfLeft, kOpenGl}, // OpenTK
     {DirectX, "Create", "", "", InNameIfLeft, kZeroToOne},                // System.Numerics
@@ -199,9 +201,9 @@ std::optional<KnownCall> knownCall(const SourceCall &call, std::string_view prog
         if (isLeftHanded || (readsProgram && !isRightHanded && isNamed("GLM_FORCE_LEFT_HANDED")))
             known.isLeftHanded = true;
         if (isMinusOneToOne)
-            known.ndcDepth = NdcDepth::MinusOneToOne;
+            known.ndcDepth = MinusOneToOne;
         else if (isZeroToOne || (readsProgram && isNamed("GLM_FORCE_DEPTH_ZERO_TO_ONE")))
-            known.ndcDepth = NdcDepth::ZeroToOne;
+            known.ndcDepth = ZeroToOne;
         return known;
     }
     return std::nullopt;

@@ -107,12 +107,11 @@ public:
     {
         const bool hasFocal = (m_values.find(kFx) && m_values.find(kFy)) || hasFocalAndPrincipal();
         // In other texts, a letter K may stand before a number.
-        const auto isNamed = [](const auto &value, const char *name) {
-            return value && value->numbers.size() >= 3 && plain(value->name) == name;
-        };
+        const auto &unfit = m_values.unfit(Intrinsics);
+        const bool isUnfit =
+            unfit && unfit->numbers.size() >= 3 && base::isListed(" k cameramatrix ", plain(unfit->name));
         const bool hasVectors = has(Rotation) && plain(all(Rotation).front().name).starts_with("rvec");
-        return has(Intrinsics) || has(CameraMatrix) || hasFocal || hasVectors
-               || isNamed(m_values.unfit(Intrinsics), "k") || isNamed(m_values.unfit(Intrinsics), "cameramatrix");
+        return has(Intrinsics) || has(CameraMatrix) || hasFocal || hasVectors || isUnfit;
     }
 
     ForeignCamera read()

@@ -100,10 +100,11 @@ NamedValues::NamedValues(std::string_view text)
             if (!number.isOperand)
                 m_values.back().numbers.push_back(number.value);
         }
-        const std::vector<ScannedNumber> &numbers = group.numbers;
-        const auto end = [&](std::size_t i) { return numbers[i].at + numbers[i].length; };
-        if (numbers.size() == 2 && text[end(0)] == ',' && numbers[1].at == end(0) + 1 && numbers[0].bracket == 0)
-            m_values.back().decimal = text.substr(numbers[0].at, end(1) - numbers[0].at);
+        if (const auto &numbers = group.numbers; numbers.size() == 2 && numbers[0].bracket == 0) {
+            const auto both = text.substr(numbers[0].at, numbers[1].at + numbers[1].length - numbers[0].at);
+            if (both.find_first_not_of("+-.0123456789,") == both.npos)
+                m_values.back().decimal = both;
+        }
     }
 }
 

@@ -117,8 +117,7 @@ private:
         const bool isKey = !key.empty() && std::ranges::all_of(key, isOfName);
         if (!isKey)
             return; // numbers of the key above
-        while (!m_open.empty() && m_open.back().kind == 'y'
-               && (m_open.back().column > column || (m_open.back().column >= (isItem ? dash : column))))
+        while (!m_open.empty() && m_open.back().kind == 'y' && m_open.back().column >= (isItem ? dash : column))
             pop();
         if (isItem)
             push('y', m_outline.m_nodes[current()].name, true, dash);
@@ -135,9 +134,7 @@ private:
         Outline::Node &node = m_outline.m_nodes[current()];
         if (current() > 0 && node.label.empty() && !value.empty() && value.front() != '{' && value.front() != '['
             && base::isListed(kLabels, key))
-            node.label = value.substr(0, value.find_first_of(",}\n"));
-        while (!node.label.empty() && (node.label.back() == '"' || node.label.back() == '\''))
-            node.label.pop_back();
+            node.label = trimmed(value.substr(0, value.find_first_of(",}\n")));
     }
 
     void readOne()
@@ -152,7 +149,7 @@ private:
         if (c == '"' || (c == '\'' && (m_at == 0 || !base::isLetter(m_text[m_at - 1])))) {
             const std::size_t end = m_text.find_first_of(c == '"' ? "\"\n" : "'\n", m_at + 1);
             if (end != m_text.npos && m_text[end] == c) {
-                setName(m_text.substr(m_at + 1, end - m_at - 1));
+                m_name = m_text.substr(m_at + 1, end - m_at - 1);
                 m_at = end + 1;
                 return;
             }
@@ -161,7 +158,7 @@ private:
             const std::size_t begin = m_at;
             while (m_at < m_text.size() && (base::isLetter(m_text[m_at]) || base::isDigit(m_text[m_at])))
                 ++m_at;
-            setName(m_text.substr(begin, m_at - begin));
+            m_name = m_text.substr(begin, m_at - begin);
             return;
         }
         ++m_at;
@@ -185,8 +182,6 @@ private:
             m_name = c == '\n' ? m_name : std::string_view();
         }
     }
-
-    void setName(std::string_view name) { m_name = name; }
 
     void readTag()
     {

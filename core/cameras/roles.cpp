@@ -13,6 +13,8 @@
 namespace unprojector::cameras {
 using base::isDigit;
 using base::isListed;
+using enum EyeAxes;
+using enum PoseDirection;
 namespace {
 
 /// What a word means in a name.
@@ -181,16 +183,6 @@ void addWord(const std::string &word, std::vector<std::string> &words)
     words.insert(words.end(), parts.begin(), parts.end());
 }
 
-bool isLower(char c)
-{
-    return c >= 'a' && c <= 'z';
-}
-
-bool isUpper(char c)
-{
-    return c >= 'A' && c <= 'Z';
-}
-
 /// The words of a name, split between known words too.
 std::vector<std::string> knownWordsOf(std::string_view name)
 {
@@ -275,7 +267,7 @@ bool setFrames(const Name &name, Role &role)
     if (frames.from && frames.to && isWorld(*frames.from) == isWorld(*frames.to))
         return false;
     const bool isFromWorld = frames.from ? isWorld(*frames.from) : !isWorld(*frames.to);
-    role.direction = isFromWorld ? PoseDirection::WorldToCamera : PoseDirection::CameraToWorld;
+    role.direction = isFromWorld ? WorldToCamera : CameraToWorld;
     role.isDirectionStated = true;
     const std::optional<std::size_t> world = isFromWorld ? frames.from : frames.to;
     constexpr std::string_view kWorlds = " world w global g map m odom ";
@@ -291,10 +283,10 @@ struct NameOfProgram {
     std::string_view world;
 };
 constexpr std::array kNamesOfPrograms{
-    NameOfProgram{"extrinsicRotation", PoseDirection::CameraToWorld, "imu"}, // VINS-Mono
-    NameOfProgram{"extrinsicTranslation", PoseDirection::CameraToWorld, "imu"},
-    NameOfProgram{"T_cn_cnm1", PoseDirection::WorldToCamera, "camera before"}, // Kalibr
-    NameOfProgram{"CameraExtrinsicMat", std::nullopt, "lidar"}};               // Autoware, and others the other way
+    NameOfProgram{"extrinsicRotation", CameraToWorld, "imu"}, // VINS-Mono
+    NameOfProgram{"extrinsicTranslation", CameraToWorld, "imu"},
+    NameOfProgram{"T_cn_cnm1", WorldToCamera, "camera before"},  // Kalibr
+    NameOfProgram{"CameraExtrinsicMat", std::nullopt, "lidar"}}; // Autoware, and others the other way
 
 /// The part by the words that are not frames.
 std::optional<Part> partOf(const Name &name, std::size_t count)
@@ -353,19 +345,19 @@ void setCustom(const Name &name, Role &role)
 {
     using enum Word;
     if (name.has(OpenGl) || name.has(View))
-        role.axes = EyeAxes::RightUpBack;
+        role.axes = RightUpBack;
     else if (name.has(OpenCv) || name.hasWord("rt"))
-        role.axes = EyeAxes::RightDownAhead;
+        role.axes = RightDownAhead;
     role.areAxesStated = name.has(OpenGl) || name.has(OpenCv) || name.hasWord("rt");
     if (role.direction)
         return;
     const bool isOfObject = name.has(Matrix) && name.has(World); // Blender's matrix_world
     const bool isCameras = name.has(Camera) && name.has(Transform);
     if (name.has(Extrinsics) || name.has(View) || name.hasWord("qvec")) // COLMAP's qvec
-        role.direction = PoseDirection::WorldToCamera;
+        role.direction = WorldToCamera;
     else if (name.has(Pose) || isOfObject || isCameras || name.hasWord("position") || name.hasWord("pos")
              || name.hasWord("location")) // an object's in the world
-        role.direction = PoseDirection::CameraToWorld;
+        role.direction = CameraToWorld;
 }
 
 bool isOfOther(const Name &name)
@@ -445,7 +437,7 @@ std::string cameraOf(std::string_view text)
                           end = std::min(text.find_first_not_of("0123456789", begin), text.size());
         const std::string_view between = text.substr(at, std::min(begin, text.size()) - at);
         const bool isNumbered = between.size() == 3 || base::lowerCase(between) == "camera";
-        if (begin != text.npos && isNumbered && (end == text.size() || !(isLower(text[end]) || isUpper(text[end]))))
+        if (begin != text.npos && isNumbered && (end == text.size() || !base::isLetter(text[end]) || text[end] == '_'))
             return std::string(text.substr(begin, end - begin)); // but not "cam2world"
     }
     const std::size_t digits = text.find_last_not_of("0123456789") + 1;

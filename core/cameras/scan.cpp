@@ -682,20 +682,18 @@ std::string withoutRemarks(std::string_view given)
 {
     std::string text(given);
     int open = 0;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n", at), text.size());
-        const std::string_view rest = std::string_view(text).substr(begin), quotes = rest.substr(0, 3);
-        std::size_t end = std::min(text.find('\n', begin), text.size());
-        const bool isQuoted = quotes == "\"\"\"" || quotes == "'''";
-        if (isQuoted)
-            end = std::min(text.find(quotes, begin + 3), text.size() - 3) + 3;
-        if (isQuoted || (open <= 0 && (rest.starts_with(';') || base::lowerCase(rest.substr(0, 4)) == "rem ")))
-            std::replace_if(
-                text.begin() + std::ptrdiff_t(begin), text.begin() + std::ptrdiff_t(end),
-                [](char c) { return c != '\n'; }, ' ');
-        for (const char c : std::string_view(text).substr(begin, end - begin))
+    constexpr std::string_view kBlank = " \t\r\n";
+    for (std::size_t at = 0; (at = text.find_first_not_of(kBlank, at)) != text.npos;) {
+        const std::string_view rest = std::string_view(text).substr(at), start = rest.substr(0, 3);
+        const bool isQuoted = start == "\"\"\"" || start == "'''";
+        const bool isRemark =
+            isQuoted || (open <= 0 && (rest.starts_with(';') || base::lowerCase(rest.substr(0, 4)) == "rem "));
+        const std::size_t end = isQuoted ? text.find(start, at + 3) : text.find('\n', at);
+        for (const std::size_t last = end > text.size() ? text.size() : end + (isQuoted ? 3 : 0); at < last; ++at) {
+            char &c = text[at];
+            c = isRemark && c != '\n' ? ' ' : c;
             open += isAmong(c, "([{") ? 1 : isAmong(c, ")]}") ? -1 : 0;
-        at = end + 1;
+        }
     }
     return text;
 }

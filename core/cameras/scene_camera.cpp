@@ -352,6 +352,7 @@ SceneCamera converted(const ForeignCamera &camera, const CameraChoices &choices,
 {
     SceneCamera scene;
     scene.assumed = camera.assumed;
+    const auto say = [&scene](std::string sentence) { scene.assumed.push_back(std::move(sentence)); };
     if (!camera.intrinsics && !camera.projection)
         fail(tr("the camera has no projection: give its focal length, field of view, K or matrix"));
     scene.size = imageSize(camera, choices, scene.assumed);
@@ -359,11 +360,11 @@ SceneCamera converted(const ForeignCamera &camera, const CameraChoices &choices,
     if (choices.centres && hasCentres(camera))
         scene.intrinsics->centres = *choices.centres;
     else if (choices.centres)
-        scene.assumed.push_back(tr("The file has no pixel coordinates, so --pixel-centers is ignored."));
+        say(tr("The file has no pixel coordinates, so --pixel-centers is ignored."));
 
     if (!camera.pose)
-        scene.assumed.push_back(tr("No pose was read: the camera stands in the world's origin and looks along its "
-                                   "own axis."));
+        say(tr("No pose was read: the camera stands in the world's origin and looks along its "
+               "own axis."));
     const std::vector<PoseReading> all = possibleReadings(camera, choices);
     std::vector<PoseReading> readings = camera.pose ? all : std::vector<PoseReading>{all.front()};
     const bool haveObjects = objects && !objects->isEmpty();
@@ -394,22 +395,22 @@ SceneCamera converted(const ForeignCamera &camera, const CameraChoices &choices,
         sayReading(camera, readings, *taken, haveObjects, scene.assumed);
     }
     if (glm::determinant(glm::dmat3(scene.eyeFromWorld)) < 0.0)
-        scene.assumed.push_back(tr("The pose mirrors the image: its axes are left-handed in a right-handed world. "
-                                   "Check a row's or column's sign."));
+        say(tr("The pose mirrors the image: its axes are left-handed in a right-handed world. "
+               "Check a row's or column's sign."));
     if (haveObjects && taken->seen == 0.0)
-        scene.assumed.push_back(tr("The camera sees none of the objects: %1.", remedyOf(camera, scene, *objects)));
+        say(tr("The camera sees none of the objects: %1.", remedyOf(camera, scene, *objects)));
     if (haveObjects && taken->seen > 0.0) {
         constexpr double kTiny = 0.02;
         if (const double share = imageShare(clipFromEye(camera, scene), scene.eyeFromWorld, *objects);
             share > 0.0 && share < kTiny)
-            scene.assumed.push_back(tr("The objects take only %1 % of the image: check the units of t.",
-                                       significantText(100.0 * share, 2)));
+            say(tr("The objects take only %1 % of the image: check the units of t.",
+                   significantText(100.0 * share, 2)));
     }
 
     if (camera.projection) {
         scene.projection = *camera.projection;
         if (choices.nearDistance || choices.farDistance)
-            scene.assumed.push_back(tr("The file's projection matrix has near and far; --near and --far are ignored."));
+            say(tr("The file's projection matrix has near and far; --near and --far are ignored."));
     } else {
         const auto [n, f] = clipDistances(camera, choices, objects, scene.eyeFromWorld, scene.assumed);
         scene.nearDistance = n;
@@ -420,18 +421,18 @@ SceneCamera converted(const ForeignCamera &camera, const CameraChoices &choices,
                     shortestText(k.fy)));
         scene.projection = pinhole(k, scene.size, n, f);
         if (!(k.cx >= 0.0 && k.cx <= scene.size.width && k.cy >= 0.0 && k.cy <= scene.size.height))
-            scene.assumed.push_back(tr("The principal point (%1, %2) lies outside the image of %3: check the size.",
-                                       shortestText(k.cx), shortestText(k.cy), sizeText(scene.size)));
+            say(tr("The principal point (%1, %2) lies outside the image of %3: check the size.", shortestText(k.cx),
+                   shortestText(k.cy), sizeText(scene.size)));
         if (k.centres == PixelCentres::AtIntegers && !choices.centres && k.cx == scene.size.width / 2.0
             && k.cy == scene.size.height / 2.0)
-            scene.assumed.push_back(tr("Pixel centres are at whole numbers, as in %1. The principal point is half the "
-                                       "size, so they may be at halves; --pixel-centers half says so.",
-                                       camera.program));
+            say(tr("Pixel centres are at whole numbers, as in %1. The principal point is half the "
+                   "size, so they may be at halves; --pixel-centers half says so.",
+                   camera.program));
     }
     if (camera.distortion && !camera.distortion->isNone()) {
         if (choices.isUndistorted)
-            scene.assumed.push_back(tr("The distortion coefficients are dropped: pixels are those of the undistorted "
-                                       "image."));
+            say(tr("The distortion coefficients are dropped: pixels are those of the undistorted "
+                   "image."));
         else
             scene.distortion = camera.distortion;
     }
