@@ -73,6 +73,7 @@ NamedValues::NamedValues(std::string_view text)
         const bool isValue = isEmpty && !m_values.back().written.empty() && base::lowerCase(group.name) == "value";
         if (group.kind == GroupKind::Name && isValue) {
             m_values.back().arithmetic = std::move(group.arithmetic);
+            m_values.back().unit = std::move(group.unit);
         } else if (group.kind == GroupKind::Name) {
             NamedValue value{namesIn(group.name),
                              std::string(group.name),

@@ -481,7 +481,7 @@ private:
         if (word != "pi" && !isCall)
             return false;
         constexpr std::size_t kMost = 80;
-        const auto rest = m_text.substr(start, kMost);
+        const auto rest = m_text.substr(start, m_at - start + kMost);
         const auto close = isCall ? base::closingBracket(rest, m_at - start) : 0;
         const auto text = rest.substr(0, rest.find_first_of(",;)]}\n", close == rest.npos ? 0 : close + 1));
         const auto value = base::sourceNumber(text, [](std::string_view) { return std::optional<std::string_view>(); });
