@@ -94,10 +94,10 @@ void Reading::fail(std::string reason, std::size_t line) const
 
 void Reading::chooseImage(std::span<const std::string> ids)
 {
-    const auto id = std::ranges::find(ids, choices.image);
-    const bool isId = id != ids.end() && !choices.image.empty();
+    const auto known = std::ranges::find(ids, choices.image);
+    const bool isId = known != ids.end() && !choices.image.empty();
     const std::vector<std::size_t> found =
-        isId ? std::vector{std::size_t(id - ids.begin())} : imageIndexes(camera.images, choices.image);
+        isId ? std::vector{std::size_t(known - ids.begin())} : imageIndexes(camera.images, choices.image);
     if (found.size() > 1) {
         std::vector<std::string> names;
         for (const std::size_t index : found)
