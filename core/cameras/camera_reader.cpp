@@ -78,6 +78,7 @@ void readParts(Reading &reading, const Form &form)
 bool readForm(Reading &reading, const Form &form)
 {
     base::Json document;
+    reading.used.clear();
     if (!openDocument(reading, form, document))
         return false;
     const Cameras found =
@@ -173,16 +174,15 @@ std::optional<std::string> reasonAgainst(const ForeignCamera &camera, const Came
     return std::nullopt;
 }
 
-/// The JSON of a text, if it has any: the first part of a .glb; what people paste of an object's middle
-/// becomes one.
-std::string jsonIn(const std::string &text)
+/// The JSON that is not all of a text: the first chunk of a .glb; an object around what people paste of its middle.
+std::string jsonIn(const std::string &text, bool mayBePart)
 {
     constexpr std::size_t kHeader = 20; // magic, version, length; the chunk's length and type
     if (text.starts_with("glTF") && text.size() >= kHeader)
         return text.substr(kHeader, base::numberAt<std::uint32_t>(reinterpret_cast<const std::uint8_t *>(&text[12])));
     const std::string_view part = base::trimmed(text);
-    return part.starts_with('"') ? '{' + std::string(part.substr(0, part.find_last_not_of(',') + 1)) + '}'
-                                 : std::string();
+    return mayBePart && part.starts_with('"') ? '{' + std::string(part.substr(0, part.find_last_not_of(',') + 1)) + '}'
+                                              : std::string();
 }
 
 } // namespace
@@ -202,7 +202,7 @@ bool openDocument(Reading &reading, const Form &form, base::Json &document)
         reading.file = Node(reading, reading.values(), text);
         return true;
     }
-    reading.json = areKeys && !form.parts.isLax ? jsonIn(text) : std::string();
+    reading.json = areKeys ? jsonIn(text, form.parts.mayBePart) : std::string();
     if (!reading.json.empty() || (areKeys ? isJson(text) : isXml(text))) {
         const NamedText part{reading.text.name, reading.json};
         const NamedText &whole = reading.json.empty() ? reading.text : part;

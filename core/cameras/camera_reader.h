@@ -13,7 +13,8 @@ enum class Format { Json, Xml, Print };
 
 /// Where a form has a camera's parts.
 struct Parts {
-    bool isLax = false; ///< the keys are other programs', too: a mistake in JSON's syntax is left to other readers
+    bool isLax = false;     ///< the keys are other programs', too: a mistake in JSON's syntax is left to other readers
+    bool mayBePart = false; ///< people paste the middle of an object, too
     PixelCentres centres = PixelCentres::AtIntegers;
     /// Of the cameras: a list, as "a|b" the first that is not empty, and "" the text's; elements of XML by their
     /// tag, named as themselves or the nearest around them. Those count that have a value under a key; a text
