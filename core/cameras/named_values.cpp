@@ -137,6 +137,8 @@ std::vector<double> NamedValues::numbers(Names names, std::size_t count, Names c
 {
     for (const std::string_view name : names) {
         if (const NamedValue *value = find({name}, count)) {
+            if (value->numbers.size() == 1 || (count == 1 && !value->decimal.empty()))
+                return {value->number()};
             if (!value->arithmetic.empty())
                 throw value->computedError();
             return value->numbers;
