@@ -63,6 +63,15 @@ struct ImageSize {
     friend bool operator==(const ImageSize &, const ImageSize &) = default;
 };
 
+/// A value of a text, and the part of the camera that it gave.
+struct ReadValue {
+    enum class Of { Lens, Pose, Distortion, Image };
+
+    Of of = Of::Lens;
+    std::string name; ///< as words, "camera matrix"
+    std::size_t line = 0;
+};
+
 /// A camera as another program gives it, before conversion.
 struct ForeignCamera {
     std::string program;             ///< whose form it is: "OpenCV", "COLMAP"
@@ -86,6 +95,7 @@ struct ForeignCamera {
     /// worlds.
     glm::dmat4 rightHandedFromWorld{1.0};
     std::optional<Distortion> distortion;
+    std::vector<ReadValue> read;      ///< as far as its reader notes them
     std::vector<std::string> assumed; ///< one sentence each, in the language of base::tr()
 };
 

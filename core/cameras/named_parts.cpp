@@ -157,9 +157,9 @@ private:
                     values.size(), images));
         const CameraValue &value = values[isOfImage ? m_camera.image : 0];
         refuseComputed(part, value);
+        note(part, value);
         if (isOfImage)
             setUsed({part});
-        m_used.insert(&value);
         return &value;
     }
 
@@ -180,6 +180,17 @@ private:
                                   .file = m_texts[i].name};
             say(tr("The text ends before its brackets are closed."));
         }
+    }
+
+    /// Notes a value as used, and what it gave.
+    void note(Part part, const CameraValue &value)
+    {
+        using enum ReadValue::Of;
+        static constexpr std::array<ReadValue::Of, kParts> kOf{Lens,       Lens,       Lens,  Pose,      Pose,
+                                                               Pose,       Pose,       Pose,  Lens,      Distortion,
+                                                               Distortion, Distortion, Image, Distortion};
+        if (m_used.insert(&value).second)
+            m_camera.read.push_back({kOf[std::size_t(part)], value.name, value.line});
     }
 
     void setUsed(std::initializer_list<Part> parts)
@@ -513,7 +524,7 @@ private:
         refuseComputed(Pose, *found);
         readPoseMatrix(*found);
         m_camera.isDirectionOpen = true;
-        m_used.insert(found);
+        note(Part::Pose, *found);
     }
 
     void readPoseOrParts()

@@ -47,7 +47,7 @@ PastedMatrix pastedOf(const glm::dmat4 &matrix, std::string said)
 }
 
 /// Fails for a parameter that no projection or view has.
-[[noreturn]] void fail(const SourceCall &call, const Error &error)
+[[noreturn]] void fail(const SourceCall &call, const geometry::Error &error)
 {
     failCall(std::string(call.written) + ": " + errorText(error));
 }

@@ -134,6 +134,9 @@ PastedMatrix assembled(Numbers numbers)
     PastedMatrix matrix;
     matrix.form = formOf(numbers);
     matrix.isInverse = numbers.front().isInverse;
+    matrix.part = numbers.front().part;
+    matrix.name = numbers.front().partName;
+    matrix.line = numbers.front().line;
     for (std::size_t i = 0; i < kEntries; ++i)
         matrix.numbers[i] = numbers[i].value;
     if (matrix.form != MatrixForm::Indexed && matrix.form != MatrixForm::IndexPairs)
@@ -324,6 +327,15 @@ const char *nameOf(PastedPart part)
     case PastedPart::Viewport: break;
     }
     return "viewport";
+}
+
+base::Error errorOf(const PasteError &error)
+{
+    const bool isAboutPart = !error.isOfCall && error.line == 0;
+    return {.text = error.text,
+            .subject = isAboutPart ? nameOf(error.part) : "",
+            .line = int(error.line),
+            .column = int(error.column)};
 }
 
 PasteError countError(PastedPart part, std::size_t found, std::size_t wanted, std::size_t all)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/error.h"
 #include "core/geometry/result.h"
 #include "core/geometry/viewport.h"
 
@@ -28,6 +29,13 @@ enum class MatrixForm {
     Call        ///< not the numbers of a matrix but a call that makes one, see pastedCalls: by columns
 };
 
+/// The matrices and the viewport that a text may contain. Numbers after a part's name belong to it.
+/// Model is world from object; product is the projection times the view, or times the modelview.
+/// ToWindow is the viewport's matrix times the product; like everything else about a window, it
+/// follows from the others.
+enum class PastedPart { ModelView, View, Model, Projection, Product, Viewport, ToWindow };
+const char *nameOf(PastedPart part);
+
 /// A matrix as pasted.
 struct PastedMatrix {
     std::array<double, 16> numbers{}; ///< in text order; numbers with indices are sorted by them
@@ -35,6 +43,9 @@ struct PastedMatrix {
     bool isInverse = false;                       ///< the name says that it is an inverse: projectionMatrixInverse
     std::optional<NumberOrder> order{};           ///< set if the numbers show the unusual order, see toldOrders
     std::optional<geometry::NdcDepth> ndcDepth{}; ///< of a projection, if the text determines it
+    std::optional<PastedPart> part{};             ///< that its name tells
+    std::string name{};                           ///< this name
+    std::size_t line = 0;                         ///< of its first number, from 1
     std::string call{}; ///< how the call that made it was read, in the language of base::tr(), without a full stop
     friend bool operator==(const PastedMatrix &, const PastedMatrix &) = default;
 };
@@ -69,13 +80,6 @@ bool isWindowsOwn(const geometry::DepthRange &range);
 /// @return width or height is negative if the matrix flips x or y
 ViewportAndDepths viewportOf(const glm::dmat4 &windowFromNdc, const std::optional<geometry::NdcDepth> &depth);
 
-/// The matrices and the viewport that a text may contain. Numbers after a part's name belong to it.
-/// Model is world from object; product is the projection times the view, or times the modelview.
-/// ToWindow is the viewport's matrix times the product; like everything else about a window, it
-/// follows from the others.
-enum class PastedPart { ModelView, View, Model, Projection, Product, Viewport, ToWindow };
-const char *nameOf(PastedPart part);
-
 struct PastedScene {
     std::optional<PastedMatrix> modelView, view, model, projection, product;
     std::optional<geometry::Viewport> viewport;
@@ -95,6 +99,8 @@ struct PasteError {
     std::size_t all = 0;   ///< numbers in the text
     bool isOfCall = false; ///< the error is about a call, which the text names; see pastedCalls
 };
+/// The error as every reader gives it; its subject is the part.
+base::Error errorOf(const PasteError &error);
 /// The error of a part with another count of numbers than it needs.
 /// @param all  numbers in the text
 PasteError countError(PastedPart part, std::size_t found, std::size_t wanted, std::size_t all);

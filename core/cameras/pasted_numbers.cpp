@@ -57,6 +57,7 @@ private:
     {
         m_isInverse = false;
         NamedPart found;
+        std::string foundName;
         for (auto i = m_names.size(); i > m_told && !found.part; --i) {
             // Adjacent words form one name: "model view", "projection * view". Names are short. Prose,
             // as one name, would be searched again at each of its words.
@@ -67,7 +68,10 @@ private:
             for (auto word = words.nextWord(); !word.empty(); word = words.nextWord()) {
                 name = name.empty() || name.size() >= kLongestName ? word : name + ' ' + std::string(word);
                 last = namedBy(name);
-                found = last.part ? last : found;
+                if (last.part) {
+                    found = last;
+                    foundName = m_names[i - 1].size() <= kLongestName ? m_names[i - 1] : "";
+                }
             }
             if (i == m_names.size()) {
                 m_last = last;
@@ -75,7 +79,10 @@ private:
             }
         }
         m_sides = m_told < m_names.size() ? 0 : m_sides;
-        m_part = found.part ? found : m_part;
+        if (found.part) {
+            m_part = found;
+            m_partName = foundName;
+        }
         m_told = m_names.size();
     }
 
@@ -118,7 +125,7 @@ private:
 
     void add(const ScannedNumber &number)
     {
-        PastedNumber pasted{number, {}, m_part.part, m_part.isInverse};
+        PastedNumber pasted{number, {}, m_part.part, m_partName, m_part.isInverse};
         for (const std::string &name : m_names)
             pasted.words.push_back(base::lowerCase(name));
         m_read.numbers.push_back(std::move(pasted));
@@ -131,7 +138,7 @@ private:
     bool m_isInverse = false;         ///< the last one is "inverse("
     std::size_t m_nameLine = 0;
     NamedPart m_part, m_last; ///< what the last name of a part tells, and the last of all
-    std::string m_lastName;
+    std::string m_partName, m_lastName;
     std::size_t m_sides = 0; ///< of a size, read after its name
     std::optional<double> m_width, m_height;
     PastedNumbers m_read;

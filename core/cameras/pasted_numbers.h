@@ -14,7 +14,8 @@ namespace unprojector::cameras {
 struct PastedNumber : ScannedNumber {
     std::vector<std::string> words{}; ///< names between it and the previous number, in lower case
     std::optional<PastedPart> part{}; ///< the part whose name occurred last
-    bool isInverse = false;           ///< that name is of the part's inverse
+    std::string partName{};           ///< that name
+    bool isInverse = false;           ///< it is of the part's inverse
 };
 
 struct PastedNumbers {

@@ -27,7 +27,8 @@ enum class Change {
     GivenPoint = 0x2000,       ///< the point that the user entered
     Conventions = 0x4000,      ///< the conventions of the shown matrices and points
     WrongPoints = 0x8000,      ///< the wrong points that are marked beside the right ones
-    History = 0x20             ///< undo steps and saved state: isModified and isEdited may have changed
+    Preview = 0x10000, ///< the settings are shown for a while, or the scene's own again: see SceneDocument::preview
+    History = 0x20     ///< undo steps and saved state: isModified and isEdited may have changed
 };
 Q_DECLARE_FLAGS(Changes, Change)
 

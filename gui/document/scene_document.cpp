@@ -171,6 +171,31 @@ void SceneDocument::look(const EditLabel &label, const std::function<void(SceneS
     static_cast<void>(commit(state, label));
 }
 
+Check SceneDocument::preview(const SceneSettings &settings)
+{
+    SceneState state = m_state;
+    state.settings = settings;
+    const SceneSettings own = m_state.settings;
+    const Result<Changes> taken = take(state);
+    if (!taken)
+        return taken.error();
+    if (!m_unpreviewed)
+        m_unpreviewed = own;
+    m_changes.notify(Change::Preview);
+    return std::monostate{};
+}
+
+void SceneDocument::endPreview()
+{
+    if (!m_unpreviewed)
+        return;
+    SceneState state = m_state;
+    state.settings = *std::exchange(m_unpreviewed, std::nullopt);
+    const Result<Changes> taken = take(state);
+    Q_ASSERT(taken.hasValue());
+    m_changes.notify(Change::Preview | std::exchange(m_heldBack, {}));
+}
+
 void SceneDocument::restoreLandmarks(landmarks::LandmarkSet set)
 {
     SceneState state = m_state;
@@ -203,10 +228,13 @@ void SceneDocument::setSurface(const Surface &surface)
     if (surface == m_widgetSurface)
         return;
     const Surface before = std::exchange(m_widgetSurface, surface);
-    if (const Result<Changes> taken = take(m_state))
-        m_changes.notify(*taken);
-    else
+    const Result<Changes> taken = take(m_state);
+    if (!taken)
         m_widgetSurface = before;
+    else if (m_unpreviewed)
+        m_heldBack |= *taken;
+    if (taken)
+        m_changes.notify(m_unpreviewed ? Change::Preview : *taken);
 }
 
 Check SceneDocument::drawAt(const Surface &surface, const std::function<void()> &draw)

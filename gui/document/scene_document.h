@@ -77,6 +77,11 @@ public:
     /// Changes how the scene is shown. Does nothing if the setup would be invalid or nothing
     /// changes.
     void look(const EditLabel &label, const std::function<void(scene::SceneSettings &)> &change);
+    /// Shows other settings for a while, without a step of undo: only the views of the scene follow.
+    /// @return the errors of setupOf; then nothing changed
+    geometry::Check preview(const scene::SceneSettings &settings);
+    /// Shows the scene's own settings again.
+    void endPreview();
     /// Replaces the landmarks for a command of the undo stack, which reports the change: pushes no
     /// command itself.
     void restoreLandmarks(landmarks::LandmarkSet set);
@@ -106,7 +111,9 @@ private:
     geometry::Box m_bounds;
     scene::Ground m_ground;
     std::uint64_t m_lastEdit = 0;
-    std::optional<std::uint64_t> m_savedEdit = 0; ///< none: no state of the scene is saved
+    std::optional<std::uint64_t> m_savedEdit = 0;      ///< none: no state of the scene is saved
+    std::optional<scene::SceneSettings> m_unpreviewed; ///< during a preview: the scene's own
+    Changes m_heldBack;                                ///< during a preview: changes of the window
     ChangeNotifier m_changes;
     QUndoStack m_undoStack;
     SceneLandmarks m_sceneLandmarks;

@@ -142,29 +142,33 @@ Check editLandmarkSet(SceneDocument &document, landmarks::LandmarkSet set, const
     return document.edit(label, [&](Scene &scene) { scene.landmarks = std::move(set); });
 }
 
-Check editMatrices(SceneDocument &document, const std::optional<Lens> &projection,
-                   const std::optional<glm::dmat4> &eyeFromWorld, const EditLabel &label,
-                   const std::optional<Viewport> &viewport, const std::optional<Surface> &size)
+Result<SceneSettings> withCamera(const SceneSettings &settings, Setup setup, const GivenCamera &given)
 {
-    Setup given = document.setup();
-    if (projection)
-        given.lens = *projection;
-    if (eyeFromWorld)
-        given.pose = *eyeFromWorld;
-    const Result<SceneSettings> settings = withSetup(document.scene(), given);
+    if (given.projection)
+        setup.lens = *given.projection;
+    if (given.eyeFromWorld)
+        setup.pose = *given.eyeFromWorld;
+    const Result<SceneSettings> taken = withSetup(settings, setup);
+    if (!taken)
+        return taken.error();
+    SceneSettings result = *taken;
+    if (given.size) {
+        result.windowSize = given.size;
+        result.viewport.kind = ViewportRule::Kind::WholeWindow;
+    }
+    if (given.viewport) {
+        result.viewport.kind = ViewportRule::Kind::Fixed;
+        result.viewport.fixed = *given.viewport;
+    }
+    return result;
+}
+
+Check editCamera(SceneDocument &document, const GivenCamera &given, const EditLabel &label)
+{
+    const Result<SceneSettings> settings = withCamera(document.scene(), document.setup(), given);
     if (!settings)
         return settings.error();
-    return document.edit(label, [&](Scene &scene) {
-        static_cast<SceneSettings &>(scene) = *settings;
-        if (size) {
-            scene.windowSize = *size;
-            scene.viewport.kind = ViewportRule::Kind::WholeWindow;
-        }
-        if (viewport) {
-            scene.viewport.kind = ViewportRule::Kind::Fixed;
-            scene.viewport.fixed = *viewport;
-        }
-    });
+    return document.edit(label, [&](Scene &scene) { static_cast<SceneSettings &>(scene) = *settings; });
 }
 
 } // namespace unprojector::gui

@@ -33,12 +33,28 @@ geometry::Check editLandmarks(SceneDocument &document, std::vector<landmarks::La
                               const EditLabel &label);
 geometry::Check editLandmarkSet(SceneDocument &document, landmarks::LandmarkSet set, const EditLabel &label);
 
-/// Sets a projection, a view or both, from matrices or another program's camera (withSetup), and a viewport. With the
-/// size of an image, the view gets this size in device pixels, and the viewport fills it.
-/// @return the errors of byParameters and setupOf
-geometry::Check editMatrices(SceneDocument &document, const std::optional<geometry::Lens> &projection,
-                             const std::optional<glm::dmat4> &eyeFromWorld, const EditLabel &label,
-                             const std::optional<geometry::Viewport> &viewport = std::nullopt,
-                             const std::optional<geometry::Surface> &size = std::nullopt);
+/// A camera given as matrices or by another program; empty parts stay as they are.
+struct GivenCamera {
+    std::optional<geometry::Lens> projection{};
+    std::optional<glm::dmat4> eyeFromWorld{};
+    std::optional<geometry::Viewport> viewport{};
+    std::optional<geometry::Surface> size{}; ///< of an image: the view gets it, and the viewport fills it
+};
+
+/// The settings with a given camera (withSetup).
+/// @param setup  of these settings
+/// @return the errors of byParameters
+geometry::Result<scene::SceneSettings> withCamera(const scene::SceneSettings &settings, geometry::Setup setup,
+                                                  const GivenCamera &given);
+
+/// Sets a given camera.
+/// @return the errors of withCamera and setupOf
+geometry::Check editCamera(SceneDocument &document, const GivenCamera &given, const EditLabel &label);
+/// Sets a projection, a view or both, given as matrices.
+inline geometry::Check editMatrices(SceneDocument &document, const std::optional<geometry::Lens> &projection,
+                                    const std::optional<glm::dmat4> &eyeFromWorld, const EditLabel &label)
+{
+    return editCamera(document, {projection, eyeFromWorld}, label);
+}
 
 } // namespace unprojector::gui

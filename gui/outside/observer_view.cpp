@@ -59,8 +59,8 @@ ObserverView::ObserverView(SceneDocument &document, QWidget *parent)
             m_drag = Drag::None;
             setHotPlane(std::nullopt);
         }
-        m_isStale |= bool(changes & kVisibleChanges);
-        if (changes & (kVisibleChanges | Change::Pick | Change::GivenPoint | Change::WrongPoints))
+        m_isStale |= bool(changes & (kVisibleChanges | Change::Preview));
+        if (changes & (kVisibleChanges | Change::Preview | Change::Pick | Change::GivenPoint | Change::WrongPoints))
             update();
     });
 }

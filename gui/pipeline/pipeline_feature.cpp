@@ -15,7 +15,10 @@
 #include "gui/window/panel_scroll.h"
 #include "gui/window/window.h"
 
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QMenu>
+#include <QShortcut>
 
 #include <utility>
 
@@ -92,13 +95,22 @@ void PipelineFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &)
     if (kind != MenuKind::Edit)
         return;
     menu.addSeparator();
+    // The key pastes any text; the action, which buttons trigger too, only a camera.
+    const QKeySequence key(QKeySequence::Paste);
     QAction *paste = addAction(
-        menu, tr("Paste Ca&mera…"), {},
+        menu, tr("Paste Ca&mera…") + u'\t' + key.toString(QKeySequence::NativeText), {},
         tr("Set the camera from another program's: its matrices, K, R, t, its calls, or its camera's file"), [this] {
             m_window.session().commitTyped();
             PasteCameraDialog::open(m_window.document(), &m_window);
         });
     paste->setObjectName(kPasteCameraAction);
+    connect(new QShortcut(key, &m_window), &QShortcut::activated, this, [this] {
+        const QString text = QGuiApplication::clipboard()->text();
+        if (text.isEmpty())
+            return;
+        m_window.session().commitTyped();
+        PasteCameraDialog::open(m_window.document(), &m_window, text);
+    });
 }
 
 bool PipelineFeature::follow(const lessons::Link &link)

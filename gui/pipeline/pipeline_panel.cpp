@@ -15,10 +15,7 @@
 #include "gui/widgets/help_link.h"
 
 #include <QAction>
-#include <QClipboard>
-#include <QGuiApplication>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -464,23 +461,6 @@ void PipelinePanel::restore(const Kept &kept)
 void PipelinePanel::applyTyped()
 {
     m_chain->applyTyped();
-}
-
-void PipelinePanel::keyPressEvent(QKeyEvent *event)
-{
-    if (!event->matches(QKeySequence::Paste)) {
-        QWidget::keyPressEvent(event);
-        return;
-    }
-    const auto hasFocus = [this](const QWidget *section) { return section->isAncestorOf(window()->focusWidget()); };
-    MatrixRole role = MatrixRole::Projection;
-    if (hasFocus(m_givenView) || hasFocus(m_sections[std::size_t(PipelineStage::ViewMatrix)])
-        || hasFocus(m_sections[std::size_t(PipelineStage::ModelviewMatrix)]))
-        role = MatrixRole::View;
-    else if (hasFocus(m_sections[std::size_t(PipelineStage::WholeMatrix)]))
-        role = MatrixRole::Product;
-    emit aboutToPaste();
-    PasteCameraDialog::open(m_document, window(), role, QGuiApplication::clipboard()->text());
 }
 
 } // namespace unprojector::gui

@@ -76,15 +76,12 @@ public:
     QSize sizeHint() const override;
 
 signals:
-    /// Emitted before matrices are pasted: pending input is committed first, because it belongs to
+    /// Emitted before a camera is pasted: pending input is committed first, because it belongs to
     /// the present camera.
     void aboutToPaste();
 
 protected:
     void showEvent(QShowEvent *event) override;
-    /// Handles Paste: opens the dialog for matrices of another program with the clipboard's text.
-    /// The section with the focus determines the role of the matrix.
-    void keyPressEvent(QKeyEvent *event) override;
 
 private:
     /// Creates the actions that lessons link to, by name: each matrix opened, the shares of the

@@ -66,7 +66,7 @@ PipelineSwitches::PipelineSwitches(SceneDocument &document, PipelineModel &model
     copy->setToolTip(tr("Copy all points and matrices with all digits"));
     connect(copy, &QPushButton::clicked, this, [this] { copyToClipboard(m_model.text()); });
     auto *paste = new QPushButton(tr("P&aste…"));
-    paste->setToolTip(tr("Set the camera from another program's (Ctrl+V here)"));
+    paste->setToolTip(tr("Set the camera from another program's (Ctrl+V)"));
     paste->setAccessibleName(tr("Paste camera"));
     connect(paste, &QPushButton::clicked, this, &PipelineSwitches::pasteWanted);
 

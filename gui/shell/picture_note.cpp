@@ -95,7 +95,7 @@ PictureNote::PictureNote(const SceneDocument &document, QWidget *parent) : QLabe
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & kVisibleChanges)
+        if (changes & (kVisibleChanges | Change::Preview))
             refresh();
     });
     refresh();

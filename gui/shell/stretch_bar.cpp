@@ -90,7 +90,7 @@ StretchBar::StretchBar(SceneDocument &document, QWidget *parent)
     });
     connect(&document, &SceneDocument::opened, this, [this] { m_isClosed = false; });
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & (Change::Setup | Change::Objects))
+        if (changes & (Change::Setup | Change::Objects | Change::Preview))
             refresh();
     });
     refresh();

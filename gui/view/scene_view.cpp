@@ -62,9 +62,9 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::Objects) // the former pick may be on a removed object
             m_formerPick.reset();
-        if (changes & Change::Setup)
+        if (changes & (Change::Setup | Change::Preview))
             setFixedSurface(m_document.scene().windowSize);
-        if (changes & kVisibleChanges)
+        if (changes & (kVisibleChanges | Change::Preview))
             redraw();
         else if (changes
                  & (Change::Pick | Change::GivenPoint | Change::WrongPoints | Change::Ray | Change::Landmarks

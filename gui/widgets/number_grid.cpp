@@ -199,7 +199,8 @@ bool NumberGrid::event(QEvent *event)
         const auto &key = *static_cast<QKeyEvent *>(event);
         const bool isPlain = !(key.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier));
         const bool isTyped = !key.text().isEmpty() && key.text().front().isPrint();
-        if (isPlain && (isTyped || key.key() == Qt::Key_Home || key.key() == Qt::Key_End)) {
+        const bool isPaste = key.matches(QKeySequence::Paste) && m_model->isTypable();
+        if (isPaste || (isPlain && (isTyped || key.key() == Qt::Key_Home || key.key() == Qt::Key_End))) {
             event->accept();
             return true;
         }

@@ -2721,227 +2721,6 @@ Both are scaled to fit.</source>
     </message>
 </context>
 <context>
-    <name>unprojector::gui::ForeignCameraBox</name>
-    <message>
-        <source>OpenGL: right, up, back</source>
-        <translation>OpenGL：右、上、后</translation>
-    </message>
-    <message>
-        <source>OpenCV: right, down, ahead</source>
-        <translation>OpenCV：右、下、前</translation>
-    </message>
-    <message>
-        <source>Direct3D: right, up, ahead</source>
-        <translation>Direct3D：右、上、前</translation>
-    </message>
-    <message>
-        <source>Unreal: ahead, right, up</source>
-        <translation>Unreal：前、右、上</translation>
-    </message>
-    <message>
-        <source>ROS: ahead, left, up</source>
-        <translation>ROS：前、左、上</translation>
-    </message>
-    <message>
-        <source>World to camera</source>
-        <translation>世界到相机</translation>
-    </message>
-    <message>
-        <source>Camera to world</source>
-        <translation>相机到世界</translation>
-    </message>
-    <message>
-        <source>At 0, 0</source>
-        <translation>在 0, 0</translation>
-    </message>
-    <message>
-        <source>At 0.5, 0.5</source>
-        <translation>在 0.5, 0.5</translation>
-    </message>
-    <message>
-        <source>“Pixel centres”</source>
-        <translation>“像素中心”</translation>
-    </message>
-    <message>
-        <source>“Image”</source>
-        <translation>“图像”</translation>
-    </message>
-    <message>
-        <source>“Image size”</source>
-        <translation>“图像大小”</translation>
-    </message>
-    <message>
-        <source>“Near”</source>
-        <translation>“近”</translation>
-    </message>
-    <message>
-        <source>“Far”</source>
-        <translation>“远”</translation>
-    </message>
-    <message>
-        <source>“Axes”</source>
-        <translation>“坐标轴”</translation>
-    </message>
-    <message>
-        <source>“Pose”</source>
-        <translation>“位姿”</translation>
-    </message>
-    <message>
-        <source>“File &gt; Add to Scene”</source>
-        <translation>“文件 &gt; 添加到场景”</translation>
-    </message>
-    <message>
-        <source>“My pixels are of the undistorted image”</source>
-        <translation>“我的像素取自去畸变后的图像”</translation>
-    </message>
-    <message>
-        <source>What was assumed</source>
-        <translation>所作的假定</translation>
-    </message>
-    <message>
-        <source>Image</source>
-        <translation>图像</translation>
-    </message>
-    <message>
-        <source>The image or frame whose camera is read</source>
-        <translation>读取其相机的图像或帧</translation>
-    </message>
-    <message>
-        <source>Image size</source>
-        <translation>图像大小</translation>
-    </message>
-    <message>
-        <source>Width and height of the camera&apos;s image, pixels: 640 x 480</source>
-        <translation>相机图像的宽和高，像素：640 x 480</translation>
-    </message>
-    <message>
-        <source>Give the view this size</source>
-        <translation>视图也取此大小</translation>
-    </message>
-    <message>
-        <source>Pixels of the view are then the camera&apos;s pixels; View &gt; Fit the Window undoes it</source>
-        <translation>这样视图的像素就是相机的像素；“视图 &gt; 充满窗口”可还原</translation>
-    </message>
-    <message>
-        <source>Near</source>
-        <translation>近</translation>
-    </message>
-    <message>
-        <source>Distance of the near plane: it maps depths, and hides what is closer</source>
-        <translation>近平面的距离：它决定深度的映射，并隐去更近的东西</translation>
-    </message>
-    <message>
-        <source>Far</source>
-        <translation>远</translation>
-    </message>
-    <message>
-        <source>Distance of the far plane: it maps depths, and hides what is farther</source>
-        <translation>远平面的距离：它决定深度的映射，并隐去更远的东西</translation>
-    </message>
-    <message>
-        <source>Axes of the camera</source>
-        <translation>相机的坐标轴</translation>
-    </message>
-    <message>
-        <source>The directions of the camera&apos;s x, y and z in its image</source>
-        <translation>相机的 x、y、z 在其图像中的方向</translation>
-    </message>
-    <message>
-        <source>Pose</source>
-        <translation>位姿</translation>
-    </message>
-    <message>
-        <source>What the pose turns into what: its direction</source>
-        <translation>位姿的方向：由什么变换到什么</translation>
-    </message>
-    <message>
-        <source>Pixel centres</source>
-        <translation>像素中心</translation>
-    </message>
-    <message>
-        <source>The coordinates of the first pixel&apos;s centre in the program</source>
-        <translation>在该程序中第一个像素中心的坐标</translation>
-    </message>
-    <message>
-        <source>My pixels are of the undistorted image</source>
-        <translation>我的像素取自去畸变后的图像</translation>
-    </message>
-    <message>
-        <source>Drop the distortion coefficients: the view has no distortion</source>
-        <translation>去掉畸变系数：视图没有畸变</translation>
-    </message>
-    <message>
-        <source>&amp;Image:</source>
-        <translation>图像(&amp;I)：</translation>
-    </message>
-    <message>
-        <source>Image &amp;size:</source>
-        <translation>图像大小(&amp;S)：</translation>
-    </message>
-    <message>
-        <source>&amp;Axes:</source>
-        <translation>坐标轴(&amp;A)：</translation>
-    </message>
-    <message>
-        <source>P&amp;ose:</source>
-        <translation>位姿(&amp;O)：</translation>
-    </message>
-    <message>
-        <source>Pixel &amp;centres:</source>
-        <translation>像素中心(&amp;C)：</translation>
-    </message>
-    <message>
-        <source>Camera of %1</source>
-        <translation>%1 的相机</translation>
-    </message>
-    <message>
-        <source>As read: %1</source>
-        <translation>按读取：%1</translation>
-    </message>
-    <message>
-        <source>The image is larger than %1 pixels: the view keeps its own size.</source>
-        <translation>图像大于 %1 像素：视图保持自己的大小。</translation>
-    </message>
-    <message>
-        <source>line %1</source>
-        <translation>第 %1 行</translation>
-    </message>
-    <message>
-        <source>%1, line %2</source>
-        <translation>%1，第 %2 行</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>a place in a text, what is wrong</comment>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
-        <source>“%1” is not a distance: type a number greater than 0.</source>
-        <translation>“%1”不是距离：请键入大于 0 的数。</translation>
-    </message>
-    <message>
-        <source>The camera has distortion (k1 %1, k2 %2, p1 %3, p2 %4, k3 %5), which the view cannot draw. If your pixels are of the undistorted image, tick the box. Else undo the distortion: unproject points --distortion.</source>
-        <translation>该相机有畸变（k1 %1，k2 %2，p1 %3，p2 %4，k3 %5），视图无法绘制。若您的像素取自去畸变后的图像，请勾选复选框。否则先去除畸变：unproject points --distortion。</translation>
-    </message>
-    <message>
-        <source>“%1”</source>
-        <comment>the item of a field</comment>
-        <translation>“%1”</translation>
-    </message>
-    <message>
-        <source>&amp;Near:</source>
-        <translation>近(&amp;N)：</translation>
-    </message>
-    <message>
-        <source>Fa&amp;r:</source>
-        <translation>远(&amp;R)：</translation>
-    </message>
-    <message>
-        <source>Camera</source>
-        <translation>相机</translation>
-    </message>
-</context>
-<context>
     <name>unprojector::gui::FormulaView</name>
     <message>
         <source>Copy the formulas</source>
@@ -3456,6 +3235,14 @@ Both are scaled to fit.</source>
     <message>
         <source>place a landmark; a double-click places one; Esc ends placing</source>
         <translation>放置一个标志点；双击也只放置一个；Esc 结束放置</translation>
+    </message>
+    <message>
+        <source>Keys in the window</source>
+        <translation>窗口中的按键</translation>
+    </message>
+    <message>
+        <source>paste the camera of another program</source>
+        <translation>粘贴其他程序的相机</translation>
     </message>
 </context>
 <context>
@@ -4979,10 +4766,6 @@ Both are scaled to fit.</source>
 <context>
     <name>unprojector::gui::MatrixText</name>
     <message>
-        <source>Model</source>
-        <translation>模型</translation>
-    </message>
-    <message>
         <source>View or modelview</source>
         <translation>观察或模型视图</translation>
     </message>
@@ -4993,30 +4776,6 @@ Both are scaled to fit.</source>
     <message>
         <source>Product (MVP)</source>
         <translation>乘积（MVP）</translation>
-    </message>
-    <message>
-        <source>sixteen numbers in a row</source>
-        <translation>连续十六个数</translation>
-    </message>
-    <message>
-        <source>numbers with an index, m[0] to m[15]</source>
-        <translation>带下标的数，m[0] 至 m[15]</translation>
-    </message>
-    <message>
-        <source>GLM&apos;s or GLSL&apos;s columns</source>
-        <translation>GLM 或 GLSL 的列</translation>
-    </message>
-    <message>
-        <source>numbers with row and column, m(0,1)</source>
-        <translation>带行号和列号的数，m(0,1)</translation>
-    </message>
-    <message>
-        <source>four lines</source>
-        <translation>四行文本</translation>
-    </message>
-    <message>
-        <source>four brackets</source>
-        <translation>四组括号</translation>
     </message>
     <message>
         <source>Read as Row-major</source>
@@ -5067,34 +4826,6 @@ Both are scaled to fit.</source>
         <translation>转向 −z</translation>
     </message>
     <message>
-        <source>There is no matrix of this kind among these %1 numbers: %2.</source>
-        <translation>这 %1 个数中没有这种矩阵：%2。</translation>
-    </message>
-    <message>
-        <source>Eye at %1, looking along %2.</source>
-        <translation>视点位于 %1，朝 %2 方向观看。</translation>
-    </message>
-    <message>
-        <source>near %1, far %2</source>
-        <translation>近平面 %1，远平面 %2</translation>
-    </message>
-    <message>
-        <source>Perspective: field of view %1° high, width to height %2, %3.</source>
-        <translation>透视：垂直视场角 %1°，宽高比 %2，%3。</translation>
-    </message>
-    <message>
-        <source>Orthographic: %1 wide, %2 high, %3.</source>
-        <translation>正交投影：宽 %1，高 %2，%3。</translation>
-    </message>
-    <message>
-        <source>Right-handed eye space, NDC depths from 0 to 1.</source>
-        <translation>观察坐标系为右手系，NDC 深度从 0 到 1。</translation>
-    </message>
-    <message>
-        <source>Right-handed eye space, NDC depths from −1 to 1.</source>
-        <translation>观察坐标系为右手系，NDC 深度从 −1 到 1。</translation>
-    </message>
-    <message>
         <source>The depth range is reversed to match.</source>
         <translation>深度范围已为它反转。</translation>
     </message>
@@ -5116,29 +4847,8 @@ Both are scaled to fit.</source>
         <translation>%1。</translation>
     </message>
     <message>
-        <source>In line %1, column %2: %3</source>
-        <translation>第 %1 行第 %2 列：%3</translation>
-    </message>
-    <message>
-        <source>Viewport</source>
-        <translation>视口</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>a part of the text: what is wrong with it</comment>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
         <source>The window cannot show it; only the inverted matrix can answer.</source>
         <translation>窗口无法显示它；只有逆矩阵能给出答案。</translation>
-    </message>
-    <message>
-        <source>a call</source>
-        <translation>一个调用</translation>
-    </message>
-    <message>
-        <source>%1: %2 of the %3 numbers in the text belong to it; a matrix has %4.</source>
-        <translation>%1：文本的 %3 个数中有 %2 个属于它；一个矩阵有 %4 个。</translation>
     </message>
     <message>
         <source>The program&apos;s world may be left-handed. “Flip x” keeps the coordinates of that world and mirrors the image; it is then not the program&apos;s camera.</source>
@@ -6095,34 +5805,6 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>粘贴相机</translation>
     </message>
     <message>
-        <source>Meaning of the camera</source>
-        <translation>相机的含义</translation>
-    </message>
-    <message>
-        <source>Set the scene&apos;s camera from these texts; Ctrl+Z undoes it</source>
-        <translation>用这些文本设定场景的相机；Ctrl+Z 可撤销</translation>
-    </message>
-    <message>
-        <source>Pasted matrices</source>
-        <translation>粘贴的内容</translation>
-    </message>
-    <message>
-        <source>Camera, or projection and view</source>
-        <translation>相机，或投影和观察</translation>
-    </message>
-    <message>
-        <source>A program&apos;s camera, or the two matrices, or one of them; the scene keeps the other</source>
-        <translation>一个程序的相机，或两个矩阵，或其中之一；另一个保留场景原有的</translation>
-    </message>
-    <message>
-        <source>Product</source>
-        <translation>乘积</translation>
-    </message>
-    <message>
-        <source>Projection times view, or times modelview (MVP), decomposed into the two</source>
-        <translation>投影乘观察矩阵，或乘模型视图矩阵（MVP），并拆成这两个矩阵</translation>
-    </message>
-    <message>
         <source>Files of the camera</source>
         <translation>相机的文件</translation>
     </message>
@@ -6143,10 +5825,6 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>读取一个相机文件，或几个同属的文件（COLMAP）。也可以把文件拖到这里</translation>
     </message>
     <message>
-        <source>The text has %1 characters; at most %2 can be pasted. Save it as a file, and make a scene of it by the command “unproject scene FILE”.</source>
-        <translation>该文本有 %1 个字符；最多可粘贴 %2 个。请把它存为文件，再用命令“unproject scene FILE”生成场景。</translation>
-    </message>
-    <message>
         <source>Open a Camera</source>
         <translation>打开相机</translation>
     </message>
@@ -6163,193 +5841,486 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>无法读取 %1：%2。</translation>
     </message>
     <message>
-        <source>These files have no camera of a program that is known here. Open cameras.txt and images.txt of COLMAP together, or paste the camera&apos;s numbers.</source>
-        <translation>这些文件中没有已知程序的相机。COLMAP 的 cameras.txt 和 images.txt 请一起打开，或粘贴相机的数值。</translation>
+        <source>Text with a camera</source>
+        <translation>含相机的文本</translation>
     </message>
     <message>
-        <source>The product cannot be decomposed: it is not a perspective or orthographic projection times a view. Paste projection and view.</source>
-        <translation>无法分解乘积：它不是透视投影或正交投影与观察矩阵的乘积。请分别粘贴投影矩阵和观察矩阵。</translation>
+        <source>Paste a camera as a program prints it:
+
+K, R and t, OpenCV&apos;s YAML, transforms.json …
+matrices: NumPy, Eigen, glm::to_string, JSON, C …
+calls: gluPerspective(45, 1.5, 0.1, 100)</source>
+        <translation>按程序打印的样子粘贴相机：
+
+K、R 和 t，OpenCV 的 YAML，transforms.json …
+矩阵：NumPy、Eigen、glm::to_string、JSON、C …
+调用：gluPerspective(45, 1.5, 0.1, 100)</translation>
     </message>
     <message>
-        <source>The view gets the image&apos;s size, %1 × %2.</source>
-        <translation>视图取图像的大小，%1 × %2。</translation>
+        <source>How the text is read</source>
+        <translation>文本如何读取</translation>
     </message>
     <message>
-        <source>The viewport is set by glViewport: %1 × %2 at (%3, %4).</source>
-        <translation>视口改为 glViewport 的视口：%1 × %2，位于 (%3, %4)。</translation>
+        <source>Set the scene&apos;s camera from this text; Ctrl+Z undoes it</source>
+        <translation>按此文本设置场景的相机；Ctrl+Z 可撤销</translation>
     </message>
     <message>
-        <source>The viewport, %1 × %2, is ignored: the view keeps its own (Parameters, Viewport).</source>
-        <translation>视口 %1 × %2 未采用：保留视图原有的视口（参数，视口）。</translation>
+        <source>The text has %1 characters; at most %2 can be pasted. Save it as a file, and open that.</source>
+        <translation>文本有 %1 个字符；最多可粘贴 %2 个。请存为文件，再打开它。</translation>
     </message>
     <message>
-        <source>Nothing will be seen: the objects are %1 to %2 in front of the eye, not between near and far.</source>
-        <translation>将什么也看不到：物体在眼睛前方 %1 至 %2 处，不在近平面和远平面之间。</translation>
+        <source>The view cannot draw the camera&apos;s distortion. If your pixels are of the undistorted image, tick the box. Else undo the distortion: unproject points --distortion.</source>
+        <translation>视图无法绘制相机的畸变。若您的像素取自去畸变后的图像，请勾选该框。否则先去除畸变：unproject points --distortion。</translation>
     </message>
 </context>
 <context>
-    <name>unprojector::gui::PastedMatrixBox</name>
+    <name>unprojector::gui::PasteChoicesForm</name>
     <message>
-        <source>Text of the matrix: %1</source>
-        <translation>矩阵的文本：%1</translation>
+        <source>−1 to 1: OpenGL</source>
+        <translation>−1 到 1：OpenGL</translation>
     </message>
     <message>
-        <source>Order of the numbers</source>
-        <translation>数的顺序</translation>
+        <source>0 to 1: Vulkan, Direct3D, Metal, WebGPU</source>
+        <translation>0 到 1：Vulkan、Direct3D、Metal、WebGPU</translation>
     </message>
     <message>
-        <source>By columns</source>
-        <translation>按列</translation>
+        <source>As read</source>
+        <translation>按读取</translation>
     </message>
     <message>
-        <source>Column-major: the first four numbers are the first column</source>
-        <translation>列优先：前四个数是第一列</translation>
+        <source>As read: %1</source>
+        <translation>按读取：%1</translation>
     </message>
     <message>
-        <source>By rows</source>
-        <translation>按行</translation>
+        <source>OpenGL: right, up, back</source>
+        <translation>OpenGL：右、上、后</translation>
     </message>
     <message>
-        <source>Row-major: the first four numbers are the first row</source>
-        <translation>行优先：前四个数是第一行</translation>
+        <source>OpenCV: right, down, ahead</source>
+        <translation>OpenCV：右、下、前</translation>
     </message>
     <message>
-        <source>As Pasted</source>
-        <translation>恢复原样</translation>
+        <source>Direct3D: right, up, ahead</source>
+        <translation>Direct3D：右、上、前</translation>
     </message>
     <message>
-        <source>Undo the changes to the matrix</source>
-        <translation>撤回对矩阵所做的改动</translation>
+        <source>Unreal: ahead, right, up</source>
+        <translation>Unreal：前、右、上</translation>
     </message>
     <message>
-        <source>From the other text: %1.</source>
-        <translation>取自另一段文本：%1。</translation>
+        <source>ROS: ahead, left, up</source>
+        <translation>ROS：前、左、上</translation>
     </message>
     <message>
-        <source>Read as %1.</source>
-        <translation>读作：%1。</translation>
+        <source>World to camera</source>
+        <translation>世界到相机</translation>
     </message>
     <message>
-        <source>Done: %1.</source>
-        <translation>已做：%1。</translation>
+        <source>Camera to world</source>
+        <translation>相机到世界</translation>
+    </message>
+    <message>
+        <source>At 0, 0</source>
+        <translation>在 0, 0</translation>
+    </message>
+    <message>
+        <source>At 0.5, 0.5</source>
+        <translation>在 0.5, 0.5</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>图像</translation>
+    </message>
+    <message>
+        <source>The image or frame whose camera is read</source>
+        <translation>读取其相机的图像或帧</translation>
+    </message>
+    <message>
+        <source>Image size</source>
+        <translation>图像大小</translation>
+    </message>
+    <message>
+        <source>Width and height of the camera&apos;s image, pixels: 640 x 480</source>
+        <translation>相机图像的宽和高，像素：640 x 480</translation>
+    </message>
+    <message>
+        <source>Give the view this size</source>
+        <translation>视图也取此大小</translation>
+    </message>
+    <message>
+        <source>Pixels of the view are then the camera&apos;s pixels; View &gt; Fit the Window undoes it</source>
+        <translation>这样视图的像素就是相机的像素；“视图 &gt; 充满窗口”可还原</translation>
+    </message>
+    <message>
+        <source>Near</source>
+        <translation>近</translation>
+    </message>
+    <message>
+        <source>Distance of the near plane: it maps depths, and hides what is closer</source>
+        <translation>近平面的距离：它决定深度的映射，并隐去更近的东西</translation>
+    </message>
+    <message>
+        <source>Far</source>
+        <translation>远</translation>
+    </message>
+    <message>
+        <source>Distance of the far plane: it maps depths, and hides what is farther</source>
+        <translation>远平面的距离：它决定深度的映射，并隐去更远的东西</translation>
+    </message>
+    <message>
+        <source>Fa&amp;r:</source>
+        <translation>远(&amp;R)：</translation>
+    </message>
+    <message>
+        <source>Axes of the camera</source>
+        <translation>相机的坐标轴</translation>
+    </message>
+    <message>
+        <source>The directions of the camera&apos;s x, y and z in its image</source>
+        <translation>相机的 x、y、z 在其图像中的方向</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>位姿</translation>
+    </message>
+    <message>
+        <source>What the pose turns into what: its direction</source>
+        <translation>位姿的方向：由什么变换到什么</translation>
+    </message>
+    <message>
+        <source>Pixel centres</source>
+        <translation>像素中心</translation>
+    </message>
+    <message>
+        <source>The coordinates of the first pixel&apos;s centre in the program</source>
+        <translation>在该程序中第一个像素中心的坐标</translation>
+    </message>
+    <message>
+        <source>My pixels are of the undistorted image</source>
+        <translation>我的像素取自去畸变后的图像</translation>
+    </message>
+    <message>
+        <source>Drop the distortion coefficients: the view has no distortion</source>
+        <translation>去掉畸变系数：视图没有畸变</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>矩阵</translation>
+    </message>
+    <message>
+        <source>The role of the only matrix in the text</source>
+        <translation>文本中唯一矩阵的含义</translation>
     </message>
     <message>
         <source>NDC depths</source>
         <translation>NDC 深度</translation>
     </message>
     <message>
-        <source>−1 to 1, unless the numbers allow only 0 to 1</source>
-        <translation>按 −1 到 1；数值只可能是 0 到 1 时除外</translation>
+        <source>The depths of NDC at near and far</source>
+        <translation>近处和远处的 NDC 深度</translation>
     </message>
     <message>
-        <source>−1 to 1</source>
-        <translation>−1 到 1</translation>
+        <source>&amp;Image:</source>
+        <translation>图像(&amp;I)：</translation>
     </message>
     <message>
-        <source>The depths of NDC go from −1 at near to 1 at far: OpenGL</source>
-        <translation>NDC 深度从近处的 −1 到远处的 1：OpenGL</translation>
+        <source>Image &amp;size:</source>
+        <translation>图像大小(&amp;S)：</translation>
+    </message>
+    <message>
+        <source>&amp;Near:</source>
+        <translation>近(&amp;N)：</translation>
+    </message>
+    <message>
+        <source>&amp;Axes:</source>
+        <translation>坐标轴(&amp;A)：</translation>
+    </message>
+    <message>
+        <source>P&amp;ose:</source>
+        <translation>位姿(&amp;O)：</translation>
+    </message>
+    <message>
+        <source>Pixel &amp;centres:</source>
+        <translation>像素中心(&amp;C)：</translation>
+    </message>
+    <message>
+        <source>&amp;Matrix:</source>
+        <translation>矩阵(&amp;M)：</translation>
+    </message>
+    <message>
+        <source>NDC &amp;depths:</source>
+        <translation>NDC 深度(&amp;D)：</translation>
+    </message>
+    <message>
+        <source>“%1” is not a distance: type a number greater than 0.</source>
+        <translation>“%1”不是距离：请键入大于 0 的数。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::PasteReport</name>
+    <message>
+        <source>“Pixel centres”</source>
+        <translation>“像素中心”</translation>
+    </message>
+    <message>
+        <source>“Image”</source>
+        <translation>“图像”</translation>
+    </message>
+    <message>
+        <source>“Image size”</source>
+        <translation>“图像大小”</translation>
+    </message>
+    <message>
+        <source>“Near”</source>
+        <translation>“近”</translation>
+    </message>
+    <message>
+        <source>“Far”</source>
+        <translation>“远”</translation>
+    </message>
+    <message>
+        <source>“Axes”</source>
+        <translation>“坐标轴”</translation>
+    </message>
+    <message>
+        <source>“Pose”</source>
+        <translation>“位姿”</translation>
+    </message>
+    <message>
+        <source>“File &gt; Add to Scene”</source>
+        <translation>“文件 &gt; 添加到场景”</translation>
+    </message>
+    <message>
+        <source>“My pixels are of the undistorted image”</source>
+        <translation>“我的像素取自去畸变后的图像”</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <comment>the item of a field</comment>
+        <translation>“%1”</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>第 %1 行</translation>
+    </message>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1，第 %2 行</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a place in a text, what is wrong</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>sixteen numbers in a row</source>
+        <translation>连续十六个数</translation>
+    </message>
+    <message>
+        <source>numbers with an index, m[0] to m[15]</source>
+        <translation>带下标的数，m[0] 至 m[15]</translation>
+    </message>
+    <message>
+        <source>GLM&apos;s or GLSL&apos;s columns</source>
+        <translation>GLM 或 GLSL 的列</translation>
+    </message>
+    <message>
+        <source>numbers with row and column, m(0,1)</source>
+        <translation>带行号和列号的数，m(0,1)</translation>
+    </message>
+    <message>
+        <source>four lines</source>
+        <translation>四行文本</translation>
+    </message>
+    <message>
+        <source>four brackets</source>
+        <translation>四组括号</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>by columns</source>
+        <translation>按列</translation>
+    </message>
+    <message>
+        <source>by rows</source>
+        <translation>按行</translation>
+    </message>
+    <message>
+        <source>Line %1: %2, read %3.</source>
+        <translation>第 %1 行：%2，%3读取。</translation>
+    </message>
+    <message>
+        <source>“%1”, line %2: %3, read %4.</source>
+        <translation>“%1”，第 %2 行：%3，%4读取。</translation>
+    </message>
+    <message>
+        <source>No name tells what it is: its form does.</source>
+        <translation>没有名称说明它是什么：由其形式判定。</translation>
+    </message>
+    <message>
+        <source>It has the form of another matrix, too: choose under “Matrix”.</source>
+        <translation>它也符合另一种矩阵的形式：请在“矩阵”处选择。</translation>
+    </message>
+    <message>
+        <source>The text also has the inverse of this matrix. It is ignored.</source>
+        <translation>文本中还有此矩阵的逆，已忽略。</translation>
+    </message>
+    <message>
+        <source>It is read from the world to the eye. If it leads from the eye to the world:</source>
+        <translation>按从世界到眼睛读取。若它是从眼睛到世界：</translation>
+    </message>
+    <message>
+        <source>Not used: %1.</source>
+        <translation>未使用：%1。</translation>
+    </message>
+    <message>
+        <source>The viewport is set by glViewport: %1 × %2 at (%3, %4).</source>
+        <translation>视口改为 glViewport 的视口：%1 × %2，位于 (%3, %4)。</translation>
+    </message>
+    <message>
+        <source>The viewport, %1 × %2 at (%3, %4), is not used: the view keeps its own.</source>
+        <translation>视口 %1 × %2，位于 (%3, %4)，未使用：视图保持自己的视口。</translation>
+    </message>
+    <message>
+        <source>Undo the corrections</source>
+        <translation>撤销更正</translation>
+    </message>
+    <message>
+        <source>%1 (line %2)</source>
+        <comment>a name in the text</comment>
+        <translation>%1（第 %2 行）</translation>
+    </message>
+    <message>
+        <source>, from %1</source>
+        <translation>，取自 %1</translation>
+    </message>
+    <message>
+        <source>Camera of %1</source>
+        <translation>%1 的相机</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>图像</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>an image&apos;s number, how many there are</comment>
+        <translation>第 %1 处，共 %2 处</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>镜头</translation>
+    </message>
+    <message>
+        <source>fx %1, fy %2, cx %3, cy %4 pixels%5</source>
+        <translation>fx %1，fy %2，cx %3，cy %4 像素%5</translation>
+    </message>
+    <message>
+        <source>a projection matrix</source>
+        <translation>投影矩阵</translation>
+    </message>
+    <message>
+        <source>Pixel centres</source>
+        <translation>像素中心</translation>
+    </message>
+    <message>
+        <source>Image size</source>
+        <translation>图像大小</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>位姿</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>坐标轴</translation>
+    </message>
+    <message>
+        <source>Distortion</source>
+        <translation>畸变</translation>
+    </message>
+    <message>
+        <source>Nothing will be seen: no object is in the image.</source>
+        <translation>将什么也看不到：图像中没有物体。</translation>
+    </message>
+    <message>
+        <source>Nothing will be seen: the objects are %1 to %2 in front of the eye, not between near and far.</source>
+        <translation>将什么也看不到：物体在眼睛前方 %1 至 %2 处，不在近平面和远平面之间。</translation>
+    </message>
+    <message>
+        <source>A part of the objects is in the image.</source>
+        <translation>图像中有一部分物体。</translation>
+    </message>
+    <message>
+        <source>The objects are in the image.</source>
+        <translation>物体都在图像中。</translation>
+    </message>
+    <message>
+        <source>The view</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Eye</source>
+        <translation>眼睛</translation>
+    </message>
+    <message>
+        <source>Looks along</source>
+        <translation>观察方向</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>视场角</translation>
+    </message>
+    <message>
+        <source>%1° high, %2° wide</source>
+        <translation>高 %1°，宽 %2°</translation>
+    </message>
+    <message>
+        <source>Orthographic</source>
+        <translation>正投影</translation>
+    </message>
+    <message>
+        <source>%1 wide, %2 high</source>
+        <translation>宽 %1，高 %2</translation>
+    </message>
+    <message>
+        <source>Near and far</source>
+        <translation>近和远</translation>
+    </message>
+    <message>
+        <source>NDC depths</source>
+        <translation>NDC 深度</translation>
     </message>
     <message>
         <source>0 to 1</source>
         <translation>0 到 1</translation>
     </message>
     <message>
-        <source>The depths of NDC go from 0 to 1: Vulkan, Direct3D, Metal, WebGPU, glClipControl</source>
-        <translation>NDC 深度从 0 到 1：Vulkan、Direct3D、Metal、WebGPU、glClipControl</translation>
-    </message>
-    <message>
-        <source>NDC depths:</source>
-        <translation>NDC 深度：</translation>
-    </message>
-    <message>
-        <source>By default</source>
-        <translation>默认</translation>
-    </message>
-    <message>
-        <source>The pasted text also has the inverse of this matrix. It is ignored.</source>
-        <translation>文本中与它并列的逆矩阵未采用。</translation>
-    </message>
-    <message>
-        <source>Paste 16 numbers, as a program prints them
-(glm::to_string, NumPy, Eigen, JSON, C …), or its calls:
-gluPerspective(45, 1.5, 0.1, 100)</source>
-        <translation>粘贴 16 个数，按程序打印的样子
-（glm::to_string、NumPy、Eigen、JSON、C …），或程序中的调用：
-gluPerspective(45, 1.5, 0.1, 100)</translation>
-    </message>
-    <message>
-        <source>Sixteen numbers in a row are read column after column, four lines or brackets as rows. Calls of OpenGL, GLM, three.js, System.Numerics and DirectXMath are read with the numbers in them.</source>
-        <translation>连续十六个数按列依次读取，四行文本或四组括号则作为行。OpenGL、GLM、three.js、System.Numerics 和 DirectXMath 的调用连同其中的数一起读取。</translation>
-    </message>
-    <message>
-        <source>Empty: the scene&apos;s projection is kept.</source>
-        <translation>空：保留场景的投影。</translation>
+        <source>−1 to 1</source>
+        <translation>−1 到 1</translation>
     </message>
     <message>
         <source>The text has no projection: the scene&apos;s projection is kept.</source>
         <translation>文本中没有投影：保留场景的投影。</translation>
     </message>
     <message>
-        <source>Empty: the scene&apos;s view is kept.</source>
-        <translation>空：保留场景的观察。</translation>
-    </message>
-    <message>
         <source>The text has no view: the scene&apos;s view is kept.</source>
         <translation>文本中没有观察：保留场景的观察。</translation>
     </message>
     <message>
-        <source>Empty.</source>
-        <translation>空。</translation>
+        <source>The view gets the image&apos;s size, %1 × %2.</source>
+        <translation>视图取图像的大小，%1 × %2。</translation>
     </message>
     <message>
-        <source>The text has no product.</source>
-        <translation>文本中没有乘积。</translation>
+        <source>The image is larger than %1 pixels: the view keeps its own size.</source>
+        <translation>图像大于 %1 像素：视图保持自己的大小。</translation>
     </message>
     <message>
-        <source>From the other text: %1</source>
-        <translation>取自另一段文本：%1</translation>
-    </message>
-    <message>
-        <source>Read as product</source>
-        <translation>读作乘积</translation>
-    </message>
-    <message>
-        <source>Read as projection and view</source>
-        <translation>读作投影和观察</translation>
-    </message>
-    <message>
-        <source>The text names a product (MVP): decompose it into projection and view</source>
-        <translation>文本写明是乘积（MVP）：把它拆成投影矩阵和观察矩阵</translation>
-    </message>
-    <message>
-        <source>The text has a projection or a view: read it as these</source>
-        <translation>文本中有投影矩阵或观察矩阵：按它们读取</translation>
-    </message>
-    <message>
-        <source>Paste 16 numbers as a program prints them
-(glm::to_string, NumPy, JSON, C …), its calls
-(gluPerspective(45, 1.5, 0.1, 100)), or a
-camera: K, R, t, OpenCV&apos;s YAML, transforms.json …</source>
-        <translation>按程序打印的样子粘贴 16 个数
-（glm::to_string、NumPy、JSON、C……），其调用
-（gluPerspective(45, 1.5, 0.1, 100)），或一个
-相机：K、R、t，OpenCV 的 YAML，transforms.json……</translation>
-    </message>
-    <message>
-        <source>Camera</source>
-        <translation>相机</translation>
-    </message>
-    <message>
-        <source>Numbers that belong to no matrix are not used: %1.</source>
-        <translation>不属于任何矩阵的数未被采用：%1。</translation>
-    </message>
-    <message>
-        <source>Camera, first text</source>
-        <translation>相机，第一段文本</translation>
-    </message>
-    <message>
-        <source>Camera, second text</source>
-        <translation>相机，第二段文本</translation>
+        <source>No camera yet</source>
+        <translation>尚无相机</translation>
     </message>
     <message>
         <source>Blender prints this. If it is the camera&apos;s pose, write “matrix_world =” before it, and add the lens in a line below: “lens = 50”.</source>
@@ -6890,12 +6861,12 @@ click:</source>
         <translation>点击的点在现在视图中的坐标</translation>
     </message>
     <message>
-        <source>Set the camera from another program&apos;s (Ctrl+V here)</source>
-        <translation>取用其他程序的相机（此处 Ctrl+V）</translation>
-    </message>
-    <message>
         <source>Paste camera</source>
         <translation>粘贴相机</translation>
+    </message>
+    <message>
+        <source>Set the camera from another program&apos;s (Ctrl+V)</source>
+        <translation>按其他程序的相机设置相机 (Ctrl+V)</translation>
     </message>
 </context>
 <context>

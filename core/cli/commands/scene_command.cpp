@@ -312,8 +312,9 @@ std::optional<ExitCode> runCameraScene(const SceneOptions &options, const GivenT
 
 std::string pasteErrorText(const PasteError &error, const std::string &name)
 {
-    const char *part = error.isOfCall || error.line > 0 ? "" : nameOf(error.part);
-    return base::Error{error.text, part, name, int(error.line), int(error.column)}.message();
+    base::Error named = errorOf(error);
+    named.file = name;
+    return named.message();
 }
 
 /// Sets the window's size: the requested one, or up to the viewport's edge.

@@ -1,9 +1,9 @@
 // Calls of other programs in pasted text: each against its matrix, computed here by the formulas of
 // its API or by GLM.
 
+#include "tests/core/cameras/pasted_text.h"
 #include "tests/support/test.h"
 
-#include "core/cameras/matrix_paste.h"
 #include "core/cameras/pasted_calls.h"
 #include "core/geometry/numbers.h"
 
@@ -201,11 +201,9 @@ private slots:
         QVERIFY2(difference(matrix, expected) <= 1e-12, qPrintable(QString::number(difference(matrix, expected))));
         QCOMPARE(int(*calls.parts.projection->ndcDepth), int(depth));
         // The dialog's paste.
-        MatrixPaste paste;
-        paste.setText(MatrixRole::Projection, text.toStdString());
-        QVERIFY(!paste.error(MatrixRole::Projection));
-        QVERIFY(paste.matrix(MatrixRole::Projection) == std::optional(matrix));
-        QCOMPARE(std::get<MatrixProjection>(*paste.camera().projection).ndcDepth, std::optional(depth));
+        const PastedCamera camera = pasted(text.toStdString());
+        QVERIFY(camera.projection && !camera.eyeFromWorld);
+        QCOMPARE(std::get<MatrixProjection>(*camera.projection), (MatrixProjection{matrix, depth}));
     }
 
     void viewsAreRead_data()
@@ -279,11 +277,8 @@ private slots:
         QVERIFY(calls.parts.view && !calls.parts.projection);
         const glm::dmat4 matrix = meantMatrix(*calls.parts.view, orderOf(calls.parts.view->form));
         QVERIFY2(difference(matrix, expected) <= 1e-12, qPrintable(QString::number(difference(matrix, expected))));
-        // Wherever it was pasted, it is the view.
-        MatrixPaste paste;
-        paste.setText(MatrixRole::Projection, text.toStdString());
-        QVERIFY(!paste.error(MatrixRole::Projection) && !paste.matrix(MatrixRole::Projection));
-        QVERIFY(paste.matrix(MatrixRole::View) == std::optional(matrix));
+        const PastedCamera camera = pasted(text.toStdString());
+        QVERIFY(!camera.projection && camera.eyeFromWorld == std::optional(matrix));
     }
 
     void argumentsAreRead_data()
@@ -407,10 +402,9 @@ private slots:
     {
         QFETCH(QString, text);
         QFETCH(QString, message);
-        MatrixPaste paste;
-        paste.setText(MatrixRole::Projection, text.toStdString());
-        QVERIFY(paste.error(MatrixRole::Projection));
-        const QString reason = QString::fromStdString(paste.error(MatrixRole::Projection)->text);
+        const PastedCamera camera = pasted(text.toStdString());
+        QVERIFY(camera.fault);
+        const QString reason = QString::fromStdString(camera.fault->message());
         QVERIFY2(message.endsWith(u' ') || message.count(u' ') == 1 ? reason.startsWith(message) : reason == message,
                  qPrintable(reason));
     }
@@ -448,44 +442,39 @@ private slots:
 
     void oneTextFillsBothMatricesAndTheViewport()
     {
-        MatrixPaste paste;
-        paste.setText(MatrixRole::View,
-                      "glViewport(0, 0, 800, 600);\nglMatrixMode(GL_PROJECTION);\nglLoadIdentity();\n"
-                      "gluPerspective(45.0, 800.0 / 600.0, 0.1, 100.0);\nglMatrixMode(GL_MODELVIEW);\n"
-                      "gluLookAt(3, 2, 5, 0, 0.5, 0, 0, 1, 0);");
-        const MatrixPaste::Camera camera = paste.camera();
+        const PastedCamera camera =
+            pasted("glViewport(0, 0, 800, 600);\nglMatrixMode(GL_PROJECTION);\nglLoadIdentity();\n"
+                   "gluPerspective(45.0, 800.0 / 600.0, 0.1, 100.0);\nglMatrixMode(GL_MODELVIEW);\n"
+                   "gluLookAt(3, 2, 5, 0, 0.5, 0, 0, 1, 0);");
         QVERIFY(camera.projection && camera.eyeFromWorld);
         QVERIFY(difference(std::get<MatrixProjection>(*camera.projection).clipFromEye, perspective()) <= 1e-12);
         QVERIFY(difference(*camera.eyeFromWorld, view()) <= 1e-12);
-        QVERIFY(paste.viewport() == std::optional(Viewport{0, 0, 800, 600}));
-        QVERIFY(paste.findings(MatrixRole::Projection).empty() && paste.findings(MatrixRole::View).empty());
+        QVERIFY(camera.isViewportSet && camera.viewport == std::optional(Viewport{0, 0, 800, 600}));
+        QVERIFY(camera.matrices[0].findings.empty() && camera.matrices[1].findings.empty());
     }
 
     void matricesMayStandBesideCalls()
     {
-        MatrixPaste paste;
-        paste.setText(MatrixRole::Projection, "int width = 800;\ngluPerspective(45.0, 4.0 / 3.0, 0.1, 100.0);\n"
-                                              "view = [1, 0, 0, 0,  0, 1, 0, 0,  0, 0, 1, 0,  0, 0, -5, 1]");
-        QVERIFY2(!paste.error(MatrixRole::Projection),
-                 paste.error(MatrixRole::Projection) ? paste.error(MatrixRole::Projection)->text.c_str() : "");
-        QVERIFY(paste.matrix(MatrixRole::Projection));
-        QVERIFY(paste.matrix(MatrixRole::View) == std::optional(glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -5))));
+        const PastedCamera camera = pasted("int width = 800;\ngluPerspective(45.0, 4.0 / 3.0, 0.1, 100.0);\n"
+                                           "view = [1, 0, 0, 0,  0, 1, 0, 0,  0, 0, 1, 0,  0, 0, -5, 1]");
+        QVERIFY(camera.projection);
+        QVERIFY(camera.eyeFromWorld == std::optional(glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -5))));
     }
 
-    /// A left-handed pair, as with pasted numbers: the window looks along -z, and one repair makes both
-    /// matrices do so.
+    /// A left-handed pair, as with pasted numbers: the window looks along -z, and one correction makes
+    /// both matrices do so.
     void aLeftHandedPairIsTurned()
     {
-        MatrixPaste paste;
-        paste.setText(MatrixRole::Projection,
-                      "XMMatrixPerspectiveFovLH(XM_PIDIV4, 800.0f / 600.0f, 0.1f, 100.0f);\n"
-                      "XMMatrixLookAtLH(XMVectorSet(3, 2, 5, 1), XMVectorSet(0, 0.5f, 0, 1), XMVectorSet(0, 1, 0, 0))");
-        const MatrixPaste::Camera before = paste.camera();
-        const std::vector<MatrixFinding> found = paste.findings(MatrixRole::Projection);
+        const std::string text =
+            "XMMatrixPerspectiveFovLH(XM_PIDIV4, 800.0f / 600.0f, 0.1f, 100.0f);\n"
+            "XMMatrixLookAtLH(XMVectorSet(3, 2, 5, 1), XMVectorSet(0, 0.5f, 0, 1), XMVectorSet(0, 1, 0, 0))";
+        const PastedCamera before = pasted(text);
+        const std::vector<MatrixFinding> &found = matrixOf(before, MatrixRole::Projection)->findings;
         QCOMPARE(found.size(), std::size_t(1));
         QCOMPARE(int(found[0].fault), int(MatrixFault::LeftHanded));
-        paste.repair(MatrixRole::Projection, found[0]);
-        const MatrixPaste::Camera after = paste.camera();
+        PasteChoices choices;
+        choices.corrections.push_back({MatrixRole::Projection, found[0]});
+        const PastedCamera after = pasted(text, choices);
         const auto &lens = std::get<MatrixProjection>(*after.projection);
         const auto &lensBefore = std::get<MatrixProjection>(*before.projection);
         QVERIFY(difference(lens.clipFromEye * *after.eyeFromWorld, lensBefore.clipFromEye * *before.eyeFromWorld)

@@ -3,9 +3,9 @@
 #include "tests/support/test.h"
 
 #include "core/base/error.h"
-#include "core/cameras/matrix_paste.h"
 #include "core/cameras/named_values.h"
 #include "core/cameras/pasted_numbers.h"
+#include "tests/core/cameras/pasted_text.h"
 #include "tests/support/data_files.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -74,19 +74,12 @@ private slots:
         QFETCH(QByteArray, printed);
         const std::string text = printed.toStdString();
         constexpr double kPrinted = 2e-3; // four printed digits
-        MatrixPaste paste;
-        const bool isProductAlone = text.starts_with("perspective_matrix");
-        paste.setText(isProductAlone ? MatrixRole::Product : MatrixRole::View, text);
-        const auto projection = paste.matrix(MatrixRole::Projection), view = paste.matrix(MatrixRole::View),
-                   product = paste.matrix(MatrixRole::Product);
-        if (isProductAlone) {
-            QVERIFY(product);
-            QVERIFY(offFromCamera(*product) < kPrinted);
-        } else {
-            QVERIFY(view && projection);
-            QVERIFY2(offFromCamera(*projection * *view) < kPrinted,
-                     qPrintable(QString::number(offFromCamera(*projection * *view))));
-        }
+        const PastedCamera camera = pasted(text);
+        QVERIFY2(camera.projection && camera.eyeFromWorld, camera.fault ? camera.fault->message().c_str() : "");
+        const auto *given = std::get_if<MatrixProjection>(&*camera.projection);
+        const glm::dmat4 lens = given ? given->clipFromEye : *clipFromEye(std::get<Projection>(*camera.projection));
+        const double off = offFromCamera(lens * *camera.eyeFromWorld);
+        QVERIFY2(off < kPrinted, qPrintable(QString::number(off)));
         const auto scene = pastedScene(text);
         QVERIFY(scene && scene->viewport);
         QVERIFY(*scene->viewport == (Viewport{0, 0, 800, 600}));
@@ -229,10 +222,9 @@ private slots:
         QCOMPARE(asideOf("view 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\nMouse: 312, 204"), QStringLiteral("Mouse"));
         QCOMPARE(asideOf("view 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\nviewport 0 0 8 6\nwidth 8"), QStringLiteral("width"));
         QCOMPARE(asideOf("view 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\nwidth 8 height 6"), QString());
-        MatrixPaste paste;
-        paste.setText(MatrixRole::View, "near = 0.1\n1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1");
-        QCOMPARE(paste.aside(MatrixRole::View), std::vector<std::string>{"near"});
-        QVERIFY(paste.matrix(MatrixRole::View) && paste.aside(MatrixRole::Projection).empty());
+        const PastedCamera camera = pasted("near = 0.1\n1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1");
+        QCOMPARE(camera.aside, std::vector<std::string>{"near"});
+        QVERIFY(camera.eyeFromWorld && !camera.projection);
         // The numbers of the next line are a matrix's again.
         const auto scene = pastedParts("depth 0.98\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1");
         QVERIFY(scene && scene->modelView);

@@ -1,9 +1,9 @@
 // The order of the numbers of pasted matrices, as the command's options and the window's dialog
 // give it.
 #include "tests/core/cameras/fault_names.h"
+#include "tests/core/cameras/pasted_text.h"
 #include "tests/support/test.h"
 
-#include "core/cameras/matrix_paste.h"
 #include "core/cameras/told_order.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -145,39 +145,38 @@ private slots:
 
     void pastedMatricesAreReadSo()
     {
-        MatrixPaste paste;
-        paste.setText(MatrixRole::View, nested(glm::transpose(turn())));
-        paste.setText(MatrixRole::Projection, nested(glm::transpose(lens())));
-        QCOMPARE(*paste.matrix(MatrixRole::Projection), lens());
-        QCOMPARE(*paste.matrix(MatrixRole::View), turn());
-        QVERIFY(paste.order(MatrixRole::View) == NumberOrder::ByColumns);
-        QCOMPARE(idsOf(paste.findings(MatrixRole::Projection)), Ids{"other-order"});
-        QCOMPARE(idsOf(paste.findings(MatrixRole::View)), Ids{"order-of-others"});
-        // The matrix that gave the order is gone.
-        paste.setText(MatrixRole::Projection, "");
-        QVERIFY(paste.order(MatrixRole::View) == NumberOrder::ByRows);
+        const std::string turned = "view = " + nested(glm::transpose(turn()));
+        const PastedCamera camera = pasted(turned + "projection = " + nested(glm::transpose(lens())));
+        const ReadMatrix *projection = matrixOf(camera, MatrixRole::Projection),
+                         *view = matrixOf(camera, MatrixRole::View);
+        QCOMPARE(projection->matrix, lens());
+        QCOMPARE(view->matrix, turn());
+        QVERIFY(view->order == NumberOrder::ByColumns);
+        QCOMPARE(idsOf(projection->findings), Ids{"other-order"});
+        QCOMPARE(idsOf(view->findings), Ids{"order-of-others"});
+        // Without the matrix that gave the order:
+        QVERIFY(pasted(turned).matrices[0].order == NumberOrder::ByRows);
     }
 
-    void anOrderThatIsSetCounts()
+    void anOrderThatIsChosenCounts()
     {
-        MatrixPaste paste;
-        paste.setText(MatrixRole::View, nested(glm::transpose(view())));
-        QCOMPARE(*paste.matrix(MatrixRole::View), view());
-        paste.repair(MatrixRole::View, paste.findings(MatrixRole::View).front());
-        QCOMPARE(*paste.matrix(MatrixRole::View), glm::transpose(view()));
-        QCOMPARE(idsOf(paste.findings(MatrixRole::View)), Ids{"transposed"});
-        paste.takeBack(MatrixRole::View);
-        QCOMPARE(*paste.matrix(MatrixRole::View), view());
+        const std::string text = nested(glm::transpose(view()));
+        const ReadMatrix read = pasted(text).matrices.at(0);
+        QCOMPARE(read.matrix, view());
+        PasteChoices choices;
+        choices.corrections.push_back({MatrixRole::View, read.findings.at(0)});
+        QCOMPARE(pasted(text, choices).matrices[0].matrix, glm::transpose(view()));
+        const ReadMatrix transposed = pasted(text, choices).matrices[0];
+        QCOMPARE(idsOf(transposed.findings), Ids{"transposed"});
+        choices.corrections.push_back({MatrixRole::View, transposed.findings[0]});
+        QCOMPARE(pasted(text, choices).matrices[0].matrix, view());
     }
 
-    void whatIsOpenIsSaid()
+    void anOpenOrderIsFound()
     {
-        MatrixPaste paste;
-        paste.setText(MatrixRole::View, nested(turn()));
-        QCOMPARE(idsOf(paste.findings(MatrixRole::View)), Ids{"order-open"});
-        QCOMPARE(*paste.matrix(MatrixRole::View), turn());
-        paste.setOrder(MatrixRole::View, NumberOrder::ByRows);
-        QCOMPARE(idsOf(paste.findings(MatrixRole::View)), Ids{});
+        const ReadMatrix read = pasted(nested(turn())).matrices.at(0);
+        QCOMPARE(idsOf(read.findings), Ids{"order-open"});
+        QCOMPARE(read.matrix, turn());
     }
 };
 

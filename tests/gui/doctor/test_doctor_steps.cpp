@@ -15,7 +15,6 @@
 #include "gui/document/scene_edits.h"
 #include "gui/document/session.h"
 #include "gui/pipeline/paste_camera_dialog.h"
-#include "gui/pipeline/pasted_matrix_box.h"
 #include "gui/widgets/segmented_switch.h"
 #include "gui/window/feature.h"
 #include "tests/support/patience.h"
@@ -226,7 +225,7 @@ private slots:
                     .arg(m[3][0], 0, 'g', 17)
                     .arg(m[3][1], 0, 'g', 17)
                     .arg(m[3][2], 0, 'g', 17);
-        auto *field = dialog->findChildren<PastedMatrixBox *>().front()->findChild<QPlainTextEdit *>();
+        auto *field = dialog->findChild<QPlainTextEdit *>();
         field->setFocus();
         QApplication::clipboard()->setText(text);
         QTest::keySequence(field, QKeySequence::Paste);

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "core/cameras/foreign_camera.h"
+#include "core/cameras/pasted_matrix.h"
+#include "core/pipeline/decomposition.h"
+#include "core/pipeline/matrix_findings.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace unprojector::cameras {
+
+/// A correction that a finding offers, chosen by the user.
+struct Correction {
+    pipeline::MatrixRole role = pipeline::MatrixRole::View;
+    pipeline::MatrixFinding finding;
+};
+
+/// The choices of the user about a pasted text.
+struct PasteChoices {
+    CameraChoices camera;                     ///< of a program's camera
+    std::optional<pipeline::MatrixRole> role; ///< of a matrix that is alone in the text
+    std::optional<geometry::NdcDepth> ndcDepth;
+    std::vector<Correction> corrections; ///< in their order
+};
+
+/// A matrix of a pasted text, as the scene takes it.
+struct ReadMatrix {
+    pipeline::MatrixRole role = pipeline::MatrixRole::View;
+    PastedMatrix given;
+    NumberOrder order = NumberOrder::ByColumns;    ///< the chosen one, else that of the numbers, else the form's
+    glm::dmat4 matrix{1.0};                        ///< in this order, corrected
+    std::optional<geometry::NdcDepth> ndcDepth;    ///< chosen, or of the call's API; none: derived from the numbers
+    std::vector<pipeline::MatrixFinding> findings; ///< of the corrected matrix
+    bool leavesInverse = false;                    ///< the text also has its inverse, which is ignored
+};
+
+/// What a pasted text was read as: the camera of a program, or matrices.
+struct PastedCamera {
+    std::optional<ForeignCamera> foreign;         ///< as the program gives it
+    std::optional<SceneCamera> scene;             ///< the same, converted
+    std::vector<ReadMatrix> matrices;             ///< that count: projection and view, one of them, or their product
+    std::vector<PastedPart> unused;               ///< other matrices of the text
+    bool isRoleByForm = false;                    ///< the only matrix has no name that tells its role: its form does
+    bool isRoleOpen = false;                      ///< and it has the form of another role, too
+    std::optional<pipeline::Decomposition> apart; ///< of a product
+    std::vector<std::string> aside;               ///< names whose numbers belong to no matrix: "near", "Mouse"
+    std::optional<geometry::Viewport> viewport;   ///< beside matrices
+    bool isViewportSet = false;                   ///< by a call: the scene takes it
+    std::optional<base::Error> fault;             ///< why there is no camera
+
+    std::optional<geometry::Lens> projection; ///< for the scene; none: it keeps its own
+    std::optional<glm::dmat4> eyeFromWorld;   ///< as well
+};
+
+/// Reads the camera in these texts: that of a program, else matrices and calls.
+///
+/// A matrix without a name that is alone gets its role from its form: a rotation and translation is
+/// a view; else a projection's form counts; else the matrix is a product.
+/// @param objects  see sceneCamera
+PastedCamera pastedCamera(std::span<const NamedText> texts, const PasteChoices &choices,
+                          const std::optional<geometry::Box> &objects);
+
+} // namespace unprojector::cameras
