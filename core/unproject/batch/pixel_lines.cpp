@@ -29,15 +29,13 @@ Result<glm::dvec4> distanceRow(const Setup &setup, bool isPerspective)
     if (!view)
         return view.error();
     double wSign = 1.0;
-    double side = -1.0; // of the axis along which eye space looks, for a box; a perspective's w tells it
     if (const auto *matrix = std::get_if<MatrixProjection>(&setup.lens)) {
         const Result<RecognisedProjection> form = recognised(*matrix);
         if (!form)
             return form.error();
-        side = form->coefficients.side;
         wSign = wInFront(*matrix);
     }
-    glm::dvec4 ofEye(0.0, 0.0, side, 0.0);
+    glm::dvec4 ofEye(0.0, 0.0, -1.0, 0.0); // of a box; a perspective's w tells it
     if (isPerspective) {
         const glm::dvec4 w((*projection)[0][3], (*projection)[1][3], (*projection)[2][3], (*projection)[3][3]);
         ofEye = wSign * w / glm::length(glm::dvec3(w));

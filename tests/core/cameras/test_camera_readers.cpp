@@ -858,6 +858,12 @@ private slots:
         QCOMPARE(readCamera({&open, 1}, {})->error().line, 4);
         const NamedText shortPose{"scene.xml", "<mujoco>\n<camera pos='0 1'/>\n</mujoco>"};
         QCOMPARE(readCamera({&shortPose, 1}, {})->error().line, 2);
+        const NamedText blanks{"scene.xml", "<mujoco >\n<camera pos =\n '0 0 1'  fovy= '45' />\n</mujoco >"};
+        CameraChoices choices;
+        choices.size = ImageSize{640, 480};
+        const auto camera = readCamera({&blanks, 1}, choices);
+        QVERIFY(camera && *camera && (**camera).pose);
+        QCOMPARE((*(**camera).pose)[3].z, 1.0);
     }
 
     void partsOfCapturesAreToldApart()

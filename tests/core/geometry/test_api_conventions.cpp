@@ -191,6 +191,18 @@ private slots:
         }
     }
 
+    /// Nor for a w that grows across the image.
+    void aTiltedProjectionHasNoCameraMatrix()
+    {
+        for (int axis = 0; axis < 2; ++axis) {
+            Setup p = setup();
+            glm::dmat4 tilted(1.0);
+            tilted[axis][2] = 0.25;
+            p.lens = MatrixProjection{clipFromEye(setup()).value() * tilted, NdcDepth::MinusOneToOne};
+            QVERIFY(!apiCamera(p, Api::OpenCv).value().intrinsics);
+        }
+    }
+
     void aBoxHasNoCameraMatrix()
     {
         Setup p = setup();

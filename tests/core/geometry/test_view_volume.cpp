@@ -298,7 +298,8 @@ private slots:
     {
         const Projection watched = Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0};
         for (const LookAt &camera : {LookAt{WorldPoint(5.0, 6.0, 9.0), WorldPoint(1.0, 2.0, 3.0), {0.0, 1.0, 0.0}},
-                                     LookAt{WorldPoint(5.0, 6.0, 9.0), WorldPoint(5.0, 2.0, 9.0), {0.0, 0.0, -1.0}}}) {
+                                     LookAt{WorldPoint(5.0, 6.0, 9.0), WorldPoint(5.0, 2.0, 9.0), {0.0, 0.0, -1.0}},
+                                     LookAt{WorldPoint(5.0, 6.0, 9.0), WorldPoint(5.003, 2.0, 9.0), {1.0, 0.0, 0.0}}}) {
             const EyeFrame frame = *eyeFrame(camera);
             std::vector<WorldPoint> points{frame.eye};
             for (const EyePoint &corner : viewVolumeCorners(watched))

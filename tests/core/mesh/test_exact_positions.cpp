@@ -259,6 +259,13 @@ private slots:
         QVERIFY(mesh.position(3) == glm::dvec3(0.1 + 1.0000001, 1000001.7, -0.3));
     }
 
+    void quarterTurnsAreExact()
+    {
+        const glm::dvec3 x(1, 0, 0), y(0, 1, 0);
+        for (const auto &[degrees, image] : {std::pair(90.0, y), {-90.0, -y}, {180.0, -x}, {270.0, -y}, {360.0, x}})
+            QVERIFY(glm::dvec3(worldFromObject({Rotate{degrees, {0, 0, 1}}})[0]) == image);
+    }
+
     /// A map's coordinates, rotated and moved back to the origin: the result equals the rounded
     /// 60-digit result.
     void placementsThatCancelKeepTheirDigits()

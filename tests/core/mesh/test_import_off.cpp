@@ -2,6 +2,7 @@
 
 #include "tests/support/test.h"
 
+#include "core/mesh/import/material.h"
 #include "tests/core/mesh/imported.h"
 
 using namespace unprojector;
@@ -41,6 +42,10 @@ private slots:
         QCOMPARE(int(mesh.kind), int(Mesh::Kind::Points));
         QVERIFY(mesh.colors[1] == glm::u8vec4(0, 0, 255, 255));
         QVERIFY(mesh.position(1) == glm::dvec3(1, 2, 3));
+        const auto plain = m_folder.imported("plain.off", "OFF\n2 0 0\n0 0 0\n1 2 3\n");
+        REQUIRE_MODEL(plain);
+        const glm::vec4 color = plain.value()->meshes.front().baseColor; // darker than a surface's
+        QVERIFY(color == reader::Material{}.baseColorOf(Mesh::Kind::Points, false) && color != Mesh().baseColor);
     }
 
     void readsBinaryBoxes_data()
