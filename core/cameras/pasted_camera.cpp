@@ -12,7 +12,6 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -66,6 +65,13 @@ Result<PastedScene, PasteError> partsOf(const std::string &text, bool &isViewpor
     return alone;
 }
 
+/// Returns whether the last row is 0 0 0 w, up to rounding.
+bool isAffine(const glm::dmat4 &m)
+{
+    constexpr double kZero = 1e-6;
+    return std::max({std::abs(m[0][3]), std::abs(m[1][3]), std::abs(m[2][3])}) <= kZero * std::abs(m[3][3]);
+}
+
 /// Returns whether the matrix has a role's form in one of the orders of its numbers.
 bool hasFormOf(const PastedMatrix &given, MatrixRole role)
 {
@@ -78,8 +84,7 @@ bool hasFormOf(const PastedMatrix &given, MatrixRole role)
             const double scale = std::cbrt(std::abs(glm::determinant(axes)));
             constexpr double kPrinted = 0.02; // two printed decimals
             const glm::dmat3 squared = axes * glm::transpose(axes) / (scale * scale);
-            return m[0][3] == 0.0 && m[1][3] == 0.0 && m[2][3] == 0.0
-                   && largestDifference(squared, glm::dmat3(1.0)) < kPrinted;
+            return isAffine(m) && largestDifference(squared, glm::dmat3(1.0)) < kPrinted;
         }
         const std::vector<MatrixFinding> found = findings(m, role);
         return std::none_of(found.begin(), found.end(), [](const MatrixFinding &one) {
@@ -105,9 +110,7 @@ MatrixRole roleByForm(const PastedMatrix &given)
             return role;
     }
     const glm::dmat4 m = meantMatrix(given, orderOf(given.form));
-    const bool isAffine =
-        (m[0][3] == 0.0 && m[1][3] == 0.0 && m[2][3] == 0.0) || (m[3][0] == 0.0 && m[3][1] == 0.0 && m[3][2] == 0.0);
-    return isAffine ? MatrixRole::View : MatrixRole::Product;
+    return isAffine(m) || isAffine(glm::transpose(m)) ? MatrixRole::View : MatrixRole::Product;
 }
 
 std::optional<Viewport> viewportIn(const PastedScene &parts)
@@ -153,56 +156,49 @@ private:
     /// Takes the matrices that count, each in its role.
     void choose(const PastedScene &parts)
     {
-        const auto view = parts.view ? parts.view : parts.modelView ? parts.modelView : parts.model;
-        const auto &projection = parts.projection, &product = parts.product;
-        if (!view && !projection && !product)
-            return;
-        const auto isUnnamed = [](const std::optional<PastedMatrix> &one) {
-            return one && one->form != MatrixForm::Call
-                   && (!one->part || one->part == PastedPart::Model || one->part == PastedPart::ToWindow);
-        };
-        const bool isWhole = view && projection, isAlone = int(bool(view)) + bool(projection) + bool(product) == 1;
-        if (isAlone) {
-            const PastedMatrix &one = view ? *view : projection ? *projection : *product;
-            MatrixRole role = view ? MatrixRole::View : projection ? MatrixRole::Projection : MatrixRole::Product;
-            if (isUnnamed(one)) {
-                m_camera.isRoleByForm = true;
-                role = roleByForm(one);
-                m_camera.isRoleOpen = std::any_of(kRoles.begin(), kRoles.end() - 1, [&](MatrixRole other) {
-                    return other != role && role != MatrixRole::Product && hasFormOf(one, other);
-                });
-            }
-            add(m_choices.role.value_or(role), one);
-        } else if (product && !isWhole && hasFormOf(*product, MatrixRole::Product)) {
-            add(MatrixRole::Product, *product);
-            m_camera.unused.push_back(view ? PastedPart::View : PastedPart::Projection);
-        } else {
-            const bool areTurned = isUnnamed(view) && isUnnamed(projection)
-                                   && roleByForm(*view) == MatrixRole::Projection
-                                   && roleByForm(*projection) == MatrixRole::View;
-            if (projection)
-                add(areTurned ? MatrixRole::View : MatrixRole::Projection, *projection);
-            if (view)
-                add(areTurned ? MatrixRole::Projection : MatrixRole::View, *view);
-            if (product)
-                m_camera.unused.push_back(PastedPart::Product);
-            if (parts.model && (parts.view || parts.modelView))
-                m_camera.unused.push_back(PastedPart::Model);
+        const auto &view = parts.view ? parts.view : parts.modelView ? parts.modelView : parts.model;
+        add(parts.projection, MatrixRole::Projection);
+        add(view, MatrixRole::View);
+        add(parts.product, MatrixRole::Product);
+        std::vector<ReadMatrix> &all = m_camera.matrices;
+        if (all.size() == 2 && all[0].role == all[1].role) { // as glGet gives them
+            all[0].role = MatrixRole::Projection;
+            all[1].role = MatrixRole::View;
         }
+        if (all.size() == 1 && !isNamed(all[0].given)) {
+            ReadMatrix &one = all[0];
+            m_camera.isRoleByForm = true;
+            m_camera.isRoleOpen = one.role != MatrixRole::Product && hasFormOf(one.given, MatrixRole::View)
+                                  && hasFormOf(one.given, MatrixRole::Projection);
+        }
+        if (all.size() == 1)
+            all[0].role = m_choices.role.value_or(all[0].role);
+        if (all.size() > 1 && parts.product) {
+            const bool isProduct = all.size() == 2 && hasFormOf(*parts.product, MatrixRole::Product);
+            std::erase_if(all, [&](const ReadMatrix &one) {
+                const bool isLeft = (one.role == MatrixRole::Product) != isProduct;
+                if (isLeft)
+                    m_camera.unused.push_back(partOf(one.role));
+                return isLeft;
+            });
+        }
+        if (parts.model && view != parts.model)
+            m_camera.unused.push_back(PastedPart::Model);
         if (has(MatrixRepair::Exchange)) {
-            for (ReadMatrix &one : m_camera.matrices)
+            for (ReadMatrix &one : all)
                 one.role = one.role == MatrixRole::View ? MatrixRole::Projection : MatrixRole::View;
         }
-        std::sort(m_camera.matrices.begin(), m_camera.matrices.end(),
-                  [](const ReadMatrix &a, const ReadMatrix &b) { return a.role > b.role; });
     }
 
-    void add(MatrixRole role, const PastedMatrix &given)
+    static bool isNamed(const PastedMatrix &given)
     {
-        ReadMatrix one;
-        one.role = role;
-        one.given = given;
-        m_camera.matrices.push_back(std::move(one));
+        return given.form == MatrixForm::Call || (given.part && given.part != PastedPart::Model);
+    }
+
+    void add(const std::optional<PastedMatrix> &given, MatrixRole role)
+    {
+        if (given)
+            m_camera.matrices.push_back({isNamed(*given) ? role : roleByForm(*given), *given});
     }
 
     /// Returns whether a correction counts that undoes itself, chosen again.
@@ -258,6 +254,9 @@ private:
     {
         for (ReadMatrix &one : m_camera.matrices) {
             one.matrix = meantMatrix(one.given, one.order);
+            if (m_camera.isRoleByForm && one.role == MatrixRole::View
+                && m_choices.camera.direction == PoseDirection::CameraToWorld && !isSingular(one.matrix))
+                one.matrix = glm::inverse(one.matrix);
             one.ndcDepth = one.given.ndcDepth;
             for (const auto &[role, finding] : m_choices.corrections) {
                 if (finding.repair == MatrixRepair::DepthZeroToOne)
@@ -302,8 +301,6 @@ private:
         }
     }
 
-    static constexpr std::array kRoles{MatrixRole::View, MatrixRole::Projection, MatrixRole::Product};
-
     PastedCamera &m_camera;
     const PasteChoices &m_choices;
 };
@@ -336,6 +333,9 @@ PastedCamera pastedCamera(std::span<const NamedText> texts, const PasteChoices &
         camera.fault = std::move(read->error());
     else if (error)
         camera.fault = errorOf(*error);
+    // Numbers without a name are of no part.
+    if (error && !read && error->found == error->all)
+        camera.fault->subject.clear();
     return camera;
 }
 

@@ -20,7 +20,7 @@ struct Correction {
 
 /// The choices of the user about a pasted text.
 struct PasteChoices {
-    CameraChoices camera;                     ///< of a program's camera
+    CameraChoices camera;                     ///< of a program's camera; the direction, of a view without a name, too
     std::optional<pipeline::MatrixRole> role; ///< of a matrix that is alone in the text
     std::optional<geometry::NdcDepth> ndcDepth;
     std::vector<Correction> corrections; ///< in their order
@@ -30,11 +30,11 @@ struct PasteChoices {
 struct ReadMatrix {
     pipeline::MatrixRole role = pipeline::MatrixRole::View;
     PastedMatrix given;
-    NumberOrder order = NumberOrder::ByColumns;    ///< the chosen one, else that of the numbers, else the form's
-    glm::dmat4 matrix{1.0};                        ///< in this order, corrected
-    std::optional<geometry::NdcDepth> ndcDepth;    ///< chosen, or of the call's API; none: derived from the numbers
-    std::vector<pipeline::MatrixFinding> findings; ///< of the corrected matrix
-    bool leavesInverse = false;                    ///< the text also has its inverse, which is ignored
+    NumberOrder order = NumberOrder::ByColumns;      ///< the chosen one, else that of the numbers, else the form's
+    glm::dmat4 matrix{1.0};                          ///< in this order, corrected
+    std::optional<geometry::NdcDepth> ndcDepth{};    ///< chosen, or of the call's API; none: derived from the numbers
+    std::vector<pipeline::MatrixFinding> findings{}; ///< of the corrected matrix
+    bool leavesInverse = false;                      ///< the text also has its inverse, which is ignored
 };
 
 /// What a pasted text was read as: the camera of a program, or matrices.

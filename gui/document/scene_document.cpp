@@ -111,6 +111,7 @@ Check SceneDocument::open(Scene scene)
     if (!taken)
         return taken.error();
     m_savedEdit = ++m_lastEdit;
+    m_unpreviewed.reset();
     m_undoStack.clear();
     emit opened();
     m_changes.notify(kVisibleChanges | Change::Pick | Change::GivenPoint | Change::Conventions | Change::Landmarks
@@ -144,6 +145,7 @@ Check SceneDocument::commit(const SceneState &state, const EditLabel &label)
 
 Check SceneDocument::edit(const EditLabel &label, const std::function<void(Scene &)> &change)
 {
+    endPreview(); // as when a model has been loaded meanwhile
     Scene next = m_scene;
     change(next);
     SceneState state = m_state;
@@ -165,6 +167,7 @@ Check SceneDocument::edit(const EditLabel &label, const std::function<void(Scene
 
 void SceneDocument::look(const EditLabel &label, const std::function<void(SceneSettings &)> &change)
 {
+    endPreview();
     SceneState state = m_state;
     change(state.settings);
     // A step without a valid setup (such as a zoom past the smallest number) is skipped.

@@ -77,7 +77,7 @@ public:
     /// Changes how the scene is shown. Does nothing if the setup would be invalid or nothing
     /// changes.
     void look(const EditLabel &label, const std::function<void(scene::SceneSettings &)> &change);
-    /// Shows other settings for a while, without a step of undo: only the views of the scene follow.
+    /// Shows other settings for a while, without a step of undo: only the views of the scene follow. An edit ends it.
     /// @return the errors of setupOf; then nothing changed
     geometry::Check preview(const scene::SceneSettings &settings);
     /// Shows the scene's own settings again.

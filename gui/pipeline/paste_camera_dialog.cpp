@@ -283,11 +283,8 @@ void PasteCameraDialog::showReport(const QString &fault, bool isShown)
 void PasteCameraDialog::refuse(const QString &reason)
 {
     m_document.endPreview();
-    const PastedCamera none;
-    ShownPaste shown{none};
-    shown.fault = reason;
-    m_report->setHtml(QString::fromStdString(report::asHtml(pasteReport(shown))));
-    m_ok->setEnabled(false);
+    m_camera = {};
+    showReport(reason, false);
 }
 
 void PasteCameraDialog::follow(const QUrl &link)
@@ -301,12 +298,9 @@ void PasteCameraDialog::follow(const QUrl &link)
     if (words[0] == QLatin1String(kAsPasted)) {
         m_corrections.clear();
         m_form->forgetText();
-    } else if (number(1) < m_camera.matrices.size()) {
-        const ReadMatrix &one = m_camera.matrices[number(1)];
-        const MatrixFinding finding = words[0] == QLatin1String(kInvert)
-                                          ? MatrixFinding{MatrixFault::Inverse, MatrixRepair::Invert}
-                                          : one.findings.at(number(2));
-        m_corrections.push_back({one.role, finding});
+    } else {
+        const ReadMatrix &one = m_camera.matrices.at(number(1));
+        m_corrections.push_back({one.role, one.findings.at(number(2))});
     }
     refresh();
 }

@@ -224,19 +224,26 @@ void PasteChoicesForm::showCamera(const PastedCamera &camera)
     show(m_image, m_image->count() > 1);
     show(m_sizes, foreign || asks("--size") || !m_size->text().isEmpty());
     show(m_distances, (foreign && foreign->intrinsics) || asks("--near"));
-    show(m_direction, hasPose || asks("--pose") || m_direction->currentIndex() > 0);
+    const auto &matrices = camera.matrices;
+    const bool isAlone = matrices.size() == 1 && matrices[0].given.form != MatrixForm::Call;
+    const bool isView = camera.isRoleByForm && isAlone && matrices[0].role == MatrixRole::View;
+    show(m_direction, hasPose || isView || asks("--pose") || m_direction->currentIndex() > 0);
+    if (isView)
+        showAsRead(*m_direction, directionName(PoseDirection::WorldToCamera));
     show(m_axes, foreign || asks("--axes") || m_axes->currentIndex() > 0);
     show(m_centres, foreign && hasCentres(*foreign));
     show(m_isUndistorted, (foreign && foreign->distortion && !foreign->distortion->isNone()) || asks("--undistorted")
                               || m_isUndistorted->isChecked());
-    const auto &matrices = camera.matrices;
-    const bool isAlone = matrices.size() == 1 && matrices[0].given.form != MatrixForm::Call;
     show(m_role, isAlone);
     if (isAlone)
         showAsRead(*m_role, roleName(matrices[0].role));
     show(m_ndcDepth, std::any_of(matrices.begin(), matrices.end(), [](const ReadMatrix &one) {
              return one.role != MatrixRole::View && one.given.form != MatrixForm::Call;
          }));
+    bool isAny = false;
+    for (int row = 0; row < m_form->rowCount(); ++row)
+        isAny = isAny || m_form->isRowVisible(row);
+    setVisible(isAny);
     if (foreign && foreign->intrinsics)
         m_centres->setItemText(0, tr("As read: %1").arg(centresName(foreign->intrinsics->centres)));
     setRefused(*m_size, isRefused(*m_size, typedSize(m_size->text()).has_value()));

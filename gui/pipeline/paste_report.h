@@ -21,10 +21,9 @@ struct ShownPaste {
     bool isCorrected = false;
 };
 
-// The targets of the report's links: kCorrect with the index of the matrix and of its finding,
-// kInvert with that of the matrix, kDirection with a PoseDirection.
-inline constexpr char kCorrect[] = "correct", kInvert[] = "invert", kDirection[] = "direction",
-                      kAsPasted[] = "as-pasted";
+// The targets of the report's links: kCorrect with the index of the matrix and of its finding, kDirection with a
+// PoseDirection.
+inline constexpr char kCorrect[] = "correct", kDirection[] = "direction", kAsPasted[] = "as-pasted";
 
 /// How a text was read, what the camera means, and what it shows.
 report::Report pasteReport(const ShownPaste &shown);

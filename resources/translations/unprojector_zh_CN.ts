@@ -6113,48 +6113,12 @@ K、R 和 t，OpenCV 的 YAML，transforms.json …
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>sixteen numbers in a row</source>
-        <translation>连续十六个数</translation>
-    </message>
-    <message>
-        <source>numbers with an index, m[0] to m[15]</source>
-        <translation>带下标的数，m[0] 至 m[15]</translation>
-    </message>
-    <message>
-        <source>GLM&apos;s or GLSL&apos;s columns</source>
-        <translation>GLM 或 GLSL 的列</translation>
-    </message>
-    <message>
-        <source>numbers with row and column, m(0,1)</source>
-        <translation>带行号和列号的数，m(0,1)</translation>
-    </message>
-    <message>
-        <source>four lines</source>
-        <translation>四行文本</translation>
-    </message>
-    <message>
-        <source>four brackets</source>
-        <translation>四组括号</translation>
-    </message>
-    <message>
-        <source>Model</source>
-        <translation>模型</translation>
-    </message>
-    <message>
         <source>by columns</source>
         <translation>按列</translation>
     </message>
     <message>
         <source>by rows</source>
         <translation>按行</translation>
-    </message>
-    <message>
-        <source>Line %1: %2, read %3.</source>
-        <translation>第 %1 行：%2，%3读取。</translation>
-    </message>
-    <message>
-        <source>“%1”, line %2: %3, read %4.</source>
-        <translation>“%1”，第 %2 行：%3，%4读取。</translation>
     </message>
     <message>
         <source>No name tells what it is: its form does.</source>
@@ -6167,10 +6131,6 @@ K、R 和 t，OpenCV 的 YAML，transforms.json …
     <message>
         <source>The text also has the inverse of this matrix. It is ignored.</source>
         <translation>文本中还有此矩阵的逆，已忽略。</translation>
-    </message>
-    <message>
-        <source>It is read from the world to the eye. If it leads from the eye to the world:</source>
-        <translation>按从世界到眼睛读取。若它是从眼睛到世界：</translation>
     </message>
     <message>
         <source>Not used: %1.</source>
@@ -6204,11 +6164,6 @@ K、R 和 t，OpenCV 的 YAML，transforms.json …
     <message>
         <source>Image</source>
         <translation>图像</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <comment>an image&apos;s number, how many there are</comment>
-        <translation>第 %1 处，共 %2 处</translation>
     </message>
     <message>
         <source>Lens</source>
@@ -6325,6 +6280,27 @@ K、R 和 t，OpenCV 的 YAML，transforms.json …
     <message>
         <source>Blender prints this. If it is the camera&apos;s pose, write “matrix_world =” before it, and add the lens in a line below: “lens = 50”.</source>
         <translation>这是 Blender 打印的。如果它是相机的位姿，请在前面写上“matrix_world =”，并在下面一行加上镜头：“lens = 50”。</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3)</source>
+        <comment>an image, its number, how many there are</comment>
+        <translation>%1（第 %2 幅，共 %3 幅）</translation>
+    </message>
+    <message>
+        <source>A camera is that of a program (K, R and t, a camera&apos;s file), matrices of sixteen numbers each, or calls such as gluLookAt.</source>
+        <translation>相机可以是某个程序的相机（K、R 和 t，相机文件）、每个十六个数的矩阵，或 gluLookAt 之类的调用。</translation>
+    </message>
+    <message>
+        <source>The view shows the pasted camera at once. Cancel brings the present one back.</source>
+        <translation>视图立即显示所粘贴的相机。按“取消”可恢复现在的相机。</translation>
+    </message>
+    <message>
+        <source>Line %1, read %2.</source>
+        <translation>第 %1 行，%2读取。</translation>
+    </message>
+    <message>
+        <source>“%1”, line %2, read %3.</source>
+        <translation>“%1”，第 %2 行，%3读取。</translation>
     </message>
 </context>
 <context>

@@ -277,13 +277,13 @@ private slots:
         shear[2][0] = 0.5;
         const QString zeros = QStringLiteral("0 ").repeated(16);
         newRow("words") << "no matrix at all"
-                        << "modelview: 0 numbers found, 16 are needed";
+                        << "0 numbers found, 16 are needed";
         newRow("nothing") << ""
-                          << "modelview: 0 numbers found, 16 are needed";
+                          << "0 numbers found, 16 are needed";
         newRow("one short") << "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0"
-                            << "modelview: 15 numbers found, 16 are needed";
+                            << "15 numbers found, 16 are needed";
         newRow("one number") << "7"
-                             << "modelview: 1 number found, 16 are needed";
+                             << "1 number found, 16 are needed";
         newRow("half a viewport") << "projection " + zeros + " viewport 100 100"
                                   << "viewport: 2 numbers found, 4 are needed: x y width height, or 16 of a matrix";
         newRow("half a projection") << "view: " + QString::fromStdString(printed(view())) + "\nprojection: 1.5 2"

@@ -169,6 +169,12 @@ private slots:
         pasting.dialog->reject();
         QCOMPARE(told, Change::Preview | Change::Setup);
         QCOMPARE(document.setup().surface.widthPixels, 500);
+        // An edit begins with the scene's own camera.
+        const LookAt own = document.setup().camera();
+        pasting.paste("gluLookAt(30, 2, 5, 0, 0, 0, 0, 1, 0)");
+        QVERIFY(document.setup().camera() != own);
+        QVERIFY(removeObject(document, 0));
+        QCOMPARE(document.setup().camera(), own);
     }
 
     void nearAndFarCanBeSaid()
