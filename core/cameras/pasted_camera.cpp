@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace unprojector::cameras {
 using namespace geometry;
@@ -54,7 +53,7 @@ Result<PastedScene, PasteError> partsOf(const std::string &text, bool &isViewpor
             parts.viewport = calls->parts.viewport;
         return parts;
     }
-    const auto parts = pastedParts(text);
+    auto parts = pastedParts(text);
     if (parts && (parts->view || parts->modelView || parts->model || parts->projection || parts->product))
         return parts;
     const auto one = pastedMatrix(text);
@@ -311,15 +310,15 @@ PastedCamera pastedCamera(std::span<const NamedText> texts, const PasteChoices &
                           const std::optional<Box> &objects)
 {
     PastedCamera camera;
-    auto read = readCamera(texts, choices.camera);
+    const auto read = readCamera(texts, choices.camera);
     if (read && *read) {
-        camera.foreign = std::move(**read);
-        auto scene = sceneCamera(*camera.foreign, choices.camera, objects);
+        camera.foreign = **read;
+        const auto scene = sceneCamera(*camera.foreign, choices.camera, objects);
         if (!scene) {
-            camera.fault = std::move(scene).error();
+            camera.fault = scene.error();
             return camera;
         }
-        camera.scene = std::move(*scene);
+        camera.scene = *scene;
         camera.projection = camera.scene->projection;
         camera.eyeFromWorld = camera.scene->eyeFromWorld;
         return camera;
@@ -330,7 +329,7 @@ PastedCamera pastedCamera(std::span<const NamedText> texts, const PasteChoices &
     const auto error = Reader(camera, choices).read(text);
     // Matrices that can be read count more than a camera that cannot.
     if (error && read)
-        camera.fault = std::move(read->error());
+        camera.fault = read->error();
     else if (error)
         camera.fault = errorOf(*error);
     // Numbers without a name are of no part.

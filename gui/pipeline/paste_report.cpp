@@ -42,9 +42,9 @@ Code matrixCode(const glm::dmat4 &matrix)
 {
     Code code{std::vector<std::string>(4)};
     for (int column = 0; column < 4; ++column) {
-        std::vector<std::string> entries;
-        for (int row = 0; row < 4; ++row)
-            entries.push_back(writtenText(matrix[column][row], 6).toStdString());
+        std::vector<std::string> entries(4);
+        for (std::size_t row = 0; row < 4; ++row)
+            entries[row] = writtenText(matrix[column][int(row)], 6).toStdString();
         alignAtDecimalPoint(entries);
         for (std::size_t row = 0; row < 4; ++row)
             code.lines[row] += (column > 0 ? "  " : "") + entries[row];

@@ -18,7 +18,6 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QMenu>
-#include <QShortcut>
 
 #include <utility>
 
@@ -46,6 +45,11 @@ public:
     QVariantMap state() const override;
     void restore(const QVariantMap &state) override;
     using Feature::restore;
+
+protected:
+    /// Handles the key of Paste Camera, which pastes any text; the action, which buttons trigger too,
+    /// begins with a camera only.
+    bool eventFilter(QObject *action, QEvent *event) override;
 
 private:
     void showStep(const lessons::Step *step);
@@ -95,22 +99,25 @@ void PipelineFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &)
     if (kind != MenuKind::Edit)
         return;
     menu.addSeparator();
-    // The key pastes any text; the action, which buttons trigger too, only a camera.
-    const QKeySequence key(QKeySequence::Paste);
     QAction *paste = addAction(
-        menu, tr("Paste Ca&mera…") + u'\t' + key.toString(QKeySequence::NativeText), {},
+        menu, tr("Paste Ca&mera…"), QKeySequence::Paste,
         tr("Set the camera from another program's: its matrices, K, R, t, its calls, or its camera's file"), [this] {
             m_window.session().commitTyped();
             PasteCameraDialog::open(m_window.document(), &m_window);
         });
     paste->setObjectName(kPasteCameraAction);
-    connect(new QShortcut(key, &m_window), &QShortcut::activated, this, [this] {
-        const QString text = QGuiApplication::clipboard()->text();
-        if (text.isEmpty())
-            return;
+    paste->installEventFilter(this);
+}
+
+bool PipelineFeature::eventFilter(QObject *action, QEvent *event)
+{
+    if (event->type() != QEvent::Shortcut)
+        return Feature::eventFilter(action, event);
+    if (const QString text = QGuiApplication::clipboard()->text(); !text.isEmpty()) {
         m_window.session().commitTyped();
         PasteCameraDialog::open(m_window.document(), &m_window, text);
-    });
+    }
+    return true;
 }
 
 bool PipelineFeature::follow(const lessons::Link &link)

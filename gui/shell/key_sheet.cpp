@@ -85,8 +85,6 @@ KeySheet::KeySheet(const QMenuBar &menus, QWidget *parent) : QDialog(parent)
     rows += row(tr("middle drag, or Shift + left drag"), tr("move sideways"));
     rows += row(tr("wheel, or +, −"), tr("zoom"));
     rows += row(tr("F"), tr("show everything"));
-    rows += heading(tr("Keys in the window"));
-    rows += row(keysOf({QKeySequence::Paste}), tr("paste the camera of another program"));
     rows += heading(tr("Keys in the list of objects"));
     rows += row(tr("Space, Enter, Del"), tr("show or hide the object, rename it, remove it"));
     rows += heading(tr("Keys in a table of numbers"));

@@ -3236,14 +3236,6 @@ Both are scaled to fit.</source>
         <source>place a landmark; a double-click places one; Esc ends placing</source>
         <translation>放置一个标志点；双击也只放置一个；Esc 结束放置</translation>
     </message>
-    <message>
-        <source>Keys in the window</source>
-        <translation>窗口中的按键</translation>
-    </message>
-    <message>
-        <source>paste the camera of another program</source>
-        <translation>粘贴其他程序的相机</translation>
-    </message>
 </context>
 <context>
     <name>unprojector::gui::LandmarkFiles</name>

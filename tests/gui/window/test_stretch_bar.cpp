@@ -126,7 +126,7 @@ private slots:
         clip[3][2] = -2.1;
         clip[2][3] = -1.0;
         const MatrixProjection lens{clip, NdcDepth::MinusOneToOne};
-        QVERIFY(editMatrices(document, lens, {}, kLabel, {}, Surface{640, 480, 1.0}));
+        QVERIFY(editCamera(document, {lens, {}, {}, Surface{640, 480, 1.0}}, kLabel));
         QVERIFY2(bar.isHidden(), qPrintable(textOf(bar)));
         // In another size it is stretched.
         QVERIFY(document.edit(kLabel, [](Scene &scene) { scene.windowSize = Surface{640, 400, 1.0}; }));
