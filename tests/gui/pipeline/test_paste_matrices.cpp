@@ -383,17 +383,26 @@ private slots:
         QTest::keySequence(&window->view(), QKeySequence::Paste);
         QVERIFY(dialog() && dialog()->isVisible());
         QCOMPARE(dialog()->findChild<PlainTextBox *>()->toPlainText(), QStringLiteral("no camera"));
-        // The view shows the camera meanwhile.
-        const QImage before = window->view().grabFramebuffer();
-        dialog()->setText("K = [[500, 0, 159.5], [0, 510, 119.5], [0, 0, 1]]\nR = [[1, 0, 0], [0, -1, 0], [0, 0, -1]]\n"
-                          "t = [0, 0, 8]");
-        settle();
-        QVERIFY(window->view().grabFramebuffer() != before);
-        dialog()->reject();
-        settle();
-        QCOMPARE(window->view().grabFramebuffer(), before);
-        QVERIFY(!window->document().isModified() && !window->document().undoStack().canUndo());
         close();
+        // The view shows the camera meanwhile, as after OK.
+        const QImage before = window->view().grabFramebuffer();
+        QImage shown;
+        for (const bool isTaken : {false, true}) {
+            trigger(*window, kPasteCameraAction);
+            dialog()->setText("K = [[500, 0, 159.5], [0, 510, 119.5], [0, 0, 1]]\n"
+                              "R = [[1, 0, 0], [0, -1, 0], [0, 0, -1]]\nt = [0, 0, 8]");
+            settle();
+            shown = isTaken ? shown : window->view().grabFramebuffer();
+            if (isTaken)
+                dialog()->accept();
+            else
+                dialog()->reject();
+            settle();
+            QCOMPARE(window->view().grabFramebuffer() == before, !isTaken);
+            QCOMPARE(window->document().undoStack().canUndo(), isTaken);
+            close();
+        }
+        QCOMPARE(window->view().grabFramebuffer(), shown);
         // The action begins with a camera only.
         trigger(*window, kPasteCameraAction);
         QCOMPARE(dialog()->findChild<PlainTextBox *>()->toPlainText(), QString());
