@@ -69,7 +69,8 @@ private slots:
         for (const std::string &numbers : example.all("distorted")) {
             const std::vector<double> k = numbersIn(numbers);
             QVERIFY2(*read, *read ? "" : read->error().message().c_str());
-            QCOMPARE((*read)->distortion.value(), (Distortion{k.at(0), k.at(1), k.at(2), k.at(3), k.at(4)}));
+            QVERIFY((*read)->distortion);
+            QCOMPARE(*(*read)->distortion, (Distortion{k.at(0), k.at(1), k.at(2), k.at(3), k.at(4)}));
         }
         const auto scene = *read ? sceneCamera(**read, choices, std::nullopt) : read->error();
         for (const std::string &reason : example.all("refused")) {
@@ -85,8 +86,9 @@ private slots:
                          qPrintable(QStringLiteral("%1, not %2").arg(pixels[i]).arg(wanted[i])));
         }
         for (const std::string &sentence : example.all("says"))
-            QVERIFY2(std::any_of(scene->assumed.begin(), scene->assumed.end(),
-                                 [&](const std::string &one) { return one.find(sentence) != one.npos; }),
+            QVERIFY2(scene
+                         && std::any_of(scene->assumed.begin(), scene->assumed.end(),
+                                        [&](const std::string &one) { return one.find(sentence) != one.npos; }),
                      "it is not said");
     }
 };
