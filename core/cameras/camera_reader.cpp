@@ -93,6 +93,8 @@ bool readForm(Reading &reading, const Form &form)
             reading.camera.images.push_back(one.name);
         ids.push_back(one.id);
     }
+    if (reading.camera.images.empty() && !reading.choices.image.empty() && reading.choices.image != "0")
+        reading.fail(tr("there is one camera without a name; leave --image out"));
     reading.begin(form.program, form.frame);
     if (!reading.camera.images.empty())
         reading.chooseImage(ids);
@@ -279,6 +281,14 @@ std::optional<base::Expected<ForeignCamera, base::Error>> readCamera(std::span<c
 {
     if (texts.empty())
         return std::nullopt;
+    for (const NamedText &text : texts) {
+        constexpr std::size_t kBeginning = 200;
+        if (text.text.starts_with('{')
+            && std::string_view(text.text).substr(0, kBeginning).find("\"unprojector\"") != text.text.npos)
+            return base::Error{.text = tr("this is a scene of Unprojector, not another program's camera; open it as a "
+                                          "scene"),
+                               .file = text.name};
+    }
     auto [form, read] = firstRead(texts, choices);
     if (!read)
         return std::nullopt;

@@ -251,7 +251,20 @@ void CameraValues::dropElsewhere()
     const auto isToCameraBefore = [](const CameraValue &value) { return value.role.world == "camera before"; };
     if (const auto &poses = all(Pose); !std::ranges::all_of(poses, isToCameraBefore))
         split(Pose, isToCameraBefore);
-    std::erase_if(m_numbers, [&](const CameraValue &number) { return !number.isNamed("fx") && isApart(number); });
+    // The chip's size is in millimetres.
+    const auto isOfSensor = [&](const CameraValue &value) {
+        std::vector<std::string> names = sectionsOf(value);
+        std::erase_if(names, [&](const std::string &section) { return around.contains(section); });
+        names.push_back(value.written);
+        return std::ranges::any_of(names, [](const std::string &name) {
+            const std::vector<std::string> words = wordsOf(name);
+            return std::ranges::find(words, "sensor") != words.end();
+        });
+    };
+    std::erase_if(m_numbers, [&](const CameraValue &number) {
+        const bool isOfRegion = number.isNamed("xoffset") || number.isNamed("yoffset"); // see readRectification
+        return !number.isNamed("fx") && !isOfRegion && (isApart(number) || isOfSensor(number));
+    });
 }
 
 /// A value of the last text.
@@ -499,31 +512,55 @@ void CameraValues::addPoses(CameraValue value)
 }
 
 /// Adds vectors and quaternions whose components have names: ROS's "translation: {x: 1, y: 2, z: 3}",
-/// "orientation: {x: 0, y: 0, z: 0, w: 1}".
+/// "orientation: {x: 0, y: 0, z: 0, w: 1}"; and tx, ty, tz, qx, qy, qz, qw.
 void CameraValues::addComponents(const NamedValues &named)
 {
     using enum Part;
     constexpr std::string_view kXyzw = "xyzw";
     const std::vector<NamedValue> &values = named.all();
-    const auto isComponent = [&](std::size_t i) {
-        return i < values.size() && values[i].words.back().size() == 1 && values[i].numbers.size() == 1
-               && kXyzw.find(values[i].words.back()) != kXyzw.npos;
+    const auto prefixOf = [&](std::size_t i) { // "q" of qx
+        const std::string &word = values[i].words.back();
+        return word.substr(0, word.size() == 2 && (word[0] == 'q' || word[0] == 't') ? 1 : 0);
     };
+    const auto isComponent = [&](std::size_t i) {
+        return i < values.size() && values[i].numbers.size() == 1
+               && values[i].words.back().size() == prefixOf(i).size() + 1
+               && kXyzw.find(values[i].words.back().back()) != kXyzw.npos;
+    };
+    // Alone, tx, ty and tz may be another thing's.
+    const bool hasTurn = std::ranges::any_of(values, [](const NamedValue &value) {
+        const auto role = cameras::roleOf(value.written, value.numbers.size());
+        return value.words.back() == "qw" || (role && (role->part == Rotation || role->part == Quaternion));
+    });
     std::vector<CameraValue> found;
     for (std::size_t i = 0, count = 0; i < values.size(); i += std::max<std::size_t>(count, 1)) {
         std::array<double, 4> numbers{};
         std::set<std::string> components;
-        for (count = 0; isComponent(i + count) && values[i + count].parent == values[i].parent
-                        && components.insert(values[i + count].words.back()).second;
+        for (count = 0;
+             isComponent(i + count) && values[i + count].parent == values[i].parent
+             && prefixOf(i + count) == prefixOf(i) && components.insert(values[i + count].words.back()).second;
              ++count)
-            numbers[kXyzw.find(values[i + count].words.back())] = values[i + count].numbers[0];
-        const auto role = cameras::roleOf(values[i].parent, count);
-        if (count < 3 || components.contains("w") != (count == 4) || !role)
+            numbers[kXyzw.find(values[i + count].words.back().back())] = values[i + count].numbers[0];
+        if (count < 3 || components.contains(prefixOf(i) + 'w') != (count == 4))
+            continue;
+        if (prefixOf(i) == "t" && !hasTurn)
+            continue;
+        auto role = cameras::roleOf(values[i].parent, count);
+        if (!prefixOf(i).empty())
+            role = Role{count == 4 ? Quaternion : Translation};
+        if (!role || (prefixOf(i) == "q") > (count == 4))
             continue;
         CameraValue &added = found.emplace_back(valueOf(values[i]));
         added.name = values[i].parent;
         added.numbers.assign(numbers.begin(), numbers.begin() + std::ptrdiff_t(count));
         added.role = *role;
+        if (!prefixOf(i).empty()) {
+            added.name = values[i].written;
+            std::erase_if(m_numbers, [&](const CameraValue &number) {
+                return number.text + 1 == m_files.size() && number.at >= values[i].at
+                       && number.at <= values[i + count - 1].at;
+            });
+        }
         for (std::size_t k = i; k < i + count; ++k)
             added.arithmetic += values[k].arithmetic;
     }

@@ -192,7 +192,7 @@ public:
     std::string nextName()
     {
         const std::string &text = m_entry.file->text;
-        const std::string name(take(std::min(text.find('\0', m_at), text.size()) - m_at));
+        std::string name(take(std::min(text.find('\0', m_at), text.size()) - m_at));
         take(1); // its end
         return name;
     }
@@ -320,11 +320,12 @@ void setLens(ForeignCamera &camera, const Camera &found)
 // Source: COLMAP, src/colmap/geometry/rigid3.cc and src/colmap/scene/camera.cc, operator<<
 Cameras printedPoses(Reading &reading, const Node &text)
 {
+    if (text.numbers("params", 3).empty() || !sizeIn(text))
+        return {};
     Cameras poses = sections(reading, text, "Rigid3d(", "Rigid3d(");
     for (Found &one : poses) {
         one.lens = text;
-        if (one.pose.numbers("rotationxyzw", 4).size() != 4 || one.pose.numbers("translation", 3).size() != 3
-            || text.numbers("params", 3).empty() || !sizeIn(text))
+        if (one.pose.numbers("rotationxyzw", 4).size() != 4 || one.pose.numbers("translation", 3).size() != 3)
             return {};
     }
     return poses;

@@ -68,7 +68,7 @@ struct ReadValue {
     enum class Of { Lens, Pose, Distortion, Image };
 
     Of of = Of::Lens;
-    std::string name; ///< as words, "camera matrix"
+    std::string name; ///< as written: "K"
     std::size_t line = 0;
 };
 

@@ -462,6 +462,8 @@ std::optional<dmat4> transformOf(const Node &node)
 
 Cameras gltfCameras(Reading &, const Node &file)
 {
+    if (!file["nodes"].json().is_array() || !file["cameras"].json().is_array())
+        return {};
     const std::vector<Node> lenses = file.list("cameras");
     Cameras cameras;
     for (const Node &node : file.list("nodes")) {

@@ -106,29 +106,29 @@ using enum Hand;
 
 struct Library {
     Family family;
+    Hand hand;
     std::string_view prefix;
     std::string_view objects; ///< the last name before the call's, between blanks, - for no name; empty: any
     std::string_view word;    ///< in the program's text
-    Hand hand;
     CallConventions conventions;
 };
 constexpr CallConventions kOpenGl{}, kInDegrees{.areDegrees = true}, kZeroToOne{.ndcDepth = ZeroToOne};
 constexpr Library kLibraries[] = {
-    {OpenGl, "", "", "", InNameIfLeft, kInDegrees},
-    {Three, "", "", "", InNameIfLeft, {.areDegrees = true, .dropsRest = false}},
-    {PyBullet, "", "", "", InNameIfLeft, {.areDegrees = true, .dropsRest = false}},
-    {Android, "", "", "", InNameIfLeft, {.areDegrees = true, .skipped = 2}},
-    {Glam, "", "", "", InName, kZeroToOne},
-    {DirectX, "XMMatrix", "", "", InName, kZeroToOne},
-    {DirectX, "D3DXMatrix", "", "", InName, {.ndcDepth = ZeroToOne, .skipped = 1}},
-    {DirectX, "", " Matrix ", "", InName, kZeroToOne},                    // SharpDX
-    {DirectX, "Create", " Matrix4 Matrix4d ", "", InNameIfLeft, kOpenGl}, // OpenTK
-    {DirectX, "Create", "", "", InNameIfLeft, kZeroToOne},                // System.Numerics
-    {Glm, "", " glm ", "", InProgram, kOpenGl},
-    {Glm, "", " - ", "glm", InProgram, kOpenGl},
-    {Glm, "", " mat4 ", "", InNameIfLeft, {.dropsRest = false, .skipped = 1}}, // gl-matrix
-    {Glm, "", "", "QMatrix4x4", InNameIfLeft, kInDegrees},
-    {Glm, "", "", "QVector3D", InNameIfLeft, kInDegrees}};
+    {OpenGl, InNameIfLeft, "", "", "", kInDegrees},
+    {Three, InNameIfLeft, "", "", "", {.areDegrees = true, .dropsRest = false}},
+    {PyBullet, InNameIfLeft, "", "", "", {.areDegrees = true, .dropsRest = false}},
+    {Android, InNameIfLeft, "", "", "", {.areDegrees = true, .skipped = 2}},
+    {Glam, InName, "", "", "", kZeroToOne},
+    {DirectX, InName, "XMMatrix", "", "", kZeroToOne},
+    {DirectX, InName, "D3DXMatrix", "", "", {.ndcDepth = ZeroToOne, .skipped = 1}},
+    {DirectX, InName, "", " Matrix ", "", kZeroToOne},                    // SharpDX
+    {DirectX, InNameIfLeft, "Create", " Matrix4 Matrix4d ", "", kOpenGl}, // OpenTK
+    {DirectX, InNameIfLeft, "Create", "", "", kZeroToOne},                // System.Numerics
+    {Glm, InProgram, "", " glm ", "", kOpenGl},
+    {Glm, InProgram, "", " - ", "glm", kOpenGl},
+    {Glm, InNameIfLeft, "", " mat4 ", "", {.dropsRest = false, .skipped = 1}}, // gl-matrix
+    {Glm, InNameIfLeft, "", "", "QMatrix4x4", kInDegrees},
+    {Glm, InNameIfLeft, "", "", "QVector3D", kInDegrees}};
 
 /// "fov=50" or "aspectRatio: 1": its keyword, which may be empty, and its value.
 std::pair<std::string_view, std::string_view> keywordAndValue(std::string_view text)

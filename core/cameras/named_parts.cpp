@@ -171,6 +171,10 @@ private:
                  tr("it stands in one object twice, in lines %1 and %2, with other numbers; leave one out",
                     twice->first, twice->second.line));
         for (std::size_t i = 0; i < m_texts.size(); ++i) {
+            if (m_texts[i].text.find("PerspectiveCameras(") != std::string::npos) // x left, y up, row vectors
+                throw base::Error{.text = tr("PyTorch3D's cameras are not read; convert them by its "
+                                             "opencv_from_cameras_projection, and give R, t and K"),
+                                  .file = m_texts[i].name};
             if (!m_values.isUnclosed(i))
                 continue;
             const std::string_view text = base::trimmed(m_texts[i].text);
@@ -613,8 +617,8 @@ private:
         refuseUnfit(Rotation, tr("a rotation has nine, by rows, or three of a rotation vector"));
         refuseUnfit(Translation, tr("a translation has three"));
         refuseUnfit(Pose, tr("a pose has twelve or sixteen, by rows"));
-        const CameraValue *rotation = valueOf(Rotation), *translation = valueOf(Translation),
-                          *quaternion = rotation ? nullptr : valueOf(Quaternion),
+        const CameraValue *rotation = m_values.isCameraInfo() ? nullptr : valueOf(Rotation),
+                          *translation = valueOf(Translation), *quaternion = rotation ? nullptr : valueOf(Quaternion),
                           *center = translation || !(rotation || quaternion) ? nullptr : valueOf(Center);
         if (const auto &list = m_values.unfit(Quaternion); list && !rotation && !quaternion)
             fail(*list, tr("the order of a quaternion's four numbers is not known; name them, {x: 0, y: 0, z: 0, w: "
@@ -649,7 +653,11 @@ private:
             turn = rotationOf(axis);
         } else {
             turn = glm::dmat3(*matrixByRows(rotation->numbers));
-            if (m_isTransposed) {
+            const bool isRealSense = m_values.find("ppx") && plain(rotation->name) == "rotation"; // rs2_extrinsics
+            if (isRealSense) {
+                turn = glm::transpose(turn);
+                say(tr("%1 is read by columns, as RealSense's rs2_extrinsics has it.", rotation->name));
+            } else if (m_isTransposed) {
                 turn = glm::transpose(turn);
                 say(tr("%1 is read by columns, too.", rotation->name));
             }
@@ -664,12 +672,24 @@ private:
         if (const CameraValue *given = translation ? translation : center)
             shift = {given->numbers[0], given->numbers[1], given->numbers[2]};
         else
-            say(tr("There is no translation beside %1: it is taken as 0.", rotation->name));
+            takeNoTranslation(*rotation);
         m_camera.pose = rigid(turn, translation ? shift : glm::dvec3(0.0));
         if (center && !translation) {
             m_camera.center = shift;
             say(tr("%1 is the camera's position in the world.", center->name));
         }
+    }
+
+    /// Takes 0, unless three numbers may be the translation.
+    void takeNoTranslation(const CameraValue &rotation)
+    {
+        for (const CameraValue &value : m_values.others()) {
+            if (value.numbers.size() == 3 && hasPartWord(value.name))
+                fail(value, tr("it may be the translation beside %1, but its name says more; name it t, in the world's "
+                               "unit, or leave it out",
+                               rotation.name));
+        }
+        say(tr("There is no translation beside %1: it is taken as 0.", rotation.name));
     }
 
     /// Fails for a position beside angles: without them, it would be the pose of a camera that is not
@@ -718,6 +738,8 @@ private:
         setUsed({Rotation, CameraMatrix});
         if (const CameraValue *pose = valueOf(Pose))
             readPoseMatrix(*pose);
+        else if (has(Quaternion))
+            readParts();
         if (!m_reading.choices.isUndistorted) {
             say(tr("Pixels are those of the raw image, so K counts; --undistorted takes P, for "
                    "the rectified one."));
@@ -792,6 +814,13 @@ private:
         }
         for (const CameraValue &value : m_values.numbers()) {
             if (value.numbers[0] == 0.0 || m_used.contains(&value) || coefficientOf(value.name).empty())
+                continue;
+            // The list's own, once more.
+            constexpr std::array kOrder{"k1", "k2", "p1", "p2", "k3"};
+            const auto place = std::size_t(
+                std::ranges::find_if(kOrder, [&](const char *name) { return value.isNamed(name); }) - kOrder.begin());
+            if (list && place < std::min(kOrder.size(), list->numbers.size())
+                && list->numbers[place] == value.numbers[0])
                 continue;
             CameraValue named = value;
             named.word = value.name + " = " + shortestText(value.numbers[0]);

@@ -232,8 +232,10 @@ Numbers Node::numbers(Keys keys, std::size_t fewest) const
 {
     for (const std::string_view one : split(keys, '|')) {
         const Words sequence = split(one, ' ');
-        for (const std::string_view key : m_reading ? sequence : Words())
-            m_reading->used.insert(plain(leafOf(key)));
+        if (m_reading) {
+            for (const std::string_view key : sequence)
+                m_reading->used.insert(plain(leafOf(key)));
+        }
         const std::size_t each = std::max<std::size_t>(fewest / sequence.size(), 1);
         Numbers found;
         bool isWhole = true;

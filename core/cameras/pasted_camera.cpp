@@ -323,17 +323,18 @@ PastedCamera pastedCamera(std::span<const NamedText> texts, const PasteChoices &
         camera.eyeFromWorld = camera.scene->eyeFromWorld;
         return camera;
     }
+    if (read) {
+        camera.fault = read->error();
+        return camera;
+    }
     std::string text;
     for (const NamedText &one : texts)
         text += (text.empty() ? "" : "\n") + one.text;
     const auto error = Reader(camera, choices).read(text);
-    // Matrices that can be read count more than a camera that cannot.
-    if (error && read)
-        camera.fault = read->error();
-    else if (error)
+    if (error)
         camera.fault = errorOf(*error);
     // Numbers without a name are of no part.
-    if (error && !read && error->found == error->all)
+    if (error && error->found == error->all)
         camera.fault->subject.clear();
     return camera;
 }

@@ -18,7 +18,7 @@
 
 namespace unprojector::cameras {
 using namespace geometry;
-using base::marked, base::tr;
+using base::tr;
 using enum PoseDirection;
 using enum EyeAxes;
 using enum PixelCentres;

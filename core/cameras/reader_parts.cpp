@@ -95,11 +95,13 @@ void Reading::fail(std::string reason, std::size_t line) const
 void Reading::chooseImage(std::span<const std::string> ids)
 {
     const auto known = std::ranges::find(ids, choices.image);
-    const bool isId = known != ids.end() && !choices.image.empty();
+    const bool isId = known != ids.end() && !choices.image.empty()
+                      && std::ranges::find(camera.images, choices.image) == camera.images.end();
     const std::vector<std::size_t> found =
         isId ? std::vector{std::size_t(known - ids.begin())} : imageIndexes(camera.images, choices.image);
     if (found.size() > 1) {
         std::vector<std::string> names;
+        names.reserve(found.size());
         for (const std::size_t index : found)
             names.push_back(camera.images[index]);
         fail(tr("%1 fits %2 images (%3); give more of its path, or its index from 0, with --image",
@@ -268,8 +270,9 @@ bool areZero(const Numbers &numbers)
 
 void failWithoutLens(const Reading &reading)
 {
-    reading.fail(
-        tr("%1 has no intrinsics in the file; give a file that has them", reading.camera.images[reading.camera.image]));
+    const std::vector<std::string> &images = reading.camera.images;
+    reading.fail(tr("%1 has no intrinsics in the file; give a file that has them",
+                    images.empty() ? tr("the camera") : images[reading.camera.image]));
 }
 
 void sayNoParent(Reading &reading, const char *transform)

@@ -190,10 +190,12 @@ private:
     void shareAll()
     {
         for (std::size_t last = 1; last < m_groups.size(); ++last) {
-            const std::vector<ScannedNumber> numbers = m_groups[last].numbers;
-            const std::size_t count = numbers.size(), first = last + 1 - count;
-            if (m_groups[last].kind == Other || count < 2 || count > last || !m_groups[last].arithmetic.empty())
+            constexpr std::size_t kMost = 16; // names before one sign
+            const std::size_t count = m_groups[last].numbers.size(), first = last + 1 - count;
+            if (m_groups[last].kind == Other || count < 2 || count > std::min(last, kMost)
+                || !m_groups[last].arithmetic.empty())
                 continue;
+            const std::vector<ScannedNumber> numbers = m_groups[last].numbers;
             const auto begin = std::size_t(m_groups[first].name.data() - m_given.data());
             const auto names = m_text.substr(begin, numbers.front().at - begin),
                        values = m_text.substr(numbers.front().at, numbers.back().at - numbers.front().at);
@@ -286,6 +288,10 @@ private:
         }
         if (isAmong(c, " \t\r") || std::erase(m_labels, m_at) > 0) {
             ++m_at;
+            return;
+        }
+        if (m_isLineBlank && isHere(">>> ")) { // Python's console
+            m_at += 4;
             return;
         }
         if (m_commentEnd == 0 && (readMark() || readComment() || readQuoted()))

@@ -171,7 +171,7 @@ std::optional<std::string> nearestTime(const std::vector<std::string> &names, co
     return away(*nearest) <= kMost ? std::optional(*nearest) : std::nullopt;
 }
 
-/// A lens as named text for readOpenCv.
+/// A lens as named text for readNamedParts.
 struct NamedLens {
     std::string text{};
     bool isAlone = false; ///< it is a camera without a pose beside it, too

@@ -17,7 +17,7 @@
 
 namespace unprojector::cameras {
 using namespace geometry;
-using base::marked, base::tr;
+using base::tr;
 using enum PoseDirection;
 using enum EyeAxes;
 using enum PixelCentres;
@@ -32,7 +32,7 @@ void refuseOther(const Node &element, std::string_view keys, std::string_view on
     for (const std::string_view key : split(keys, ' ')) {
         const std::string word = element.word(key);
         const auto number = element.number(key), read = base::doubleFromWord(only);
-        if (!word.empty() && word != only && !(read && number.value_or(*read) == *read))
+        if (!word.empty() && word != only && !(read && number == read))
             element.fail(tr("%1 %2 is not read", key, word));
     }
 }
@@ -138,7 +138,7 @@ dmat4 sdfPose(const Node &element)
     refuseOther(pose, "relative_to frame", "");
     refuseOther(pose, "rotation_format", "euler_rpy");
     const Numbers p = element.needed("pose", 6);
-    const double unit = pose.word("degrees") == "true" ? kRadiansPerDegree : 1.0;
+    const double unit = pose.isTrue("degrees") ? kRadiansPerDegree : 1.0;
     return rigid(about(2, unit * p[5]) * about(1, unit * p[4]) * about(0, unit * p[3]), vectorOf(p));
 }
 
@@ -208,7 +208,7 @@ void readMjcf(Reading &reading)
     ForeignCamera &camera = reading.camera;
     const Trail &trail = reading.around;
     const Node model = reading.file["mujoco"], defaults = model["default/camera"], compiler = model["compiler"];
-    Json whole = defaults ? defaults.json() : Json::object();
+    Json whole = defaults.json().is_object() ? defaults.json() : Json::object();
     whole.update(trail.back().json());
     const Node one(reading, whole);
     if (const std::string mode = one.word("mode"); mode.starts_with("targetbody"))

@@ -858,6 +858,9 @@ private slots:
         QCOMPARE(readCamera({&open, 1}, {})->error().line, 4);
         const NamedText shortPose{"scene.xml", "<mujoco>\n<camera pos='0 1'/>\n</mujoco>"};
         QCOMPARE(readCamera({&shortPose, 1}, {})->error().line, 2);
+        const NamedText noList{"a.gltf",
+                               R"({"asset":{},"cameras":[{"perspective":{"yfov":1}}],"nodes":{"a":{"camera":0}}})"};
+        QVERIFY(!readCamera({&noList, 1}, {}));
         const NamedText blanks{"scene.xml", "<mujoco >\n<camera pos =\n '0 0 1'  fovy= '45' />\n</mujoco >"};
         CameraChoices choices;
         choices.size = ImageSize{640, 480};
