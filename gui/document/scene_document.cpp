@@ -111,7 +111,7 @@ Check SceneDocument::open(Scene scene)
     if (!taken)
         return taken.error();
     m_savedEdit = ++m_lastEdit;
-    m_unpreviewed.reset();
+    m_own.reset();
     m_undoStack.clear();
     emit opened();
     m_changes.notify(kVisibleChanges | Change::Pick | Change::GivenPoint | Change::Conventions | Change::Landmarks
@@ -135,6 +135,7 @@ Check SceneDocument::commit(const SceneState &state, const EditLabel &label)
     m_lastEdit = std::max(m_lastEdit, state.edit);
     // The stack reports once it is at its new index.
     m_undoStack.push(new SceneChange(before, m_state, label, [this](const SceneState &restored) {
+        m_changes.defer(takeOwn());
         const Result<Changes> changes = take(restored);
         Q_ASSERT(changes.hasValue());
         if (changes)
@@ -178,29 +179,54 @@ Check SceneDocument::preview(const SceneSettings &settings)
 {
     SceneState state = m_state;
     state.settings = settings;
-    const SceneSettings own = m_state.settings;
+    const Own own = m_own.value_or(Own{m_state.settings, setup()});
     const Result<Changes> taken = take(state);
     if (!taken)
         return taken.error();
-    if (!m_unpreviewed)
-        m_unpreviewed = own;
+    m_own = own;
     m_changes.notify(Change::Preview);
     return std::monostate{};
 }
 
 void SceneDocument::endPreview()
 {
-    if (!m_unpreviewed)
-        return;
+    if (m_own)
+        m_changes.notify(takeOwn());
+}
+
+Changes SceneDocument::takeOwn()
+{
+    if (!m_own)
+        return {};
+    const Own own = *std::exchange(m_own, std::nullopt);
     SceneState state = m_state;
-    state.settings = *std::exchange(m_unpreviewed, std::nullopt);
+    state.settings = own.settings;
     const Result<Changes> taken = take(state);
     Q_ASSERT(taken.hasValue());
-    m_changes.notify(Change::Preview | std::exchange(m_heldBack, {}));
+    Changes changes = Change::Preview;
+    changes.setFlag(Change::Setup, setup() != own.setup); // as when the window has another size
+    return changes;
+}
+
+Scene SceneDocument::ownScene() const
+{
+    Scene own = m_scene;
+    if (m_own)
+        static_cast<SceneSettings &>(own) = m_own->settings;
+    return own;
+}
+
+Setup SceneDocument::ownSetup() const
+{
+    if (!m_own)
+        return setup();
+    const Result<Setup> own = setupOf(ownScene(), m_own->settings.windowSize.value_or(m_widgetSurface), m_ground.box);
+    return own ? *own : m_own->setup;
 }
 
 void SceneDocument::restoreLandmarks(landmarks::LandmarkSet set)
 {
+    m_changes.defer(takeOwn());
     SceneState state = m_state;
     state.edit = ++m_lastEdit;
     state.landmarks = sharedLandmarks(std::move(set));
@@ -234,10 +260,8 @@ void SceneDocument::setSurface(const Surface &surface)
     const Result<Changes> taken = take(m_state);
     if (!taken)
         m_widgetSurface = before;
-    else if (m_unpreviewed)
-        m_heldBack |= *taken;
-    if (taken)
-        m_changes.notify(m_unpreviewed ? Change::Preview : *taken);
+    else
+        m_changes.notify(m_own ? Change::Preview : *taken);
 }
 
 Check SceneDocument::drawAt(const Surface &surface, const std::function<void()> &draw)

@@ -37,6 +37,9 @@ public:
     const std::vector<landmarks::Landmark> &landmarks() const { return m_scene.landmarks.landmarks; }
     /// The setup of the scene in the view's window, always valid.
     const geometry::Setup &setup() const { return m_unprojector->setup(); }
+    /// The scene, and its setup, as if no other settings were previewed: what is saved.
+    scene::Scene ownScene() const;
+    geometry::Setup ownSetup() const;
     /// The unprojector of that setup, prepared for clicks.
     const unproject::Unprojector &unprojector() const { return *m_unprojector; }
     /// The bounding box of all visible objects, world space.
@@ -77,7 +80,8 @@ public:
     /// Changes how the scene is shown. Does nothing if the setup would be invalid or nothing
     /// changes.
     void look(const EditLabel &label, const std::function<void(scene::SceneSettings &)> &change);
-    /// Shows other settings for a while, without a step of undo: only the views of the scene follow. An edit ends it.
+    /// Shows other settings for a while, without a step of undo: only the views of the scene follow. An edit, undo, and
+    /// another scene end it.
     /// @return the errors of setupOf; then nothing changed
     geometry::Check preview(const scene::SceneSettings &settings);
     /// Shows the scene's own settings again.
@@ -98,9 +102,18 @@ signals:
     void changed(unprojector::gui::Changes changes);
 
 private:
+    /// What a preview hides.
+    struct Own {
+        scene::SceneSettings settings;
+        geometry::Setup setup; ///< when the preview began
+    };
+
     /// Applies a state if its setup is valid. Recomputes only what depends on the changed parts.
     /// @return the changes, not reported yet; the errors of setupOf
     geometry::Result<Changes> take(const SceneState &state);
+    /// Takes the scene's own settings back after a preview.
+    /// @return the changes, not reported yet
+    Changes takeOwn();
     /// Applies a state undoably, if it differs.
     geometry::Check commit(const SceneState &state, const EditLabel &label);
 
@@ -111,9 +124,8 @@ private:
     geometry::Box m_bounds;
     scene::Ground m_ground;
     std::uint64_t m_lastEdit = 0;
-    std::optional<std::uint64_t> m_savedEdit = 0;      ///< none: no state of the scene is saved
-    std::optional<scene::SceneSettings> m_unpreviewed; ///< during a preview: the scene's own
-    Changes m_heldBack;                                ///< during a preview: changes of the window
+    std::optional<std::uint64_t> m_savedEdit = 0; ///< none: no state of the scene is saved
+    std::optional<Own> m_own;                     ///< during a preview
     ChangeNotifier m_changes;
     QUndoStack m_undoStack;
     SceneLandmarks m_sceneLandmarks;

@@ -116,7 +116,7 @@ bool Session::openLesson(Scene scene, const QString &name, const QString &lesson
     emit progressed();
     std::optional<SceneAside> before; // its file keeps the changes while they are saved nowhere else
     if (!m_aside)
-        before = {m_document.scene(), m_document.picks().keptPick(), m_origin, hasUnsavedChanges(),
+        before = {m_document.ownScene(), m_document.picks().keptPick(), m_origin, hasUnsavedChanges(),
                   m_autosave ? m_autosave->release() : nullptr};
     if (const Check shown = m_document.open(std::move(scene)); !shown) {
         if (before && before->recovery)
@@ -293,7 +293,7 @@ bool Session::saveScene(const std::filesystem::path &file)
     if (m_keeper)
         static_cast<void>(m_keeper->keepBeforeLeaving()); // the scene has them too
     const std::filesystem::path path = absolutePath(file);
-    const SceneFile contents = sceneFileFrom(m_document.scene(), m_document.setup(), path);
+    const SceneFile contents = sceneFileFrom(m_document.ownScene(), m_document.ownSetup(), path);
     const std::optional<base::FileStamp> onlyIf = path == m_origin.file ? m_origin.stamp : std::nullopt;
     base::Expected<base::FileStamp, base::Error> written = writeSceneFile(path, contents, onlyIf);
     if (!written && written.error().kind == base::Error::Kind::Changed) {
@@ -316,7 +316,8 @@ bool Session::saveScene(const std::filesystem::path &file)
 
 QString Session::droppedMatrices() const
 {
-    const bool projection = m_document.scene().projection.hadMatrix(), view = m_document.scene().camera.hadMatrix();
+    const Scene own = m_document.ownScene();
+    const bool projection = own.projection.hadMatrix(), view = own.camera.hadMatrix();
     if (projection && view)
         return tr("Saved. The projection and the view have changed since they were given as matrices; they are saved "
                   "as arguments.");
@@ -423,7 +424,7 @@ void Session::followChanges()
 
 SceneFile Session::contents() const
 {
-    return sceneFileFrom(m_document.scene(), m_document.setup(), m_origin.file);
+    return sceneFileFrom(m_document.ownScene(), m_document.ownSetup(), m_origin.file);
 }
 
 Result<Autosave::Content, QString> Session::unsavedContent() const
