@@ -62,7 +62,7 @@ LandmarkTool::LandmarkTool(SceneDocument &document, SceneView &view)
             endDrag();
         if (m_arrows != Arrows::Hidden && visibleCurrent() != m_arrowsOf)
             setArrows(Arrows::Hidden);
-        if (changes & (kVisibleChanges | Change::Landmarks | Change::LandmarkSelection))
+        if (changes & (kVisibleChanges | Change::Preview | Change::Landmarks | Change::LandmarkSelection))
             m_drawing.forgetMarks();
         m_drawing.forgetImage();
     });

@@ -51,7 +51,7 @@ MapMaker::Answer MapMaker::answerOf(const maps::Question &question, std::shared_
 MapMaker::MapMaker(const SceneDocument &document, QObject *parent) : QObject(parent), m_document(document)
 {
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & kVisibleChanges) {
+        if (changes & (kVisibleChanges | Change::Preview)) {
             cancel();
             m_seen.reset(); // it also holds the models of a removed scene
         }

@@ -33,7 +33,7 @@ MapOverlay::MapOverlay(SceneDocument &document, SceneView &view)
     m_rest.setInterval(kRestMilliseconds);
     connect(&m_rest, &QTimer::timeout, this, &MapOverlay::ask);
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (m_isShown && (changes & kVisibleChanges)) {
+        if (m_isShown && (changes & (kVisibleChanges | Change::Preview))) {
             drop();
             m_panel->setNote(tr("The map appears when the view stops moving."));
             m_rest.start();
