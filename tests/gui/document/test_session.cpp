@@ -339,6 +339,22 @@ private slots:
                            "the clip plane is switched on."));
     }
 
+    void aPreviewedCameraIsNotSaved()
+    {
+        const auto desk = this->desk();
+        const QString scene = writeScene(QStringLiteral("scene.json"));
+        QVERIFY(desk->openAndWait({scene}));
+        QVERIFY(desk->session.save());
+        const QByteArray before = read(scene);
+        SceneSettings other = desk->document.scene();
+        other.windowSize = geometry::Surface{641, 479, 1.0};
+        QVERIFY(desk->document.preview(other));
+        QVERIFY(desk->document.setup() != desk->document.ownSetup());
+        QVERIFY(desk->session.save());
+        QCOMPARE(read(scene), before);
+        QCOMPARE(desk->document.setup().surface.widthPixels, 641);
+    }
+
     void theNameAndTheMarkFollow()
     {
         const auto desk = this->desk();

@@ -124,6 +124,15 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
         QVERIFY(part<MapOverlay>(*window).map()->setup == window->document().setup());
         QVERIFY(!(part<MapOverlay>(*window).map()->setup == before));
+        // A previewed camera has its own map.
+        scene::SceneSettings settings = window->document().scene();
+        settings.camera = before.camera();
+        QVERIFY(window->document().preview(settings));
+        QVERIFY(part<MapOverlay>(*window).map() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
+        QVERIFY(part<MapOverlay>(*window).map()->setup == window->document().setup());
+        window->document().endPreview();
+        QVERIFY(part<MapOverlay>(*window).map() == nullptr);
 
         action->trigger();
         QVERIFY(part<MapOverlay>(*window).panel().isHidden());
