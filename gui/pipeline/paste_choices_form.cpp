@@ -169,8 +169,13 @@ PasteChoices PasteChoicesForm::choices() const
 {
     PasteChoices choices;
     CameraChoices &camera = choices.camera;
-    if (m_image->count() > 1)
-        camera.image = m_image->currentText().toStdString();
+    if (m_image->count() > 1) {
+        const QString name = m_image->currentText();
+        int same = 0;
+        for (int i = 0; i < m_image->count(); ++i)
+            same += m_image->itemText(i) == name ? 1 : 0;
+        camera.image = same > 1 ? std::to_string(m_image->currentIndex()) : name.toStdString();
+    }
     if (const auto size = typedSize(m_size->text()))
         camera.size = ImageSize{size->widthPixels, size->heightPixels};
     camera.nearDistance = numberIn(*m_near);
@@ -215,15 +220,22 @@ void PasteChoicesForm::showCamera(const PastedCamera &camera)
         m_image->addItems(images);
         m_image->setCurrentIndex(static_cast<int>(foreign->image));
     }
-    // A text that cannot be read may ask for one of these.
-    const auto asks = [&](const char *option) {
-        return camera.fault && camera.fault->text.find(option) != std::string::npos;
+    // A fault may ask for one of these, and what is assumed may name it.
+    std::vector<std::string> said = foreign ? foreign->assumed : std::vector<std::string>();
+    if (camera.scene)
+        said.insert(said.end(), camera.scene->assumed.begin(), camera.scene->assumed.end());
+    if (camera.fault)
+        said.push_back(camera.fault->text);
+    const auto asks = [&said](const char *option) {
+        return std::ranges::any_of(said,
+                                   [option](const std::string &one) { return one.find(option) != std::string::npos; });
     };
     const auto show = [this](QWidget *field, bool isNeeded) { m_form->setRowVisible(field, isNeeded); };
     const bool hasPose = foreign && foreign->pose;
     show(m_image, m_image->count() > 1);
     show(m_sizes, foreign || asks("--size") || !m_size->text().isEmpty());
-    show(m_distances, (foreign && foreign->intrinsics) || asks("--near"));
+    show(m_distances, (foreign && foreign->intrinsics) || asks("--near") || asks("--far") || !m_near->text().isEmpty()
+                          || !m_far->text().isEmpty());
     const auto &matrices = camera.matrices;
     const bool isAlone = matrices.size() == 1 && matrices[0].given.form != MatrixForm::Call;
     const bool isView = camera.isRoleByForm && isAlone && matrices[0].role == MatrixRole::View;
