@@ -38,11 +38,25 @@ using namespace pipeline;
 
 namespace {
 
-/// Returns whether a file's text can be shown and changed in a field.
-bool isTypable(const std::string &text)
+/// Returns whether a text can be shown and changed in a field.
+bool isTypable(const NamedText &one)
 {
-    return text.size() <= std::size_t(kMostPastedCharacters) && text.find('\0') == text.npos
-           && base::firstNotUtf8(text) == text.npos;
+    if (one.name.empty()) // it is there
+        return true;
+    constexpr std::size_t kMostBytes = 3; // of UTF-8 for a character
+    const std::string &text = one.text;
+    return text.size() <= kMostBytes * std::size_t(kMostPastedCharacters) && text.find('\0') == text.npos
+           && base::firstNotUtf8(text) == text.npos && QString::fromStdString(text).size() <= kMostPastedCharacters;
+}
+
+std::vector<std::filesystem::path> localFiles(const QList<QUrl> &urls)
+{
+    std::vector<std::filesystem::path> files;
+    for (const QUrl &url : urls) {
+        if (url.isLocalFile())
+            files.emplace_back(url.toLocalFile().toStdU16String());
+    }
+    return files;
 }
 
 /// Returns whether a text is another one with changes, not a new one.
@@ -56,13 +70,13 @@ bool isChanged(const std::string &before, const std::string &after)
 
 } // namespace
 
-PasteCameraDialog::PasteCameraDialog(SceneDocument &document, QWidget *parent)
-    : QDialog(parent), m_document(document), m_settings(document.scene()), m_setup(document.setup())
+PasteCameraDialog::PasteCameraDialog(SceneDocument &document, QWidget *parent) : QDialog(parent), m_document(document)
 {
     setWindowTitle(tr("Paste Camera"));
     setAcceptDrops(true);
     m_text = new PlainTextBox;
     m_text->setMost(kMostPastedCharacters);
+    m_text->setTakesFiles(true);
     m_text->setFont(digitsFont(font()));
     m_text->setTabChangesFocus(true);
     m_text->setAcceptDrops(false); // the dialog takes files
@@ -105,10 +119,19 @@ PasteCameraDialog::PasteCameraDialog(SceneDocument &document, QWidget *parent)
                    .arg(characters)
                    .arg(kMostPastedCharacters));
     });
+    connect(m_text, &PlainTextBox::filesPasted, this, [this](const QList<QUrl> &urls) { readFiles(localFiles(urls)); });
     connect(m_report, &QTextBrowser::anchorClicked, this, &PasteCameraDialog::follow);
     connect(m_form, &PasteChoicesForm::choicesChanged, this, &PasteCameraDialog::refresh);
     connect(buttons, &QDialogButtonBox::accepted, this, &PasteCameraDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &PasteCameraDialog::reject);
+    // Queued: all others see the scene's own change first.
+    connect(
+        &m_document, &SceneDocument::changed, this,
+        [this](Changes changes) {
+            if (isVisible() && (changes & kVisibleChanges))
+                refresh();
+        },
+        Qt::QueuedConnection);
     constexpr int kDigits = 120, kLines = 36;
     const QSize wanted(kDigits * fontMetrics().horizontalAdvance(u'0'), kLines * fontMetrics().lineSpacing());
     resize(wanted.boundedTo(screen()->availableSize() * 0.9));
@@ -151,6 +174,14 @@ void PasteCameraDialog::open(SceneDocument &document, QWidget *parent, const QSt
 
 void PasteCameraDialog::open(SceneDocument &document, QWidget *parent)
 {
+    const QMimeData *data = QGuiApplication::clipboard()->mimeData();
+    if (const auto files = localFiles(data ? data->urls() : QList<QUrl>()); !files.empty()) {
+        auto *dialog = new PasteCameraDialog(document, parent);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->readFiles(files);
+        dialog->QDialog::open();
+        return;
+    }
     const QString text = QGuiApplication::clipboard()->text();
     const NamedText copied{{}, text.size() <= kMostPastedCharacters ? text.toStdString() : std::string()};
     const PastedCamera camera = pastedCamera({&copied, 1}, {}, std::nullopt);
@@ -206,7 +237,7 @@ void PasteCameraDialog::take(std::vector<NamedText> texts)
         m_form->forgetAll();
     m_corrections.clear();
     m_texts = std::move(texts);
-    const bool isTyped = m_texts.empty() || (m_texts.size() == 1 && isTypable(m_texts.front().text));
+    const bool isTyped = m_texts.empty() || (m_texts.size() == 1 && isTypable(m_texts.front()));
     const bool isFile = !m_texts.empty() && !m_texts.front().name.empty();
     if (isFile || m_texts.empty()) {
         const QSignalBlocker blocker(m_text);
@@ -245,12 +276,12 @@ void PasteCameraDialog::refresh()
     if (fault.isEmpty() && m_camera.scene && m_camera.scene->distortion)
         fault =
             tr("The view cannot draw the camera's distortion. If your pixels are of the undistorted image, tick the "
-               "box. Else undo the distortion: unproject points --distortion.");
+               "box. Else undistort the image first, then tick the box.");
     const bool isCamera = m_camera.projection || m_camera.eyeFromWorld || m_camera.isViewportSet;
     bool isShown = isCamera && fault.isEmpty() && !m_camera.fault;
     if (isShown) {
         Check shown = std::monostate{};
-        if (const auto settings = withCamera(m_settings, m_setup, given()))
+        if (const auto settings = withCamera(m_document.ownScene(), m_document.ownSetup(), given()))
             shown = m_document.preview(*settings);
         else
             shown = settings.error();
@@ -274,6 +305,7 @@ void PasteCameraDialog::showReport(const QString &fault, bool isShown)
     shown.size = given().size;
     shown.isBlenders = m_text->toPlainText().contains(QStringLiteral("<Matrix 4x4"));
     shown.isCorrected = !m_corrections.empty();
+    shown.refusal = m_refusal;
     const int top = m_report->verticalScrollBar()->value();
     m_report->setHtml(QString::fromStdString(report::asHtml(pasteReport(shown))));
     m_report->verticalScrollBar()->setValue(top);
@@ -282,9 +314,10 @@ void PasteCameraDialog::showReport(const QString &fault, bool isShown)
 
 void PasteCameraDialog::refuse(const QString &reason)
 {
-    m_document.endPreview();
-    m_camera = {};
-    showReport(reason, false);
+    m_refusal = reason;
+    refresh();
+    m_refusal.clear();
+    m_report->verticalScrollBar()->setValue(0);
 }
 
 void PasteCameraDialog::follow(const QUrl &link)
@@ -313,11 +346,7 @@ void PasteCameraDialog::dragEnterEvent(QDragEnterEvent *event)
 
 void PasteCameraDialog::dropEvent(QDropEvent *event)
 {
-    std::vector<std::filesystem::path> files;
-    for (const QUrl &url : event->mimeData()->urls()) {
-        if (url.isLocalFile())
-            files.emplace_back(url.toLocalFile().toStdU16String());
-    }
+    const auto files = localFiles(event->mimeData()->urls());
     if (files.empty())
         return;
     event->acceptProposedAction();

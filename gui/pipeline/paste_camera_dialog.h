@@ -1,8 +1,6 @@
 #pragma once
 
 #include "core/cameras/pasted_camera.h"
-#include "core/geometry/setup.h"
-#include "core/scene/scene.h"
 #include "gui/document/scene_edits.h"
 
 #include <QDialog>
@@ -37,7 +35,7 @@ public:
 
     /// Shows the dialog over a window; it deletes itself.
     static void open(SceneDocument &document, QWidget *parent, const QString &text);
-    /// The same with the text of the clipboard, if it is a camera.
+    /// The same with the files or the text of the clipboard, if the text is a camera.
     static void open(SceneDocument &document, QWidget *parent);
 
     void accept() override;
@@ -57,16 +55,15 @@ private:
     /// Reads the texts with the choices, shows the camera in the scene, and reports.
     void refresh();
     void showReport(const QString &fault, bool isShown);
-    /// Says why a text or file is not taken.
+    /// Says why a text or file is not taken; the camera stays.
     void refuse(const QString &reason);
     void follow(const QUrl &link);
     /// The camera that OK would set.
     GivenCamera given() const;
 
     SceneDocument &m_document;
-    const scene::SceneSettings m_settings; ///< of the scene, and its setup, before the dialog
-    const geometry::Setup m_setup;
     std::vector<cameras::NamedText> m_texts; ///< without a name: typed
+    QString m_refusal;                       ///< during refuse(): its reason
     std::vector<cameras::Correction> m_corrections;
     cameras::PastedCamera m_camera;
     PlainTextBox *m_text;

@@ -60,9 +60,13 @@ public:
     Report report()
     {
         const auto &fault = m_camera.fault;
+        if (!m_shown.refusal.isEmpty()) {
+            begin(tr("Not read"));
+            say(m_shown.refusal);
+        }
         if (!m_shown.fault.isEmpty() || fault) {
             begin(tr("No camera yet"));
-            say(m_shown.fault.isEmpty() ? faultText(*fault) : m_shown.fault);
+            say(m_shown.fault.isEmpty() ? faultText(*fault) : withFieldNames(m_shown.fault));
             if (fault && !m_camera.foreign && m_camera.matrices.empty())
                 say(tr(
                     "A camera is that of a program (K, R and t, a camera's file), matrices of sixteen numbers each, or "

@@ -19,6 +19,7 @@ struct ShownPaste {
     std::optional<geometry::Box> objects = {};  ///< world space
     std::optional<geometry::Surface> size = {}; ///< that the view gets from the camera's image
     bool isCorrected = false;
+    QString refusal = {}; ///< why another text or file is not taken instead
 };
 
 // The targets of the report's links: kCorrect with the index of the matrix and of its finding, kDirection with a

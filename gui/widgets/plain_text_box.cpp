@@ -28,6 +28,10 @@ void PlainTextBox::insertFromMimeData(const QMimeData *source)
 {
     if (!(textInteractionFlags() & Qt::TextEditable) || !source->hasText())
         return;
+    if (const QList<QUrl> urls = source->urls(); m_takesFiles && !urls.isEmpty() && urls.front().isLocalFile()) {
+        emit filesPasted(urls);
+        return;
+    }
     const QString text = source->text();
     const qsizetype selected = textCursor().selectionEnd() - textCursor().selectionStart();
     constexpr qsizetype kEnd = 1; // the document counts its end

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QPlainTextEdit>
+#include <QUrl>
 
 #include <limits>
 
@@ -19,6 +20,8 @@ public:
 
     /// @param most  characters
     void setMost(qsizetype most) { m_most = most; }
+    /// Emits filesPasted instead of taking the names of copied files.
+    void setTakesFiles(bool takes) { m_takesFiles = takes; }
     /// Replaces the text unless it is too long.
     void setText(const QString &text);
 
@@ -26,6 +29,8 @@ signals:
     /// Emitted instead of taking a text.
     /// @param characters  that the box would have
     void refused(qsizetype characters);
+    /// @param files  as a file manager copies them
+    void filesPasted(const QList<QUrl> &files);
 
 protected:
     bool canInsertFromMimeData(const QMimeData *source) const override;
@@ -34,6 +39,7 @@ protected:
 private:
     bool hasRoomFor(qsizetype characters);
 
+    bool m_takesFiles = false;
     qsizetype m_most = std::numeric_limits<int>::max();
 };
 

@@ -5861,8 +5861,8 @@ K、R 和 t，OpenCV 的 YAML，transforms.json …
         <translation>文本有 %1 个字符；最多可粘贴 %2 个。请存为文件，再打开它。</translation>
     </message>
     <message>
-        <source>The view cannot draw the camera&apos;s distortion. If your pixels are of the undistorted image, tick the box. Else undo the distortion: unproject points --distortion.</source>
-        <translation>视图无法绘制相机的畸变。若您的像素取自去畸变后的图像，请勾选该框。否则先去除畸变：unproject points --distortion。</translation>
+        <source>The view cannot draw the camera&apos;s distortion. If your pixels are of the undistorted image, tick the box. Else undistort the image first, then tick the box.</source>
+        <translation>视图无法绘制相机的畸变。若您的像素取自去畸变后的图像，请勾选该框。否则请先对图像去畸变，再勾选该框。</translation>
     </message>
 </context>
 <context>
@@ -6050,6 +6050,10 @@ K、R 和 t，OpenCV 的 YAML，transforms.json …
 </context>
 <context>
     <name>unprojector::gui::PasteReport</name>
+    <message>
+        <source>Not read</source>
+        <translation>未读取</translation>
+    </message>
     <message>
         <source>“Pixel centres”</source>
         <translation>“像素中心”</translation>

@@ -177,6 +177,35 @@ private slots:
         QCOMPARE(document.setup().camera(), own);
     }
 
+    void undoEndsAPreview()
+    {
+        Pasting pasting;
+        SceneDocument &document = pasting.document;
+        const LookAt first = document.setup().camera();
+        LookAt second = first;
+        second.eye += WorldVector(0.5, 0.0, 0.0);
+        setCamera(document, second);
+        pasting.paste("gluLookAt(30, 2, 5, 0, 0, 0, 0, 1, 0)");
+        document.undoStack().undo();
+        QCOMPARE(document.setup().camera(), first);
+        document.endPreview();
+        QCOMPARE(document.setup().camera(), first);
+    }
+
+    void anotherSceneIsPreviewed()
+    {
+        Pasting pasting;
+        pasting.paste("gluLookAt(30, 2, 5, 0, 0, 0, 0, 1, 0)");
+        Changes told;
+        connect(&pasting.document, &SceneDocument::changed, this, [&told](Changes changes) { told |= changes; });
+        openObjects(pasting.document, cubeScene());
+        const Setup own = pasting.document.setup();
+        QTRY_VERIFY_WITH_TIMEOUT(told & Change::Preview, kPatienceMilliseconds);
+        QVERIFY(pasting.document.setup() != own && pasting.document.ownSetup() == own);
+        pasting.dialog->reject();
+        QCOMPARE(pasting.document.setup(), own);
+    }
+
     void nearAndFarCanBeSaid()
     {
         Pasting pasting;
@@ -191,6 +220,34 @@ private slots:
         pasting.ok()->click();
         const ProjectionWindow planes = projectionWindow(pasting.document.setup().projection());
         QVERIFY(std::abs(planes.nearDistance - 0.25) < 1e-9 && std::abs(planes.farDistance - 40.0) < 1e-6);
+    }
+
+    /// What the report names is there.
+    void fieldsOfAssumptionsAreShown()
+    {
+        Pasting pasting;
+        pasting.paste("position: (1, 2, 9)\nfocal point: (0, 0, 0)\nview up: (0, 1, 0)\nparallel projection: On\n"
+                      "parallel scale: 3\n");
+        pasting.type("Image size", "640 x 480");
+        QVERIFY(pasting.says("“Near” and “Far” say otherwise"));
+        pasting.type("Far", "40");
+        QVERIFY(pasting.says("0, 40") && pasting.named<QLineEdit>("Far"));
+    }
+
+    void imagesOfOneNameAreToldApart()
+    {
+        const QTemporaryDir folder;
+        Pasting pasting;
+        pasting.dialog->readFiles(
+            {written(folder, QStringLiteral("images.txt"),
+                     "7 1 0 0 0 0 0 5 1 a.png\n\n8 1 0 0 0 1 0 5 1 b.png\n\n9 1 0 0 0 2 0 5 1 a.png\n\n"),
+             written(folder, QStringLiteral("cameras.txt"), "1 PINHOLE 640 480 500 510 320 240\n")});
+        for (const int image : {2, 1, 0}) {
+            pasting.choose("Image", image);
+            QVERIFY(pasting.ok()->isEnabled());
+            QCOMPARE(pasting.document.setup().camera().eye.x, -double(image));
+            QCOMPARE(pasting.named<QComboBox>("Image")->currentIndex(), image);
+        }
     }
 
     void sizeCanBeSaidAndLeft()
@@ -282,6 +339,7 @@ private slots:
         pasting.paste(krt() + QStringLiteral("dist = [0.1, -0.02, 0.001, 0, 0]\n"));
         QVERIFY(pasting.says("k1 0.1, k2 -0.02"));
         QVERIFY(!pasting.ok()->isEnabled());
+        QVERIFY(pasting.says("undistort the image first") && !pasting.report()->toPlainText().contains("--"));
         pasting.button("My pixels are of the undistorted image")->click();
         QVERIFY(pasting.ok()->isEnabled());
     }
@@ -371,6 +429,48 @@ private slots:
         QVERIFY(pasting.ok()->isEnabled() && !pasting.button("Type instead"));
         pasting.text()->appendPlainText("dist = [0.1, 0, 0, 0, 0]");
         QVERIFY(!pasting.named<QLabel>("Files of the camera") && pasting.says("k1 0.1"));
+    }
+
+    void copiedFilesArePasted()
+    {
+        const QTemporaryDir folder;
+        const auto file = written(folder, QStringLiteral("camera.txt"), krt().toUtf8());
+        Pasting pasting;
+        auto *copied = new QMimeData;
+        copied->setUrls({QUrl::fromLocalFile(QString::fromStdU16String(file.u16string()))});
+        QGuiApplication::clipboard()->setMimeData(copied);
+        pasting.text()->paste();
+        QCOMPARE(pasting.named<QLabel>("Files of the camera")->text(), QStringLiteral("camera.txt"));
+        QVERIFY(pasting.ok()->isEnabled());
+    }
+
+    void aRefusedFileLeavesTheCamera()
+    {
+        const QTemporaryDir folder;
+        Pasting pasting;
+        pasting.paste(krt());
+        const Setup shown = pasting.document.setup();
+        pasting.dialog->readFiles({std::filesystem::path(folder.filePath(QStringLiteral("none")).toStdU16String())});
+        QVERIFY(pasting.says("cannot be read") && pasting.says("Camera of OpenCV"));
+        pasting.dialog->setText(QString(kMostPastedCharacters + 1, u'1'));
+        QVERIFY(pasting.says("at most 1000000 can be pasted") && pasting.says("Camera of OpenCV"));
+        QVERIFY(pasting.ok()->isEnabled());
+        QCOMPARE(pasting.document.setup(), shown);
+        pasting.paste(krt() + "\n");
+        QVERIFY(!pasting.report()->toPlainText().contains("Not read"));
+    }
+
+    void aPastedTextStaysTypable()
+    {
+        Pasting pasting;
+        pasting.paste(QString(400'000, QChar(0x76f8)));
+        QVERIFY(pasting.text()->isVisible());
+        pasting.text()->setPlainText(QStringLiteral("a") + QChar(0) + QStringLiteral("b"));
+        QVERIFY(pasting.text()->isVisible());
+        const QTemporaryDir folder;
+        pasting.dialog->readFiles(
+            {written(folder, QStringLiteral("c.txt"), QByteArray("\xe7\x9b\xb8").repeated(400'000))});
+        QVERIFY(pasting.text()->isVisible());
     }
 
     void strangeFilesAreRefused()
