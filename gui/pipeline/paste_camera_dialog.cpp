@@ -59,6 +59,11 @@ std::vector<std::filesystem::path> localFiles(const QList<QUrl> &urls)
     return files;
 }
 
+bool isRead(const PastedCamera &camera)
+{
+    return camera.foreign || camera.projection || camera.eyeFromWorld;
+}
+
 /// Returns whether a text is another one with changes, not a new one.
 bool isChanged(const std::string &before, const std::string &after)
 {
@@ -179,13 +184,15 @@ void PasteCameraDialog::open(SceneDocument &document, QWidget *parent)
         auto *dialog = new PasteCameraDialog(document, parent);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
         dialog->readFiles(files);
+        if (!isRead(dialog->m_camera)) // they were copied for something else
+            dialog->take({});
         dialog->QDialog::open();
         return;
     }
     const QString text = QGuiApplication::clipboard()->text();
     const NamedText copied{{}, text.size() <= kMostPastedCharacters ? text.toStdString() : std::string()};
     const PastedCamera camera = pastedCamera({&copied, 1}, {}, std::nullopt);
-    open(document, parent, camera.foreign || camera.projection || camera.eyeFromWorld ? text : QString());
+    open(document, parent, isRead(camera) ? text : QString());
 }
 
 void PasteCameraDialog::setText(const QString &text)
@@ -217,10 +224,7 @@ void PasteCameraDialog::readFiles(const std::vector<std::filesystem::path> &file
 
 std::vector<NamedText> PasteCameraDialog::withEarlier(std::vector<NamedText> texts) const
 {
-    const auto isCamera = [](const std::vector<NamedText> &all) {
-        const PastedCamera camera = pastedCamera(all, {}, std::nullopt);
-        return camera.foreign || camera.projection || camera.eyeFromWorld;
-    };
+    const auto isCamera = [](const std::vector<NamedText> &all) { return isRead(pastedCamera(all, {}, std::nullopt)); };
     if (m_texts.empty() || m_texts.front().name.empty() || isCamera(m_texts) || isCamera(texts))
         return texts;
     std::vector<NamedText> all = m_texts;

@@ -127,6 +127,23 @@ private slots:
         QVERIFY(window->document().landmarks().empty());
     }
 
+    void marksFollowAPreviewedCamera()
+    {
+        const auto window = cubeWindow(false);
+        putPoint(*window);
+        const QPointF before = localOf(*window, kFront);
+        SceneSettings settings = window->document().scene();
+        LookAt camera = settings.camera;
+        camera.eye += WorldVector(0.7, 0.0, 0.0);
+        camera.center += WorldVector(0.7, 0.0, 0.0);
+        settings.camera = camera;
+        QVERIFY(window->document().preview(settings));
+        const QPointF at = localOf(*window, kFront);
+        QVERIFY(std::hypot(at.x() - before.x(), at.y() - before.y()) > 20.0);
+        click(window->view(), at + QPointF(3, 2));
+        QVERIFY(window->document().sceneLandmarks().selection() == std::vector<std::size_t>{0});
+    }
+
     void aMarkIsSelectedAndDragged()
     {
         const auto window = cubeWindow(false);

@@ -232,6 +232,13 @@ private slots:
         QVERIFY(pasting.says("“Near” and “Far” say otherwise"));
         pasting.type("Far", "40");
         QVERIFY(pasting.says("0, 40") && pasting.named<QLineEdit>("Far"));
+
+        pasting.paste("width: 640\nheight: 480\ndistortion_model: plumb_bob\nD: [0, 0, 0, 0, 0]\n"
+                      "K: [500, 0, 320, 0, 510, 240, 0, 0, 1]\nR: [1, 0, 0, 0, 1, 0, 0, 0, 1]\n"
+                      "P: [480, 0, 320, 0, 0, 490, 240, 0, 0, 0, 1, 0]\n");
+        QVERIFY(pasting.says("“My pixels are of the undistorted image” takes P"));
+        pasting.button("My pixels are of the undistorted image")->click();
+        QVERIFY(pasting.says("fx 480") && pasting.button("My pixels are of the undistorted image"));
     }
 
     void imagesOfOneNameAreToldApart()
@@ -442,6 +449,21 @@ private slots:
         pasting.text()->paste();
         QCOMPARE(pasting.named<QLabel>("Files of the camera")->text(), QStringLiteral("camera.txt"));
         QVERIFY(pasting.ok()->isEnabled());
+        pasting.dialog->reject();
+        // A dialog that opens reads them, too, unless they are no camera.
+        for (const bool isCamera : {true, false}) {
+            if (!isCamera)
+                written(folder, QStringLiteral("camera.txt"), "nothing");
+            PasteCameraDialog::open(pasting.document, nullptr);
+            PasteCameraDialog *opened = nullptr;
+            for (QWidget *window : QApplication::topLevelWidgets()) {
+                if (window->isVisible() && qobject_cast<PasteCameraDialog *>(window))
+                    opened = qobject_cast<PasteCameraDialog *>(window);
+            }
+            QVERIFY(opened);
+            QCOMPARE(opened->findChild<PlainTextBox *>()->toPlainText(), isCamera ? krt() : QString());
+            opened->reject();
+        }
     }
 
     void aRefusedFileLeavesTheCamera()
