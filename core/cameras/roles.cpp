@@ -54,15 +54,25 @@ enum class Word {
     Other ///< makes the numbers another thing's
 };
 
+constexpr std::string_view kFillers =
+    " vector vec params param parameters parameter data value values new est gt opt optimal "
+    "is of the my raw array np list point points length lengths pinhole final current xyzw "
+    "wxyz double float const auto var let ";
+constexpr std::string_view kWorldFrames =
+    " world w map m odom global g body b imu i base robot ego vehicle velodyne velo "
+    "lidar rig object obj o marker board target ned enu ";
+
+constexpr std::string_view kOtherThings =
+    " std sigma cov covariance noise velocity speed error residual residuals jacobian inv "
+    "inverse inverted delta relative limits min max bounds weights stereo fundamental "
+    "essential homography mv mvp viewport ";
+
 /// The words of each kind, in its order.
 constexpr std::string_view kVocabulary[]{
     "",
-    " vector vec params param parameters parameter data value values new est gt opt optimal "
-    "is of the my raw array np list point points length lengths pinhole final current xyzw "
-    "wxyz double float const auto var let ",                // Filler
+    kFillers,
     " camera cam cams c cn cnm optical sensor s eye lens ", // Camera
-    " world w map m odom global g body b imu i base robot ego vehicle velodyne velo lidar rig "
-    "object obj o marker board target ned enu ",                                                 // World
+    kWorldFrames,
     " left right color colour rgb depth ir infrared reference ref rect ",                        // Side
     " t transform transformation trafo tf se ",                                                  // Transform
     " to ",                                                                                      // To
@@ -91,9 +101,7 @@ constexpr std::string_view kVocabulary[]{
     " shape hw ",                                                                                // Shape
     " image img frame ",                                                                         // Image
     " model type ",                                                                              // Model
-    " std sigma cov covariance noise velocity speed error residual residuals jacobian inv "
-    "inverse inverted delta relative limits min max bounds weights stereo fundamental "
-    "essential homography mv mvp viewport ", // Other
+    kOtherThings,
 };
 
 Word kindOf(std::string_view word)
