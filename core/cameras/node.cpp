@@ -287,6 +287,8 @@ Numbers Node::needed(Keys keys, std::size_t count) const
 
 std::string Node::unused() const
 {
+    if (!m_reading)
+        return {};
     std::string names;
     const auto add = [&](const std::string &name, std::size_t count) {
         if (count > 1 && roleOf(name, count))
