@@ -5,6 +5,7 @@
 #include "core/base/text_scanner.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>

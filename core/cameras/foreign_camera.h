@@ -28,6 +28,9 @@ enum class EyeAxes {
     AheadLeftUp     ///< ROS's body frames
 };
 
+/// OpenGL's eye axes (right, up, back) from a camera's.
+glm::dmat3 eyeFromCamera(EyeAxes axes);
+
 /// The direction of a given pose.
 enum class PoseDirection { WorldToCamera, CameraToWorld };
 

@@ -845,8 +845,16 @@ private:
 
     void readClipDistances()
     {
-        m_camera.nearDistance = m_values.number("znear nearplane nearclip nearclipplane");
-        m_camera.farDistance = m_values.number("zfar farplane farclip farclipplane");
+        for (const auto &[names, distance] :
+             {std::pair("znear nearplane nearclip nearclipplane", &m_camera.nearDistance),
+              std::pair("zfar farplane farclip farclipplane", &m_camera.farDistance)}) {
+            const CameraValue *value = m_values.find(names);
+            if (!value)
+                continue;
+            *distance = value->number();
+            if (!value->unit.empty() && value->unit != "m")
+                say(tr("%1 is in %2: this is the scene's unit.", value->name, value->unit));
+        }
     }
 
     /// Models of a pinhole, and names of its distortion.

@@ -350,8 +350,8 @@ void addTrails(const Node &element, std::string_view tag, Trail &trail, std::vec
     }
 }
 
-constexpr std::size_t kMost =
-    256; // levels, because readers recurse; names in an element, which are searched one by one
+constexpr std::size_t kMostLevels = 256; // readers recurse
+constexpr std::size_t kMostNames = 256;  // in an element; they are searched one by one
 constexpr const char *kBlanks = " \t\r\n";
 
 /// A text with the five entities of XML replaced.
@@ -442,8 +442,8 @@ private:
 
     Json &member(Json &element, const std::string &name)
     {
-        if (element.size() > kMost || m_open.size() > kMost)
-            fail(tr("the XML has more than %1 levels, or names in an element", kMost));
+        if (element.size() > kMostNames || m_open.size() > kMostLevels)
+            fail(tr("the XML has more than %1 levels, or names in an element", kMostLevels));
         return element[name.substr(name.find(':') + 1)];
     }
 

@@ -253,9 +253,13 @@ private:
     {
         for (ReadMatrix &one : m_camera.matrices) {
             one.matrix = meantMatrix(one.given, one.order);
-            if (m_camera.isRoleByForm && one.role == MatrixRole::View
-                && m_choices.camera.direction == PoseDirection::CameraToWorld && !isSingular(one.matrix))
-                one.matrix = glm::inverse(one.matrix);
+            if (m_camera.isRoleByForm && one.role == MatrixRole::View && !isSingular(one.matrix)) {
+                const CameraChoices &chosen = m_choices.camera;
+                m_camera.openDirection = chosen.direction.value_or(PoseDirection::WorldToCamera);
+                if (m_camera.openDirection == PoseDirection::CameraToWorld)
+                    one.matrix = glm::inverse(one.matrix);
+                one.matrix = glm::dmat4(eyeFromCamera(chosen.axes.value_or(EyeAxes::RightUpBack))) * one.matrix;
+            }
             one.ndcDepth = one.given.ndcDepth;
             for (const auto &[role, finding] : m_choices.corrections) {
                 if (finding.repair == MatrixRepair::DepthZeroToOne)

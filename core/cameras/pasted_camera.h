@@ -20,7 +20,7 @@ struct Correction {
 
 /// The choices of the user about a pasted text.
 struct PasteChoices {
-    CameraChoices camera;                     ///< of a program's camera; the direction, of a view without a name, too
+    CameraChoices camera; ///< of a program's camera; direction and axes, of a view without a name, too
     std::optional<pipeline::MatrixRole> role; ///< of a matrix that is alone in the text
     std::optional<geometry::NdcDepth> ndcDepth;
     std::vector<Correction> corrections; ///< in their order
@@ -39,12 +39,14 @@ struct ReadMatrix {
 
 /// What a pasted text was read as: the camera of a program, or matrices.
 struct PastedCamera {
-    std::optional<ForeignCamera> foreign;         ///< as the program gives it
-    std::optional<SceneCamera> scene;             ///< the same, converted
-    std::vector<ReadMatrix> matrices;             ///< that count: projection and view, one of them, or their product
-    std::vector<PastedPart> unused;               ///< other matrices of the text
-    bool isRoleByForm = false;                    ///< the only matrix has no name that tells its role: its form does
-    bool isRoleOpen = false;                      ///< and it has the form of another role, too
+    std::optional<ForeignCamera> foreign; ///< as the program gives it
+    std::optional<SceneCamera> scene;     ///< the same, converted
+    std::vector<ReadMatrix> matrices;     ///< that count: projection and view, one of them, or their product
+    std::vector<PastedPart> unused;       ///< other matrices of the text
+    bool isRoleByForm = false;            ///< the only matrix has no name that tells its role: its form does
+    bool isRoleOpen = false;              ///< and it has the form of another role, too
+    /// Of a view by its form alone, whose direction nothing tells: the one it is read in.
+    std::optional<PoseDirection> openDirection;
     std::optional<pipeline::Decomposition> apart; ///< of a product
     std::vector<std::string> aside;               ///< names whose numbers belong to no matrix: "near", "Mouse"
     std::optional<geometry::Viewport> viewport;   ///< beside matrices

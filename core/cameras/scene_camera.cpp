@@ -33,19 +33,6 @@ constexpr double kUsualNear = 0.1, kUsualFar = 1000.0;
     throw base::Error{std::move(reason)};
 }
 
-/// OpenGL's eye axes (right, up, back) from a camera's.
-glm::dmat3 eyeFromCamera(EyeAxes axes)
-{
-    switch (axes) {
-    case RightUpBack: break;
-    case RightDownAhead: return glm::dmat3(1, 0, 0, 0, -1, 0, 0, 0, -1);
-    case RightUpAhead: return glm::dmat3(1, 0, 0, 0, 1, 0, 0, 0, -1);
-    case AheadRightUp: return glm::dmat3(0, 0, -1, 1, 0, 0, 0, 1, 0);
-    case AheadLeftUp: return glm::dmat3(0, 0, -1, -1, 0, 0, 0, 1, 0);
-    }
-    return glm::dmat3(1.0);
-}
-
 /// The inverse of a transform whose last row is 0 0 0 1.
 glm::dmat4 affineInverse(const glm::dmat4 &m)
 {
@@ -323,6 +310,18 @@ std::string remedyOf(const ForeignCamera &camera, const SceneCamera &scene, cons
 }
 
 } // namespace
+
+glm::dmat3 eyeFromCamera(EyeAxes axes)
+{
+    switch (axes) {
+    case RightUpBack: break;
+    case RightDownAhead: return glm::dmat3(1, 0, 0, 0, -1, 0, 0, 0, -1);
+    case RightUpAhead: return glm::dmat3(1, 0, 0, 0, 1, 0, 0, 0, -1);
+    case AheadRightUp: return glm::dmat3(0, 0, -1, 1, 0, 0, 0, 1, 0);
+    case AheadLeftUp: return glm::dmat3(0, 0, -1, -1, 0, 0, 0, 1, 0);
+    }
+    return glm::dmat3(1.0);
+}
 
 const char *keyOf(EyeAxes axes)
 {

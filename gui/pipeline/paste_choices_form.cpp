@@ -238,11 +238,13 @@ void PasteChoicesForm::showCamera(const PastedCamera &camera)
                           || !m_far->text().isEmpty());
     const auto &matrices = camera.matrices;
     const bool isAlone = matrices.size() == 1 && matrices[0].given.form != MatrixForm::Call;
-    const bool isView = camera.isRoleByForm && isAlone && matrices[0].role == MatrixRole::View;
+    const bool isView = camera.openDirection.has_value();
     show(m_direction, hasPose || isView || asks("--pose") || m_direction->currentIndex() > 0);
-    if (isView)
+    if (isView) {
         showAsRead(*m_direction, directionName(PoseDirection::WorldToCamera));
-    show(m_axes, foreign || asks("--axes") || m_axes->currentIndex() > 0);
+        showAsRead(*m_axes, axesName(EyeAxes::RightUpBack));
+    }
+    show(m_axes, foreign || isView || asks("--axes") || m_axes->currentIndex() > 0);
     show(m_centres, foreign && hasCentres(*foreign));
     show(m_isUndistorted, (foreign && foreign->distortion && !foreign->distortion->isNone()) || asks("--undistorted")
                               || m_isUndistorted->isChecked());

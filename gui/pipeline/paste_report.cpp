@@ -267,6 +267,14 @@ private:
         const ReadMatrix &one = m_camera.matrices[index];
         begin(roleName(one.role));
         say(originText(one.given, one.order));
+        if (m_camera.openDirection) {
+            const bool isInverted = m_camera.openDirection == PoseDirection::CameraToWorld;
+            const PoseDirection other = isInverted ? PoseDirection::WorldToCamera : PoseDirection::CameraToWorld;
+            say(isInverted ? tr("Nothing tells its direction. It is read from camera to world, so this is its inverse. "
+                                "The other reading:")
+                           : tr("Nothing tells its direction. It is read from world to camera. The other reading:"),
+                directionName(other), kDirection + (':' + std::to_string(int(other))));
+        }
         if (one.leavesInverse)
             say(tr("The text also has the inverse of this matrix. It is ignored."));
         m_report.back().blocks.push_back(matrixCode(one.matrix));

@@ -6121,6 +6121,14 @@ K、R 和 t，OpenCV 的 YAML，transforms.json …
         <translation>没有名称说明它是什么：由其形式判定。</translation>
     </message>
     <message>
+        <source>Nothing tells its direction. It is read from camera to world, so this is its inverse. The other reading:</source>
+        <translation>没有任何内容说明它的方向。它按从相机到世界读取，因此这里是它的逆矩阵。另一种读法：</translation>
+    </message>
+    <message>
+        <source>Nothing tells its direction. It is read from world to camera. The other reading:</source>
+        <translation>没有任何内容说明它的方向。它按从世界到相机读取。另一种读法：</translation>
+    </message>
+    <message>
         <source>It has the form of another matrix, too: choose under “Matrix”.</source>
         <translation>它也符合另一种矩阵的形式：请在“矩阵”处选择。</translation>
     </message>

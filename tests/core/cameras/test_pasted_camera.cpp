@@ -179,6 +179,20 @@ private slots:
         QCOMPARE(projection->given.line, std::size_t(8));
     }
 
+    void aPoseAloneIsOpenToDirectionAndAxes()
+    {
+        // OpenCV's pose of the same camera: right, down, ahead.
+        const glm::dmat4 turn = glm::scale(glm::dmat4(1.0), {1.0, -1.0, -1.0});
+        const std::string pose = printed(glm::inverse(turn * view()));
+        QVERIFY(pasted(pose).openDirection == PoseDirection::WorldToCamera);
+        PasteChoices choices;
+        choices.camera.direction = PoseDirection::CameraToWorld;
+        choices.camera.axes = EyeAxes::RightDownAhead;
+        QVERIFY(pasted(pose, choices).openDirection == PoseDirection::CameraToWorld);
+        QVERIFY(areClose(pasted(pose, choices).eyeFromWorld.value(), view()));
+        QVERIFY(!pasted("view = " + pose).openDirection && !pasted(printed(lens())).openDirection);
+    }
+
     void theRoleByFormIsOpenToAChoice()
     {
         const std::string box = printed(glm::ortho(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0));

@@ -124,8 +124,11 @@ private slots:
         pasting.paste(printed(glm::inverse(view()) * glm::rotate(glm::dmat4(1.0), 3.0, glm::dvec3(0, 1, 0))));
         const auto eye = [&] { return pasting.document.setup().camera().eye.coordinates(); };
         QVERIFY(glm::distance(eye(), {3, 2, 5}) > 1.0);
-        pasting.choose("Pose", 2); // camera to world
+        QVERIFY(pasting.says("Nothing tells its direction. It is read from world to camera."));
+        QVERIFY(pasting.named<QComboBox>("Axes of the camera"));
+        QVERIFY(pasting.click("Camera to world"));
         QVERIFY(glm::distance(eye(), {3, 2, 5}) < 1e-12);
+        QVERIFY(pasting.says("It is read from camera to world, so this is its inverse."));
     }
 
     void findingsAreCorrectedByLinks()
