@@ -85,7 +85,12 @@ std::string plainName(std::string_view names)
 
 bool isListed(std::string_view list, std::string_view word)
 {
-    return list.find(' ' + std::string(word) + ' ') != list.npos;
+    for (std::size_t at = list.find(word); !word.empty() && at != list.npos; at = list.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        if ((at == 0 || list[at - 1] == ' ') && (end == list.size() || list[end] == ' '))
+            return true;
+    }
+    return false;
 }
 
 std::size_t closingBracket(std::string_view text, std::size_t at)

@@ -21,7 +21,7 @@ std::string_view lastName(std::string_view names);
 std::string_view namesBefore(std::string_view names);
 /// The last name of a chain in lower case, without underscores: "DirectX::XM_PIDIV4" is "xmpidiv4".
 std::string plainName(std::string_view names);
-/// Returns whether a list, in which a blank stands before and after each word, has a word.
+/// Returns whether a list, with blanks between its words, has a word.
 bool isListed(std::string_view list, std::string_view word);
 
 /// The position of the bracket that closes the one at `at`; npos if there is none, or brackets are

@@ -1,4 +1,5 @@
 #include "core/base/number_text.h"
+#include "core/base/source_text.h"
 #include "core/base/text_scanner.h"
 #include "core/base/translation.h"
 #include "core/cameras/camera_matrices.h"
@@ -113,11 +114,11 @@ void readAliceVisionLens(Reading &reading)
     const std::string type = lens.word("type"), later = lens.word("distortionType");
     const std::string &model = later.empty() || later == "none" ? type : later;
     const Numbers c = lens.numbers("distortionParams");
-    const bool isBrown = isOneOf(model, "pinhole radial1 radial3 radialk1 radialk3 brown") || areZero(c);
+    const bool isBrown = base::isListed("pinhole radial1 radial3 radialk1 radialk3 brown", model) || areZero(c);
     const bool isRead = isBrown && !type.starts_with("fisheye") && !type.starts_with("equi")
                         && areZero(lens.numbers("undistortionParams"));
     setDistortion(reading, model, isRead ? std::optional(c) : std::nullopt);
-    if (reading.pose && reading.own.has("rigId") && isOneOf(reading.own.word("isPoseIndependant"), "false 0"))
+    if (reading.pose && reading.own.has("rigId") && base::isListed("false 0", reading.own.word("isPoseIndependant")))
         reading.fail(tr("the pose of %1 is that of its rig; poses of rigs are not read", reading.name));
 }
 
@@ -138,7 +139,7 @@ void readOpenSfmLens(Reading &reading)
 {
     const auto of = [&](const char *key) { return reading.lens.number(key, 0.0); };
     const std::string type = reading.lens.word("projection_type");
-    const bool isRead = type.empty() || isOneOf(type, "perspective simple_radial radial brown");
+    const bool isRead = type.empty() || base::isListed("perspective simple_radial radial brown", type);
     setDistortion(reading, type,
                   isRead ? std::optional(std::vector{of("k1"), of("k2"), of("k3"), of("p1"), of("p2")}) : std::nullopt);
     const ImageSize size = lensSize(reading, reading.lens);
@@ -183,7 +184,7 @@ void readRecordedLens(Reading &reading)
 /// Adds the cameras of an object and its children, each with its matrices up the parents.
 void addThreeCameras(const Node &object, const dmat4 &parent, Cameras &found)
 {
-    if (isOneOf(object.word("type"), "PerspectiveCamera OrthographicCamera")) {
+    if (base::isListed("PerspectiveCamera OrthographicCamera", object.word("type"))) {
         const std::string id = object.word("uuid");
         found.push_back({object.has("name") ? object.word("name") : id, id, object, object, {}, parent});
     }
@@ -225,7 +226,7 @@ bool hasOnly(const Node &object, std::string_view keys)
 {
     const Json &json = object.json();
     return std::all_of(json.items().begin(), json.items().end(),
-                       [&](const auto &item) { return isOneOf(item.key(), keys); });
+                       [&](const auto &item) { return base::isListed(keys, item.key()); });
 }
 
 /// Returns whether an object is an image's record of BOP. Other programs have cam_K, too.
@@ -321,7 +322,7 @@ void readNerf(Reading &reading)
         (reading.pose.has(key) ? reading.pose : reading.file).fail(std::move(reason), key);
     };
     const std::string model = one.word("camera_model");
-    if (!model.empty() && !isOneOf(model, "OPENCV PINHOLE SIMPLE_PINHOLE perspective SIMPLE_RADIAL RADIAL")
+    if (!model.empty() && !base::isListed("OPENCV PINHOLE SIMPLE_PINHOLE perspective SIMPLE_RADIAL RADIAL", model)
         && !reading.choices.isUndistorted)
         fail("camera_model", tr("the camera model %1 is not read: it is no pinhole with the distortion of Brown and "
                                 "Conrady. Undistort the images first, then give --undistorted",
@@ -381,7 +382,7 @@ void readNerf(Reading &reading)
 Cameras open3dCameras(Reading &reading, const Node &file)
 {
     const std::string kind = file.word("class_name");
-    if (!isOneOf(kind, "PinholeCameraParameters PinholeCameraTrajectory PinholeCameraIntrinsic ViewTrajectory")
+    if (!base::isListed("PinholeCameraParameters PinholeCameraTrajectory PinholeCameraIntrinsic ViewTrajectory", kind)
         && !(kind.empty() && reading.text.text.find("\"intrinsic_matrix\"") != std::string::npos))
         return {};
     const char *key = kind == "ViewTrajectory" ? "trajectory" : "parameters";

@@ -257,12 +257,6 @@ void setDistortion(Reading &reading, const Numbers &coefficients)
         reading.camera.distortion = *lens;
 }
 
-bool isOneOf(std::string_view word, std::string_view words)
-{
-    const auto all = split(words, ' ');
-    return std::find(all.begin(), all.end(), word) != all.end();
-}
-
 bool areZero(const Numbers &numbers)
 {
     return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0.0; });

@@ -119,8 +119,6 @@ void setDistortion(Reading &reading, const std::string &model, std::optional<Num
 /// The same for a list in OpenCV's order; empty: none.
 void setDistortion(Reading &reading, const Numbers &coefficients);
 
-/// Returns whether a word is one of those between blanks.
-bool isOneOf(std::string_view word, std::string_view words);
 bool areZero(const Numbers &numbers);
 
 /// Fails because the file lacks the chosen image's lens.

@@ -1,4 +1,5 @@
 #include "core/base/number_text.h"
+#include "core/base/source_text.h"
 #include "core/base/text_scanner.h"
 #include "core/base/translation.h"
 #include "core/cameras/camera_matrices.h"
@@ -207,7 +208,7 @@ NamedLens dsoLens(const NamedText &text, const CameraChoices &choices)
     const bool isSize = scanner.nextWordInLine().empty() && sizeOf(width, height);
     const std::string_view output = scanner.nextWord();
     const bool isOutput =
-        isOneOf(output, "crop full none") || (base::doubleFromWord(output) && !scanner.nextWordInLine().empty());
+        base::isListed("crop full none", output) || (base::doubleFromWord(output) && !scanner.nextWordInLine().empty());
     const bool isRadTan = (model.empty() || model == "RadTan") && n.size() == 8,
                isFov = (model.empty() || model == "FOV" || model == "Pinhole") && n.size() == 5;
     const bool isOther = (model == "EquiDistant" || model == "KannalaBrandt") && n.size() == 8;
