@@ -1,6 +1,7 @@
 #include "core/cameras/camera_matrices.h"
 
 #include "core/cameras/reader_parts.h"
+#include "core/pipeline/printed_digits.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -18,6 +19,12 @@ glm::dmat3 rotationOf(const glm::dvec3 &axis)
     const double half = std::sin(angle / 2.0), s = std::sin(angle), oneMinusCosine = 2.0 * half * half;
     const glm::dmat3 cross(0.0, n.z, -n.y, -n.z, 0.0, n.x, n.y, -n.x, 0.0);
     return glm::dmat3(1.0) + s * cross + oneMinusCosine * (cross * cross);
+}
+
+bool areOrthonormal(const glm::dmat3 &axes)
+{
+    constexpr double kPrinted = 0.02;
+    return pipeline::largestDifference(axes * glm::transpose(axes), glm::dmat3(1.0)) < kPrinted;
 }
 
 std::optional<CameraParts> partsOf(std::span<const double> p)

@@ -14,6 +14,9 @@ namespace unprojector::cameras {
 /// A rotation by |axis| radians about the axis, as cv2.Rodrigues makes it.
 glm::dmat3 rotationOf(const glm::dvec3 &axis);
 
+/// Returns whether axes are perpendicular and of length 1, up to two printed decimals; they may mirror.
+bool areOrthonormal(const glm::dmat3 &axes);
+
 /// K and [R t] of a camera matrix.
 struct CameraParts {
     Intrinsics intrinsics;

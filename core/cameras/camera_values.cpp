@@ -3,6 +3,7 @@
 #include "core/base/number_text.h"
 #include "core/base/source_text.h"
 #include "core/base/text_scanner.h"
+#include "core/base/translation.h"
 
 #include <algorithm>
 #include <iterator>
@@ -108,7 +109,11 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
             bool isTable = false; ///< of six columns
         };
         std::vector<Owned> values;
-        std::map<std::pair<std::size_t, std::string>, std::size_t> keys; // of objects: indexes of values
+        struct First {
+            std::size_t line;
+            std::vector<double> numbers;
+        };
+        std::map<std::pair<std::size_t, std::string>, First> keys; // of parts: their objects and names
         const NamedValues named(text.text);
         m_files.push_back(text.name);
         m_outlines.emplace_back(text.text);
@@ -125,14 +130,18 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
                     m_numbers.push_back(valueOf(column));
                 continue;
             }
-            const CameraValue &added = values.emplace_back(Owned{valueOf(value)}).value;
+            CameraValue added = valueOf(value);
             addNumber(added);
-            if (value.at == 0 || text.text[value.at - 1] != '"' || value.numbers.empty())
-                continue;
-            const auto &[key, isNew] = keys.try_emplace({added.node, added.written}, values.size() - 1);
-            const CameraValue &first = values[key->second].value;
-            if (!isNew && first.numbers != added.numbers && (isScalar(added) || roleOf(added)))
-                m_twice = {first.line, added};
+            const bool isOne = added.numbers.size() == 1 && added.numbers[0] != 1.0; // 1 may be "true"
+            const bool isPart = isScalar(added) || roleOf(added);
+            if (isPart && value.at > 0 && text.text[value.at - 1] == '"' && !value.numbers.empty()) {
+                const auto &[key, isNew] =
+                    keys.try_emplace({added.node, added.written}, First{added.line, added.numbers});
+                if (!isNew && key->second.numbers != added.numbers)
+                    m_twice = {key->second.line, added};
+            }
+            if (isPart || !isOne) // other numbers are in m_numbers
+                values.emplace_back(Owned{std::move(added)});
         }
         addComponents(named);
         for (Owned &owned : values) {
@@ -427,8 +436,13 @@ void CameraValues::add(CameraValue value)
     const bool isProjection = plainName.find("projection") != plainName.npos || plainName == "lens";
     if (isLens(value.word) && (isFlag || isProjection || value.word == "fisheye"))
         return of(Model).push_back(std::move(value));
-    const std::optional<Role> role = roleOf(value);
     const std::size_t count = value.numbers.size();
+    if (count > 3 && (plainName.ends_with("brownconrady") || isLens(value.name))) { // RealSense's print
+        value.word = value.name;
+        of(Model).push_back(value);
+        return of(Distortion).push_back(std::move(value));
+    }
+    const std::optional<Role> role = roleOf(value);
     if (!role) {
         constexpr std::size_t kFewest = 4, kMost = 16; // of a camera's parts without a known name
         if ((count < kFewest || count > kMost) && (count < 2 || !hasPartWord(value.name)))
@@ -442,6 +456,14 @@ void CameraValues::add(CameraValue value)
         value.word.empty() || (value.name.ends_with("type") && !isLens(value.word)); // "camera_type": "rgb"
     if (part == Model ? isNone : value.numbers.empty())
         return;
+    constexpr std::size_t kOfK = 9;
+    if (part == Intrinsics && (count == kOfK + 12 || count == kOfK + 16) && value.numbers[8] == 1.0) {
+        CameraValue behind = value;
+        behind.numbers.erase(behind.numbers.begin(), behind.numbers.begin() + kOfK);
+        behind.name = base::tr("the matrix without a name");
+        m_others.push_back(std::move(behind));
+        value.numbers.resize(kOfK);
+    }
     if (part == Intrinsics)
         value.numbers = withoutBorder(value.numbers);
     if ((part == Quaternion && count != 4) || !setDirectionAround(value))

@@ -161,5 +161,6 @@ inline constexpr std::array kEyeAxes{EyeAxes::RightUpBack, EyeAxes::RightDownAhe
                                      EyeAxes::AheadRightUp, EyeAxes::AheadLeftUp};
 const char *keyOf(EyeAxes axes);
 const char *keyOf(PoseDirection direction);
+const char *keyOf(PixelCentres centres);
 
 } // namespace unprojector::cameras

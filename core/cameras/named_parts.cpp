@@ -91,6 +91,9 @@ bool isTurned(const std::optional<CameraParts> &asWritten, const CameraParts &tu
     return slant(turned.intrinsics) < 1e-3 && (!asWritten || slant(asWritten->intrinsics) > 1e-2);
 }
 
+/// Names of one focal length for both axes.
+constexpr std::string_view kFocal = "f focal focallength focallengthpx focallengthpixels";
+
 constexpr std::string_view kFx = "fx focallengthx focalx", kFy = "fy focallengthy focaly",
                            kCx = "cx ppx principalpointx", kCy = "cy ppy principalpointy";
 
@@ -105,13 +108,14 @@ public:
 
     bool isRecognised() const
     {
-        const bool hasFocal = (m_values.find(kFx) && m_values.find(kFy)) || hasFocalAndPrincipal();
+        const bool hasFocal = (m_values.find(kFx) && m_values.find(kFy)) || hasFocalAndPrincipal() || hasOneFocal();
         // In other texts, a letter K may stand before a number.
         const auto &unfit = m_values.unfit(Intrinsics);
         const bool isUnfit =
             unfit && unfit->numbers.size() >= 3 && base::isListed(" k cameramatrix ", plain(unfit->name));
         const bool hasVectors = has(Rotation) && plain(all(Rotation).front().name).starts_with("rvec");
-        return has(Intrinsics) || has(CameraMatrix) || hasFocal || hasVectors || isUnfit;
+        const bool hasAngle = (angle("x") || angle("y")) && (has(Pose) || has(Rotation) || has(Quaternion));
+        return has(Intrinsics) || has(CameraMatrix) || hasFocal || hasVectors || isUnfit || hasAngle;
     }
 
     ForeignCamera read()
@@ -125,6 +129,8 @@ public:
         countImages();
         readIntrinsics();
         readSize();
+        if (!m_camera.intrinsics && !has(CameraMatrix))
+            readAngles();
         readPose();
         readDistortion();
         readClipDistances();
@@ -431,7 +437,9 @@ private:
                                                       skewBeside(focal->numbers[0]),
                                                       PixelCentres::AtIntegers};
             countFromOne(principal->name);
-        } else if (!has(CameraMatrix)) {
+        } else if (hasOneFocal()) {
+            readOneFocal();
+        } else if (!has(CameraMatrix) && !angle("x") && !angle("y")) {
             m_reading.fail(tr("there is a pose, but no camera matrix; give K, nine numbers by rows"));
         }
     }
@@ -457,6 +465,74 @@ private:
     }
 
     bool hasFocalAndPrincipal() const { return has(Focal) && has(Principal); }
+    bool hasOneFocal() const
+    {
+        return m_values.find(kFocal) && (has(Principal) || (m_values.find(kCx) && m_values.find(kCy)));
+    }
+
+    /// One focal length for both axes, beside the principal point.
+    void readOneFocal()
+    {
+        const CameraValue &value = *m_values.find(kFocal);
+        const double focal = use(value);
+        const CameraValue *principal = valueOf(Principal);
+        const double cx = principal ? principal->numbers[0] : *scalar(kCx),
+                     cy = principal ? principal->numbers[1] : *scalar(kCy);
+        constexpr double kShort = 0.2; // of the image's half; in millimetres, it would be less
+        if (!(focal > kShort * std::max(cx, cy)))
+            fail(value,
+                 tr("%1 is no focal length in pixels beside a principal point (%2, %3); give fx and fy in pixels",
+                    shortestText(focal), shortestText(cx), shortestText(cy)));
+        say(tr("%1 is read as fx and fy, in pixels.", value.name));
+        m_camera.intrinsics = cameras::Intrinsics{focal, focal, cx, cy, skewBeside(focal), PixelCentres::AtIntegers};
+    }
+
+    /// The angle of view along an axis of the image, "fov_x", "vfov_deg"; null if there is none.
+    const CameraValue *angle(std::string_view axis) const
+    {
+        const bool isX = axis == "x";
+        for (const CameraValue &value : m_values.numbers()) {
+            std::string name = plain(value.name);
+            for (const std::string_view ending : {"degrees", "degree", "deg", "radians", "radian", "rad"}) {
+                if (name.ends_with(ending))
+                    name.resize(name.size() - ending.size());
+            }
+            if (base::isListed(isX ? " fovx xfov hfov fovh horizontalfov fovhorizontal horizontalfieldofview "
+                                   : " fovy yfov vfov fovv verticalfov fovvertical verticalfieldofview ",
+                               name))
+                return &value;
+        }
+        return nullptr;
+    }
+
+    /// An angle in radians: in the unit that its name or the text tells, else by its size.
+    double radians(const CameraValue &value)
+    {
+        const std::string name = plain(value.name) + value.unit;
+        const double number = value.number();
+        m_used.insert(&value);
+        m_camera.read.push_back({ReadValue::Of::Lens, value.name, value.line});
+        if (name.find("rad") != name.npos)
+            return number;
+        const bool isInDegrees = name.find("deg") != name.npos;
+        const bool areDegrees = isInDegrees || number > geometry::kPi;
+        if (!isInDegrees)
+            say(tr(areDegrees ? "%1 is read in degrees." : "%1 is read in radians.", value.name));
+        return areDegrees ? geometry::radiansFromDegrees(number) : number;
+    }
+
+    void readAngles()
+    {
+        const CameraValue *across = angle("x"), *down = angle("y");
+        if (across && down) {
+            const double x = radians(*across), y = radians(*down);
+            m_reading.setVerticalAngle(y, std::tan(x / 2.0) / std::tan(y / 2.0));
+        } else if (across) {
+            m_reading.setHorizontalAngle(radians(*across));
+        } else {
+            m_reading.setVerticalAngle(radians(*down));
+        }
+    }
 
     /// MATLAB's pixels count from 1.
     void countFromOne(std::string_view name)
@@ -512,10 +588,8 @@ private:
         const CameraValue *found = nullptr;
         for (const CameraValue &value : m_values.others()) {
             const auto pose = value.numbers.size() == 9 ? std::nullopt : matrixByRows(value.numbers);
-            const bool isRigid =
-                pose && (*pose)[0][3] == 0.0 && (*pose)[1][3] == 0.0 && (*pose)[2][3] == 0.0
-                && pipeline::largestDifference(glm::dmat3(*pose) * glm::transpose(glm::dmat3(*pose)), glm::dmat3(1.0))
-                       < 0.02;
+            const bool isRigid = pose && (*pose)[0][3] == 0.0 && (*pose)[1][3] == 0.0 && (*pose)[2][3] == 0.0
+                                 && areOrthonormal(glm::dmat3(*pose));
             if (!isRigid || hasPartWord(value.name))
                 continue;
             if (found)
@@ -654,9 +728,14 @@ private:
         } else {
             turn = glm::dmat3(*matrixByRows(rotation->numbers));
             const bool isRealSense = m_values.find("ppx") && plain(rotation->name) == "rotation"; // rs2_extrinsics
+            const CameraValue *fov = angle("y");
+            const bool isSplatting = fov && (fov->name == "FovY" || fov->name == "FoVy"); // CameraInfo, Camera
             if (isRealSense) {
                 turn = glm::transpose(turn);
                 say(tr("%1 is read by columns, as RealSense's rs2_extrinsics has it.", rotation->name));
+            } else if (isSplatting) {
+                turn = glm::transpose(turn);
+                say(tr("%1 is read by columns, as the cameras of 3-D Gaussian splatting have it.", rotation->name));
             } else if (m_isTransposed) {
                 turn = glm::transpose(turn);
                 say(tr("%1 is read by columns, too.", rotation->name));
@@ -665,7 +744,7 @@ private:
                 fail(*rotation, tr("its determinant is %1: it mirrors. Check the sign of a row or a column",
                                    significantText(glm::determinant(turn), 3)));
             // solvePnP's vectors go from the world to the camera; R and t may be either.
-            m_camera.isDirectionCertain = false;
+            m_camera.isDirectionCertain = isSplatting;
         }
         setDirectionOfParts(rotation, translation ? translation : center);
         glm::dvec3 shift(0.0);

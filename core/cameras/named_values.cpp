@@ -101,6 +101,15 @@ NamedValues::NamedValues(std::string_view text)
             if (!number.isOperand)
                 m_values.back().numbers.push_back(number.value);
         }
+        // "cy=240 (640x480)"
+        const std::size_t count = group.numbers.size();
+        if (count > 1 && group.numbers[count - 1].isInWord && group.numbers[count - 1].at == group.numbers[count - 2].at
+            && (count > 2 || group.name.empty())) {
+            std::vector<double> &numbers = m_values.back().numbers;
+            NamedValue size{{"size"}, "size", {}, {}, {numbers.end() - 2, numbers.end()}, group.numbers.back().line};
+            numbers.resize(numbers.size() - 2);
+            m_values.push_back(std::move(size));
+        }
         if (const auto &numbers = group.numbers; numbers.size() == 2 && numbers[0].bracket == 0) {
             const auto both = text.substr(numbers[0].at, numbers[1].at + numbers[1].length - numbers[0].at);
             if (both.find_first_not_of("+-.0123456789,") == both.npos)

@@ -363,10 +363,7 @@ Result<PastedMatrix, PasteError> pastedMatrix(std::string_view text)
     return countError(PastedPart::ModelView, numbers.size(), kEntries, numbers.size());
 }
 
-namespace {
-
-/// @param isComplete  whether all parts of a scene are required
-Result<PastedScene, PasteError> sceneOf(std::string_view text, bool isComplete)
+Result<PastedScene, PasteError> pastedParts(std::string_view text)
 {
     Result<PastedNumbers, PasteError> read = pastedNumbers(text);
     if (!read)
@@ -375,7 +372,6 @@ Result<PastedScene, PasteError> sceneOf(std::string_view text, bool isComplete)
     PastedNumbers all = std::move(read).value();
     const std::size_t count = all.numbers.size();
     sort(all.numbers, parts);
-    const std::vector<PastedPart> needed = isComplete ? parts.needed() : std::vector<PastedPart>();
     PastedScene scene;
     scene.aside = std::move(all.aside);
     for (const PastedPart part : kParts) {
@@ -383,8 +379,7 @@ Result<PastedScene, PasteError> sceneOf(std::string_view text, bool isComplete)
             scene.more.push_back(part);
         if (!parts[part].inverse.empty())
             scene.inversesLeft.push_back(part);
-        const bool isNeeded = std::find(needed.begin(), needed.end(), part) != needed.end();
-        if ((isNeeded || parts.has(part)) && !parts[part].isWhole())
+        if (parts.has(part) && !parts[part].isWhole())
             return countError(part, parts[part].numbers.size(), parts[part].wanted(), count);
     }
     const auto matrix = [&parts](PastedPart part) -> std::optional<PastedMatrix> {
@@ -403,18 +398,6 @@ Result<PastedScene, PasteError> sceneOf(std::string_view text, bool isComplete)
     else
         scene.viewportMatrix = matrix(PastedPart::Viewport);
     return scene;
-}
-
-} // namespace
-
-Result<PastedScene, PasteError> pastedScene(std::string_view text)
-{
-    return sceneOf(text, true);
-}
-
-Result<PastedScene, PasteError> pastedParts(std::string_view text)
-{
-    return sceneOf(text, false);
 }
 
 } // namespace unprojector::cameras

@@ -111,17 +111,12 @@ PasteError countError(PastedPart part, std::size_t found, std::size_t wanted, st
 /// @return 16 numbers; the error
 geometry::Result<PastedMatrix, PasteError> pastedMatrix(std::string_view text);
 
-/// Reads the matrices and the viewport of a scene. Numbers after a name (modelview, view, model,
+/// Reads the matrices and the viewport that a text has. Numbers after a name (modelview, view, model,
 /// projection, MVP, viewport) belong to that part, in any order. Numbers after the name of an
 /// inverse (viewInverse, cameraToWorld) count too if the part itself is missing. Unnamed numbers
 /// are modelview, projection and viewport, in this order; twenty unnamed numbers in all are the
-/// product and the viewport.
-/// @return the viewport, the projection and the modelview or the view; or the product; and all
-///         other parts found
-geometry::Result<PastedScene, PasteError> pastedScene(std::string_view text);
-
-/// Reads any of the parts that pastedScene knows; none is required. Sixteen numbers alone are the
-/// modelview.
+/// product and the viewport, sixteen the modelview.
+/// @return the parts, none of which is required; the error of one with another count of numbers than it needs
 geometry::Result<PastedScene, PasteError> pastedParts(std::string_view text);
 
 } // namespace unprojector::cameras

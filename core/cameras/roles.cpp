@@ -314,8 +314,9 @@ std::optional<Part> partOf(const Name &name, std::size_t count)
     }
     if ((name.has(Distortion) || name.has(Coefficients)) && name.isOnly({Distortion, Coefficients, Image}))
         return Part::Distortion;
-    if (name.has(Focal) || name.has(Principal))
-        return name.has(Focal) ? Part::Focal : Part::Principal;
+    const bool isOne = name.words.size() == 1 && count == 2; // "f: [600, 610]", RealSense's "p[320 240]"
+    if (name.has(Focal) || name.has(Principal) || (isOne && isListed(" f c p ", name.words[0])))
+        return name.has(Focal) || (isOne && name.words[0] == "f") ? Part::Focal : Part::Principal;
     if (name.has(Rotation) && name.hasWord("rect")) // KITTI's R_rect
         return std::nullopt;
     if (name.has(Rotation) || name.has(Quaternion))
@@ -394,7 +395,8 @@ std::optional<Role> roleOf(std::string_view text, std::size_t count)
     if (name.words.empty() || name.has(Other) || name.has(Angles) || isOfPipeline || text.size() > kLongestName)
         return std::nullopt;
     const std::optional<Part> part = partOf(name, count);
-    if (!part || (name.has(Unknown) && !allowsUnknown(*part, count)))
+    const bool isF = part == Part::Focal && name.words.size() == 1;
+    if (!part || (name.has(Unknown) && !allowsUnknown(*part, count) && !isF))
         return std::nullopt;
     if (count == 1 && *part != Part::Distortion && *part != Part::Model)
         return std::nullopt;

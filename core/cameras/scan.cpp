@@ -200,9 +200,11 @@ private:
             const auto names = m_text.substr(begin, numbers.front().at - begin),
                        values = m_text.substr(numbers.front().at, numbers.back().at - numbers.front().at);
             const auto commas = std::ptrdiff_t(count) - 1;
-            const auto previous = begin > 0 ? m_text.find_last_not_of(" \t(", begin - 1) : m_text.npos;
+            const auto previous = begin > 0 ? m_text.find_last_not_of(" \t([", begin - 1) : m_text.npos;
+            const auto words = m_text.substr(0, previous + 1);
+            const bool isDeclared = words.ends_with("const") || words.ends_with("let") || words.ends_with("auto");
             if (std::ranges::count(names, ',') != commas || std::ranges::count(values, ',') != commas
-                || !isAmong('=', names) || (previous != m_text.npos && !isAmong(at(previous), "\n;"))
+                || !isAmong('=', names) || (previous != m_text.npos && !isAmong(at(previous), "\n;") && !isDeclared)
                 || std::ranges::any_of(names,
                                        [](char one) { return !isAmong(one, kOfName) && !isAmong(one, " ,()[]:="); }))
                 continue;

@@ -260,7 +260,7 @@ void sayReading(const ForeignCamera &camera, const std::vector<PoseReading> &rea
     const auto others = std::ranges::count_if(readings, [&](const PoseReading &r) { return r.seen > 0.0; })
                         - (taken.seen > 0.0 ? 1 : 0);
     const auto because = [&](const std::string &usual) {
-        return !haveObjects        ? tr("%1. No objects decide it: give them with --objects", usual)
+        return !haveObjects        ? tr("%1. No objects decide it", usual)
                : taken.seen == 0.0 ? tr("%1. No reading shows the objects", usual)
                : others > 0        ? tr("which shows the objects best. Another reading shows them too")
                : isAnother         ? tr("because only this reading shows the objects")
@@ -338,6 +338,11 @@ const char *keyOf(EyeAxes axes)
 const char *keyOf(PoseDirection direction)
 {
     return direction == WorldToCamera ? "world-to-camera" : "camera-to-world";
+}
+
+const char *keyOf(PixelCentres centres)
+{
+    return centres == PixelCentres::AtIntegers ? "integer" : "half";
 }
 
 bool hasCentres(const ForeignCamera &camera)

@@ -76,15 +76,9 @@ Intrinsics lensOf(std::span<const double> k, PixelCentres centres = PixelCentres
     return {k[0], k[4], k[2], k[5], k[1], centres};
 }
 
-/// Returns whether axes are perpendicular and of the length 1, as far as few printed digits tell.
 bool isRotation(const glm::dmat3 &axes)
 {
-    constexpr double kPrinted = 0.02;
-    const glm::dmat3 product = axes * glm::transpose(axes);
-    bool isIt = glm::determinant(axes) > 0.0;
-    for (int i = 0; i < 9; ++i)
-        isIt = isIt && std::abs(product[i / 3][i % 3] - (i % 4 == 0 ? 1.0 : 0.0)) < kPrinted;
-    return isIt;
+    return glm::determinant(axes) > 0.0 && areOrthonormal(axes);
 }
 
 std::string_view fileNameOf(const NamedText &text)

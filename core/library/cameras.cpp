@@ -1,5 +1,6 @@
 #include "unprojector/cameras.h"
 
+#include "core/base/letters.h"
 #include "core/base/path_text.h"
 #include "core/base/translation.h"
 #include "core/base/utf8.h"
@@ -15,6 +16,21 @@
 
 namespace unprojector {
 namespace {
+
+/// A sentence with the names of the choices instead of the command's options: pixel_centers of --pixel-centers.
+std::string withChoices(const std::string &sentence)
+{
+    std::string text;
+    for (std::size_t at = 0; at < sentence.size();) {
+        if (sentence.compare(at, 2, "--") != 0) {
+            text += sentence[at++];
+            continue;
+        }
+        for (at += 2; at < sentence.size() && (sentence[at] == '-' || base::isLetter(sentence[at])); ++at)
+            text += sentence[at] == '-' ? '_' : sentence[at];
+    }
+    return text;
+}
 
 std::string nameOf(const std::vector<CameraText> &texts)
 {
@@ -57,11 +73,16 @@ Result<cameras::CameraChoices> internalChoices(const CameraChoices &choices)
     if (!axes)
         return axes.error();
     constexpr std::array kDirections{cameras::PoseDirection::WorldToCamera, cameras::PoseDirection::CameraToWorld};
-    const auto direction = valueOf("pose directions", choices.direction, kDirections);
+    const auto direction = valueOf("pose directions", choices.pose, kDirections);
     if (!direction)
         return direction.error();
     result.axes = *axes;
     result.direction = *direction;
+    constexpr std::array kCentres{cameras::PixelCentres::AtIntegers, cameras::PixelCentres::AtHalves};
+    const auto centres = valueOf("pixel centers", choices.pixelCenters, kCentres);
+    if (!centres)
+        return centres.error();
+    result.centres = *centres;
     return result;
 }
 
@@ -80,7 +101,7 @@ Result<CameraRead> readCamera(const std::vector<CameraText> &texts, const Camera
     const auto errorOf = [&name](base::Error error) {
         if (error.file.empty())
             error.file = name;
-        return valueError(error.message());
+        return valueError(withChoices(error.message()));
     };
     const auto read = cameras::readCamera(named, *internal);
     if (!read)
@@ -101,10 +122,12 @@ Result<CameraRead> readCamera(const std::vector<CameraText> &texts, const Camera
     setup.viewport = geometry::wholeSurface(setup.surface);
     setup.lens = converted->projection;
     setup.pose = converted->eyeFromWorld;
-    const Result<Setup> made = SetupAccess::make(setup, converted->assumed);
+    std::vector<std::string> assumed;
+    std::ranges::transform(converted->assumed, std::back_inserter(assumed), withChoices);
+    const Result<Setup> made = SetupAccess::make(setup, assumed);
     if (!made)
         return valueError(name + ": " + made.error().message);
-    return CameraRead{*made, camera.program, camera.images, converted->assumed};
+    return CameraRead{*made, camera.program, camera.images, assumed};
 }
 
 Result<CameraRead> readCamera(const std::vector<std::filesystem::path> &files, const CameraChoices &choices)

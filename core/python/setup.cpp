@@ -258,8 +258,8 @@ near, far : float
         "from_camera",
         [](const py::args &files, const py::object &text, const std::string &image, const std::optional<Size> &size,
            std::optional<double> nearDistance, std::optional<double> farDistance, const std::string &axes,
-           const std::string &pose, bool isUndistorted) {
-            CameraChoices choices{image, 0, 0, nearDistance, farDistance, axes, pose, isUndistorted};
+           const std::string &pose, const std::string &pixelCenters, bool isUndistorted) {
+            CameraChoices choices{image, 0, 0, nearDistance, farDistance, axes, pose, pixelCenters, isUndistorted};
             if (size)
                 std::tie(choices.width, choices.height) = *size;
             if (!text.is_none())
@@ -274,11 +274,11 @@ near, far : float
         },
         py::kw_only(), py::arg("text") = py::none(), py::arg("image") = "", py::arg("size") = py::none(),
         py::arg("near") = py::none(), py::arg("far") = py::none(), py::arg("axes") = "", py::arg("pose") = "",
-        py::arg("undistorted") = false,
+        py::arg("pixel_centers") = "", py::arg("undistorted") = false,
         R"(The setup of another program's camera.
 
 from_camera(*files, text=None, image="", size=None, near=None, far=None, axes="",
-            pose="", undistorted=False)
+            pose="", pixel_centers="", undistorted=False)
 
 files : paths
     The files of one camera: OpenCV (YAML, XML, JSON), ROS camera_info, COLMAP
@@ -295,6 +295,8 @@ axes : "opengl", "opencv", "direct3d", "unreal", "ros"
     The axes of the camera. Empty: the program's.
 pose : "world-to-camera", "camera-to-world"
     The direction of the pose. Empty: the program's.
+pixel_centers : "integer", "half"
+    The coordinates of the first pixel's centre, 0 or 1/2. Empty: the program's.
 undistorted : bool
     Whether the pixels are those of the undistorted image. Without it, a camera with
     distortion is an error.

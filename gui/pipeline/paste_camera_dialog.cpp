@@ -102,17 +102,11 @@ PasteCameraDialog::PasteCameraDialog(SceneDocument &document, QWidget *parent) :
     m_ok = buttons->button(QDialogButtonBox::Ok);
     m_ok->setToolTip(tr("Set the scene's camera from this text; Ctrl+Z undoes it"));
 
-    auto *columns = new QHBoxLayout;
-    auto *left = new QVBoxLayout, *right = new QVBoxLayout;
-    left->addLayout(createHead());
-    left->addWidget(m_text, 1);
-    left->addStretch(0);
-    right->addWidget(m_report, 1);
-    right->addWidget(m_form);
-    columns->addLayout(left, 1);
-    columns->addLayout(right, 1);
     auto *layout = new QVBoxLayout(this);
-    layout->addLayout(columns, 1);
+    layout->addLayout(createHead());
+    layout->addWidget(m_text, 2);
+    layout->addWidget(m_report, 3);
+    layout->addWidget(m_form);
     layout->addWidget(buttons);
 
     connect(m_text, &PlainTextBox::textChanged, this, [this] {
@@ -137,11 +131,22 @@ PasteCameraDialog::PasteCameraDialog(SceneDocument &document, QWidget *parent) :
                 refresh();
         },
         Qt::QueuedConnection);
-    constexpr int kDigits = 120, kLines = 36;
-    const QSize wanted(kDigits * fontMetrics().horizontalAdvance(u'0'), kLines * fontMetrics().lineSpacing());
-    resize(wanted.boundedTo(screen()->availableSize() * 0.9));
+    placeBeside(parent);
     m_text->setFocus();
     take({});
+}
+
+/// Narrow and at the window's right edge, so that the view is seen.
+void PasteCameraDialog::placeBeside(const QWidget *parent)
+{
+    constexpr int kDigits = 66, kLines = 48;
+    const QRect window = parent ? parent->window()->frameGeometry() : screen()->availableGeometry();
+    const QSize wanted(kDigits * fontMetrics().horizontalAdvance(u'0'), kLines * fontMetrics().lineSpacing());
+    resize(wanted.boundedTo(screen()->availableSize() * 0.9));
+    const QRect room = screen()->availableGeometry();
+    const int x = std::min(window.right(), room.right()) - width(),
+              y = std::min(window.center().y() - height() / 2, room.bottom() - height());
+    move(std::max(x, room.left()), std::max(y, room.top()));
 }
 
 QHBoxLayout *PasteCameraDialog::createHead()

@@ -47,6 +47,7 @@ protected:
 
 private:
     QHBoxLayout *createHead();
+    void placeBeside(const QWidget *parent);
     void askForFiles();
     /// These texts, and the earlier ones if only both together are a camera (COLMAP).
     std::vector<cameras::NamedText> withEarlier(std::vector<cameras::NamedText> texts) const;

@@ -191,6 +191,8 @@ PasteChoices PasteChoicesForm::choices() const
 
 void PasteChoicesForm::forgetText()
 {
+    for (int row = 0; row < m_form->rowCount(); ++row)
+        m_form->setRowVisible(row, false);
     m_image->clear();
     m_role->setCurrentIndex(0);
     m_ndcDepth->setCurrentIndex(0);
@@ -230,7 +232,11 @@ void PasteChoicesForm::showCamera(const PastedCamera &camera)
         return std::ranges::any_of(said,
                                    [option](const std::string &one) { return one.find(option) != std::string::npos; });
     };
-    const auto show = [this](QWidget *field, bool isNeeded) { m_form->setRowVisible(field, isNeeded); };
+    // The fields of one image stay for the others, so that none moves under the pointer.
+    const bool areKept = foreign && foreign->images.size() > 1;
+    const auto show = [&](QWidget *field, bool isNeeded) {
+        m_form->setRowVisible(field, isNeeded || (areKept && m_form->isRowVisible(field)));
+    };
     const bool hasPose = foreign && foreign->pose;
     show(m_image, m_image->count() > 1);
     show(m_sizes, foreign || asks("--size") || !m_size->text().isEmpty());

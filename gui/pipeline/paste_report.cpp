@@ -108,7 +108,7 @@ private:
     /// A sentence about a camera with the names of fields instead of the command's options.
     static QString withFieldNames(QString sentence)
     {
-        const std::array<std::pair<const char *, QString>, 12> names{{
+        const std::array<std::pair<const char *, QString>, 11> names{{
             {"--pixel-centers half", tr("“Pixel centres”")},
             {"--pixel-centers integer", tr("“Pixel centres”")},
             {"--pixel-centers", tr("“Pixel centres”")},
@@ -119,7 +119,6 @@ private:
             {"--far", tr("“Far”")},
             {"--axes", tr("“Axes”")},
             {"--pose", tr("“Pose”")},
-            {"--objects", tr("“File > Add to Scene”")},
             {"--undistorted", tr("“My pixels are of the undistorted image”")},
         }};
         for (const auto &[option, name] : names)
@@ -275,8 +274,6 @@ private:
                            : tr("Nothing tells its direction. It is read from world to camera. The other reading:"),
                 directionName(other), kDirection + (':' + std::to_string(int(other))));
         }
-        if (one.leavesInverse)
-            say(tr("The text also has the inverse of this matrix. It is ignored."));
         m_report.back().blocks.push_back(matrixCode(one.matrix));
         for (std::size_t i = 0; i < one.findings.size(); ++i) {
             const QString said = findingSentence(one.findings[i], one.role);
@@ -292,9 +289,9 @@ private:
     void sayOthers()
     {
         begin({});
+        for (const std::string &note : m_camera.notes)
+            say(sentence(note));
         QStringList unused;
-        for (const PastedPart part : m_camera.unused)
-            unused << QLatin1String(nameOf(part));
         for (const std::string &name : m_camera.aside)
             unused << QString::fromStdString(name);
         if (!unused.isEmpty())
@@ -302,7 +299,7 @@ private:
         if (const auto &v = m_camera.viewport)
             say((m_camera.isViewportSet ? tr("The viewport is set by glViewport: %1 × %2 at (%3, %4).")
                                         : tr("The viewport, %1 × %2 at (%3, %4), is not used: the view keeps its own."))
-                    .arg(number(v->width), number(v->height), number(v->x), number(v->y)));
+                    .arg(number(v->width), number(std::abs(v->height)), number(v->x), number(v->y)));
         if (m_shown.isBlenders && !m_camera.matrices.empty())
             say(tr(
                 "Blender prints this. If it is the camera's pose, write “matrix_world =” before it, and add the lens "

@@ -6083,10 +6083,6 @@ K、R 和 t，OpenCV 的 YAML，transforms.json …
         <translation>“位姿”</translation>
     </message>
     <message>
-        <source>“File &gt; Add to Scene”</source>
-        <translation>“文件 &gt; 添加到场景”</translation>
-    </message>
-    <message>
         <source>“My pixels are of the undistorted image”</source>
         <translation>“我的像素取自去畸变后的图像”</translation>
     </message>
@@ -6131,10 +6127,6 @@ K、R 和 t，OpenCV 的 YAML，transforms.json …
     <message>
         <source>It has the form of another matrix, too: choose under “Matrix”.</source>
         <translation>它也符合另一种矩阵的形式：请在“矩阵”处选择。</translation>
-    </message>
-    <message>
-        <source>The text also has the inverse of this matrix. It is ignored.</source>
-        <translation>文本中还有此矩阵的逆，已忽略。</translation>
     </message>
     <message>
         <source>Not used: %1.</source>

@@ -1,6 +1,6 @@
-// Cameras of other programs, as `unproject scene` reads them and converts them to a scene.
+// Cameras and matrices of any text, as `unproject scene` and Paste Camera read them, with all corrections.
 
-#include "core/cameras/camera_reader.h"
+#include "core/cameras/pasted_camera.h"
 #include "core/geometry/finite.h"
 #include "tests/fuzz/fuzzing.h"
 
@@ -20,25 +20,31 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     std::vector<NamedText> texts{{"a", all.substr(0, zero)}};
     if (zero < all.size())
         texts.push_back({"b", all.substr(zero + 1)});
-    CameraChoices choices;
-    choices.isUndistorted = size % 2 == 1;
+    PasteChoices choices;
+    choices.camera.isUndistorted = size % 2 == 1;
     if (size % 3 == 1)
-        choices.size = ImageSize{640, 480};
+        choices.camera.size = ImageSize{640, 480};
     if (size % 5 == 1)
-        choices.image = "1";
-    const auto camera = readCamera(texts, choices);
-    if (!camera)
-        return 0;
-    if (!*camera) {
-        fuzz::require(!camera->error().text.empty(), "an error has a reason");
-        return 0;
-    }
+        choices.camera.image = "1";
+    choices.isScene = size % 11 == 1;
+    choices.conventions = geometry::kApis[size % geometry::kApis.size()];
     const geometry::Box box{glm::dvec3(-1.0), glm::dvec3(1.0)};
-    const auto scene = sceneCamera(**camera, choices, size % 7 == 1 ? std::nullopt : std::optional(box));
-    if (!scene) {
-        fuzz::require(!scene.error().text.empty(), "an error has a reason");
-        return 0;
+    const std::optional<geometry::Box> objects = size % 7 == 1 ? std::nullopt : std::optional(box);
+    const PastedCamera camera = pastedCamera(texts, choices, objects);
+    if (camera.fault)
+        fuzz::require(!camera.fault->text.empty(), "an error has a reason");
+    else
+        fuzz::require(camera.scene || camera.isViewportSet || !camera.matrices.empty(),
+                      "a text without an error has a camera");
+    for (const ReadMatrix &one : camera.matrices) {
+        for (const pipeline::MatrixFinding &finding : one.findings)
+            choices.corrections.push_back({one.role, finding});
     }
+    if (!choices.corrections.empty())
+        pastedCamera(texts, choices, objects);
+    const auto &scene = camera.scene;
+    if (!scene)
+        return 0;
     fuzz::require(scene->size.width > 0 && scene->size.height > 0, "a camera has a size");
     fuzz::require(geometry::isFinite(scene->eyeFromWorld), "a view is finite");
     if (scene->nearDistance)

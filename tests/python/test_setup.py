@@ -228,6 +228,20 @@ def test_a_camera_file_makes_a_setup(tmp_path):
         up.Setup.from_camera(text="hello")
 
 
+def test_a_camera_is_told_the_names_of_arguments():
+    lens = "K: [500, 0, 320, 0, 500, 240, 0, 0, 1]\nR: [1, 0, 0, 0, 1, 0, 0, 0, 1]\nt: [0, 0, 2]\n"
+    setup = up.Setup.from_camera(text=lens, near=1)
+    assert any("; pose says otherwise" in said for said in setup.findings)
+    assert not any("--" in said for said in setup.findings)
+    half = up.Setup.from_camera(text=lens, near=1, pixel_centers="half")
+    np.testing.assert_allclose(setup.project([[0.5, 0.5, 1]]).pixel - half.project([[0.5, 0.5, 1]]).pixel, [[0.5, 0.5]])
+    unnamed = lens.split("R")[0] + "T: [1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]"
+    with pytest.raises(ValueError, match="Choose with pose camera-to-world or pose world-to-camera"):
+        up.Setup.from_camera(text=unnamed)
+    with pytest.raises(ValueError, match='no pixel centers "third"; known: integer, half'):
+        up.Setup.from_camera(text=lens, pixel_centers="third")
+
+
 def test_sentences_are_those_of_the_command(tmp_path, unproject_command):
     scene = tmp_path / "scene.json"
     text = perspective().to_scene()

@@ -3,12 +3,10 @@
 #include "core/base/path_text.h"
 #include "core/base/translation.h"
 #include "core/cameras/lens.h"
-#include "core/cameras/pasted_calls.h"
-#include "core/cameras/told_order.h"
+#include "core/cameras/pasted_camera.h"
 #include "core/cli/commands/command.h"
 #include "core/cli/commands/inputs.h"
 #include "core/cli/terminal/refusal.h"
-#include "core/geometry/condition_number.h"
 #include "core/pipeline/decomposition.h"
 #include "core/pipeline/matrix_findings.h"
 #include "core/pipeline/matrix_format.h"
@@ -18,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -65,175 +62,123 @@ std::string adviceFor(const MatrixFinding &finding, NumberOrder order, bool hasC
     return {};
 }
 
-/// A matrix of a text, and its role in a scene.
-struct Part {
-    PastedMatrix *matrix;
-    PastedPart part;
-    MatrixRole role;
-    bool isNeeded;
-};
-
-/// The matrices whose order matters; the model matrix is not used.
-std::vector<Part> partsOf(PastedScene &pasted)
-{
-    const bool isWhole = pasted.projection && (pasted.view || pasted.modelView);
-    std::vector<Part> parts;
-    const auto add = [&parts](std::optional<PastedMatrix> &matrix, PastedPart part, MatrixRole role, bool isNeeded) {
-        if (matrix && matrix->form != MatrixForm::Call) // a call has no order of numbers
-            parts.push_back({&*matrix, part, role, isNeeded});
-    };
-    add(pasted.view, PastedPart::View, MatrixRole::View, isWhole);
-    add(pasted.modelView, PastedPart::ModelView, MatrixRole::View, isWhole && !pasted.view);
-    add(pasted.projection, PastedPart::Projection, MatrixRole::Projection, isWhole);
-    add(pasted.product, PastedPart::Product, MatrixRole::Product, !isWhole);
-    // Its last row is 0 0 0 1, as in a view.
-    add(pasted.viewportMatrix, PastedPart::Viewport, MatrixRole::View, true);
-    return parts;
-}
-
-/// Reads pasted matrices in the order and conventions that the options give or the numbers reveal.
-/// Reports findings on stderr, such as an inverse or reversed depths.
-class MatrixTaker {
+/// Reports the findings about the matrices of a text, unless an option already resolves them.
+class Findings {
 public:
-    /// @param options  must outlive this
-    /// @param name     of the text; messages begin with it
-    MatrixTaker(const SceneOptions &options, std::string name) : m_options(options), m_name(std::move(name)) {}
-
-    /// Sets the order of the matrices where no option gives it and the numbers contradict the order
-    /// of the matrix's form. Reports each such change.
-    /// @return whether the order of all matrices of a scene is known; if not, a message asks for
-    ///         the option
-    bool tellOrders(PastedScene &pasted) const
+    /// @param name  of the text; messages begin with it
+    Findings(const SceneOptions &options, const PastedCamera &camera, const std::string &name)
+        : m_options(options), m_camera(camera), m_name(name)
     {
-        if (m_options.order)
-            return true;
-        const std::vector<Part> parts = partsOf(pasted);
-        std::vector<BothOrders> both;
-        for (const Part &part : parts) {
-            const auto read = [&](const PastedMatrix &matrix) {
-                return part.part == PastedPart::Viewport ? matrixAsGiven(matrix) : this->matrix(matrix, part.role);
-            };
-            PastedMatrix other = *part.matrix;
-            other.order = opposite(order(*part.matrix));
-            both.push_back({part.role, part.matrix->form, read(*part.matrix), read(other)});
-        }
-        const std::optional<double> aspect = pasted.viewport && pasted.viewport->height > 0.0
-                                                 ? std::optional(pasted.viewport->width / pasted.viewport->height)
-                                                 : std::nullopt;
-        const std::vector<ToldOrder> told = toldOrders(both, aspect);
-        bool isKnown = true;
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            const std::optional<MatrixFinding> finding = findingOf(told[i]);
-            const bool isOpen = told[i] == ToldOrder::Open;
-            if (!finding || (isOpen && !parts[i].isNeeded))
-                continue;
-            if (!isOpen)
-                parts[i].matrix->order = opposite(order(*parts[i].matrix));
-            isKnown = isKnown && !isOpen;
-            say(parts[i].part, findingText(*finding, parts[i].role)
-                                   + adviceFor(*finding, order(*parts[i].matrix), m_options.conventions.has_value()));
-        }
-        return isKnown;
     }
 
-    /// The matrix in the order of the option, of its numbers, or of its form, in this priority.
-    glm::dmat4 matrixAsGiven(const PastedMatrix &pasted) const { return meantMatrix(pasted, order(pasted)); }
-
-    /// The matrix converted from the option's conventions to OpenGL's.
-    glm::dmat4 matrix(const PastedMatrix &pasted, MatrixRole role) const
+    /// @return whether the order of all matrices is known; if not, a message asks for the option
+    bool say() const
     {
-        const glm::dmat4 given = matrixAsGiven(pasted);
-        if (pasted.form == MatrixForm::Call) // it has OpenGL's eye already
-            return given;
-        switch (role) {
-        case MatrixRole::View: return oursFromView(given, api());
-        case MatrixRole::Projection: return oursFromApi({given, {}}, api()).clipFromEye;
-        case MatrixRole::Product: break;
+        std::vector<ReadMatrix> all(m_camera.matrices.rbegin(), m_camera.matrices.rend()); // the view first
+        if (m_camera.viewportMatrix)
+            all.push_back(*m_camera.viewportMatrix);
+        const auto isOrder = [](const MatrixFinding &finding) {
+            return finding.fault == MatrixFault::OtherOrder || finding.fault == MatrixFault::OrderOfOthers
+                   || finding.fault == MatrixFault::OrderOpen;
+        };
+        const bool isOpen = std::ranges::any_of(all, [](const ReadMatrix &one) {
+            return std::ranges::any_of(
+                one.findings, [](const MatrixFinding &finding) { return finding.fault == MatrixFault::OrderOpen; });
+        });
+        for (const ReadMatrix &one : all) {
+            for (const MatrixFinding &finding : one.findings) {
+                if (isOrder(finding))
+                    say(one.part, findingText(finding, one.role) + advice(finding, one));
+            }
         }
-        // The eye space between the two may look either way.
-        return oursFromApi({given * viewFromOurs(glm::dmat4(1.0), api()), {}}, api()).clipFromEye;
-    }
-
-    /// Viewport and depth range from a matrix from NDC to the window. Where pixels count from the
-    /// top, y is 0 at the top.
-    ViewportAndDepths viewport(const PastedMatrix &pasted) const
-    {
-        // The window's height is not known yet, so 0 is used.
-        const ApiSpaces spaces = apiSpaces(Setup(), api());
-        AxisChange window = spaces.window;
-        window.scale.z = 1.0;
-        window.shift.z = 0.0;
-        const glm::dmat4 ours = window.inverse().matrix() * matrixAsGiven(pasted) * spaces.clip.matrix();
-        ViewportAndDepths result =
-            viewportOf(ours, conventionsOf(api()).hasOnlyThatDepth ? NdcDepth::MinusOneToOne : m_options.depth);
-        if (conventionsOf(api()).isDepthReversed)
-            std::swap(result.depthRange.atNear, result.depthRange.atFar);
-        return result;
-    }
-
-    /// The NDC depths, where the options or the call that made the projection determine them.
-    std::optional<NdcDepth> depthOf(const PastedMatrix &pasted) const
-    {
-        if (pasted.ndcDepth)
-            return pasted.ndcDepth;
-        return conventionsOf(api()).hasOnlyThatDepth ? conventionsOf(api()).ndcDepth : m_options.depth;
-    }
-
-    void say(PastedPart part, const std::string &what) const { complain(m_name + ": " + nameOf(part) + ": " + what); }
-
-    /// Reports the findings about a matrix, unless an option already resolves them.
-    /// @return whether the matrix reverses depths
-    bool lookAt(const PastedMatrix &pasted, PastedPart part, MatrixRole role,
-                const std::optional<glm::dmat4> &clipFromEye = std::nullopt) const
-    {
-        bool isReversed = false;
-        if (pasted.isInverse)
-            say(part, inverseText(pasted));
-        if (!pasted.call.empty())
-            say(part, pasted.call);
-        for (const MatrixFinding &finding : findings(matrix(pasted, role), role, depthOf(pasted), clipFromEye)) {
-            const bool isAboutDepth = finding.fault == MatrixFault::DepthReversed;
-            isReversed = isReversed || isAboutDepth;
-            if ((isAboutDepth && m_options.isReversed) || (finding.fault == MatrixFault::YDown && m_options.isYDown))
-                continue;
-            if (finding.fault == MatrixFault::Rounded && m_options.isOrthonormal)
-                continue;
-            say(part, taken(findingText(finding, role))
-                          + adviceFor(finding, order(pasted), m_options.conventions.has_value()));
-            if (finding.fault == MatrixFault::Scaled && m_options.isOrthonormal)
-                say(part,
-                    tr(finding.repair == MatrixRepair::None
-                           ? "--orthonormal is for rounded axes and would change "
-                             "this camera; give the view without the model's scale"
-                           : "--orthonormal removes the model's scale; near, far and eye coordinates stay unchanged, "
-                             "so world coordinates are in eye units"));
+        if (isOpen)
+            return false;
+        for (const ReadMatrix &one : all) {
+            sayRole(one);
+            for (const MatrixFinding &finding : one.findings) {
+                if (!isOrder(finding))
+                    say(one, finding);
+            }
+            if (one.role == MatrixRole::Product)
+                say(one.part, m_camera.apart ? decompositionText(*m_camera.apart)
+                                             : tr("it cannot be decomposed: only the inverted matrix will answer, "
+                                                  "because the formulas need projection and view"));
         }
-        return isReversed;
+        for (const std::string &note : m_camera.notes)
+            complain(m_name + ": " + note);
+        for (const std::string &aside : m_camera.aside)
+            complain(tr("%1: %2: its numbers belong to no matrix, and are not used", m_name, aside));
+        return true;
     }
 
 private:
-    Api api() const { return m_options.conventions.value_or(Api::OpenGl); }
+    void say(PastedPart part, const std::string &what) const { complain(m_name + ": " + nameOf(part) + ": " + what); }
 
-    NumberOrder order(const PastedMatrix &pasted) const
+    std::string advice(const MatrixFinding &finding, const ReadMatrix &one) const
     {
-        if (pasted.form == MatrixForm::Call)
-            return NumberOrder::ByColumns;
-        // Rows of row vectors are columns.
-        const NumberOrder usual = conventionsOf(api()).areVectorsRows ? NumberOrder::ByColumns : orderOf(pasted.form);
-        return m_options.order.value_or(pasted.order.value_or(usual));
+        return adviceFor(finding, one.order, m_options.conventions.has_value());
+    }
+
+    /// Reports how a matrix was made.
+    void sayRole(const ReadMatrix &one) const
+    {
+        if (one.given.isInverse)
+            say(one.part, inverseText(one.given));
+        if (!one.given.call.empty())
+            say(one.part, one.given.call);
+    }
+
+    void say(const ReadMatrix &one, const MatrixFinding &finding) const
+    {
+        if (!isResolved(finding))
+            say(one.part, taken(findingText(finding, one.role)) + advice(finding, one));
+        if (finding.fault == MatrixFault::Scaled && m_options.isOrthonormal)
+            say(one.part,
+                tr(finding.repair == MatrixRepair::None
+                       ? "--orthonormal is for rounded axes and would change "
+                         "this camera; give the view without the model's scale"
+                       : "--orthonormal removes the model's scale; near, far and eye coordinates stay unchanged, "
+                         "so world coordinates are in eye units"));
+    }
+
+    bool isResolved(const MatrixFinding &finding) const
+    {
+        return (finding.fault == MatrixFault::DepthReversed && m_options.isReversed)
+               || (finding.fault == MatrixFault::YDown && m_options.isYDown)
+               || (finding.fault == MatrixFault::Rounded && m_options.isOrthonormal);
     }
 
     /// The finding worded for the matrix converted to OpenGL's conventions.
     std::string taken(const std::string &finding) const
     {
-        return api() == Api::OpenGl
+        const Api api = m_options.conventions.value_or(Api::OpenGl);
+        return api == Api::OpenGl
                    ? finding
-                   : tr("converted from %1's conventions to OpenGL's, it %2", conventionsOf(api()).name, finding);
+                   : tr("converted from %1's conventions to OpenGL's, it %2", conventionsOf(api).name, finding);
     }
 
     const SceneOptions &m_options;
-    std::string m_name;
+    const PastedCamera &m_camera;
+    const std::string &m_name;
 };
+
+/// The corrections that the options wish, and those that change no point.
+std::vector<Correction> corrections(const SceneOptions &options, const PastedCamera &camera)
+{
+    std::vector<Correction> list;
+    for (const ReadMatrix &one : camera.matrices) {
+        for (const MatrixFinding &finding : one.findings) {
+            if (finding.fault == MatrixFault::Negated && one.role != MatrixRole::Product)
+                list.push_back({one.role, finding});
+        }
+        const bool isView = one.role == MatrixRole::View;
+        if (isView && options.isOrthonormal && one.matrix[3][3] != 0.0)
+            list.push_back({one.role, {MatrixFault::Rounded, MatrixRepair::Orthonormal}});
+        if (!isView && options.isYDown.value_or(false))
+            list.push_back({one.role, {MatrixFault::YDown, MatrixRepair::TurnY}});
+    }
+    return list;
+}
 
 /// Adds the objects of --objects to a scene, and their files to the inputs.
 /// @return their bounds, empty without objects
@@ -274,47 +219,26 @@ std::optional<ImageSize> imageSize(const SceneOptions &options)
 }
 
 /// Makes a scene from another program's camera. Assumptions are printed on stderr.
-/// @return nothing if the texts have no known program's form
-std::optional<ExitCode> runCameraScene(const SceneOptions &options, const GivenTexts &given)
+ExitCode cameraScene(const SceneOptions &options, const GivenTexts &given, const SceneCamera &camera,
+                     const InputFiles &inputs, SceneFile &scene)
 {
-    CameraChoices choices = options.camera;
-    choices.size = imageSize(options);
-    const auto read = readCamera(given.texts, choices);
-    if (!read)
-        return std::nullopt;
-    if (!*read)
-        refuseCamera(read->error(), given);
-    SceneFile scene;
-    InputFiles inputs = given.files;
-    const Box bounds = addObjects(options, inputs, scene);
-    const ForeignCamera &camera = **read;
-    const auto converted = sceneCamera(camera, choices, bounds.isEmpty() ? std::nullopt : std::optional(bounds));
-    if (!converted)
-        refuseCamera(converted.error(), given);
-    if (converted->distortion)
+    if (camera.distortion)
         refuse(given.name + ": "
                + tr("the lens distorts the image (%1), and a scene has no lens. If the pixels are those of the "
                     "undistorted image, give --undistorted. Else make the scene with --undistorted and give the "
                     "coefficients to 'unproject points --distortion'",
-                    coefficientsText(*converted->distortion)));
-    for (const std::string &sentence : converted->assumed)
+                    coefficientsText(*camera.distortion)));
+    for (const std::string &sentence : camera.assumed)
         complain(given.name + ": " + sentence);
 
-    scene.windowWidth = converted->size.width;
-    scene.windowHeight = converted->size.height;
+    scene.windowWidth = camera.size.width;
+    scene.windowHeight = camera.size.height;
     scene.isWindowFixed = true; // another size would move the principal point
-    scene.viewport = Viewport{0.0, 0.0, double(converted->size.width), double(converted->size.height)};
-    std::visit([&scene](const auto &lens) { scene.projection = lens; }, converted->projection);
-    scene.view = converted->eyeFromWorld;
+    scene.viewport = Viewport{0.0, 0.0, double(camera.size.width), double(camera.size.height)};
+    std::visit([&scene](const auto &lens) { scene.projection = lens; }, camera.projection);
+    scene.view = camera.eyeFromWorld;
     scene.conventions = options.conventions;
     return writeScene(options, inputs, scene);
-}
-
-std::string pasteErrorText(const PasteError &error, const std::string &name)
-{
-    base::Error named = errorOf(error);
-    named.file = name;
-    return named.message();
 }
 
 /// Sets the window's size: the requested one, or up to the viewport's edge.
@@ -351,184 +275,43 @@ bool isOriginTop(const SceneOptions &options)
 }
 
 /// Sets viewport, depth range and window.
-void setViewport(const SceneOptions &options, const MatrixTaker &taker, const PastedScene &pasted,
-                 const std::string &name, SceneFile &scene)
+void setViewport(const SceneOptions &options, const PastedCamera &camera, const std::string &name, SceneFile &scene)
 {
-    if (!pasted.viewportMatrix) {
-        scene.viewport = setWindow(options, *pasted.viewport, false, scene);
+    if (!camera.viewportMatrix) {
+        scene.viewport = setWindow(options, *camera.viewport, false, scene);
         return;
     }
-    const auto &[viewport, depthRange] = taker.viewport(*pasted.viewportMatrix);
-    if (viewport.height < 0.0)
+    if (camera.viewport->height < 0.0)
         refuse(name + ": viewport: "
                + tr(isOriginTop(options)
                         ? "its matrix flips y, as for pixels counted from the bottom: give its --conventions"
                         : "its matrix flips y, as for pixels counted from the top: give its --conventions"));
-    if (!isWindowsOwn(depthRange))
+    const DepthRange &range = *camera.depthRange;
+    if (!isWindowsOwn(range))
         complain(
             name + ": viewport: "
             + tr(options.depth || options.conventions
                      ? "its depths go from %1 to %2, beyond the 0 to 1 of a window; the depths of clicks must be in "
                        "this range"
                      : "its depths go from %1 to %2, beyond the 0 to 1 of a window; give their NDC depths with --depth",
-                 numberText(depthRange.atNear, Digits::Double, 5), numberText(depthRange.atFar, Digits::Double, 5)));
-    scene.depthRange = depthRange;
-    scene.viewport = setWindow(options, viewport, isOriginTop(options), scene);
+                 numberText(range.atNear, Digits::Double, 5), numberText(range.atFar, Digits::Double, 5)));
+    scene.depthRange = range;
+    scene.viewport = setWindow(options, *camera.viewport, isOriginTop(options), scene);
 }
 
-/// Deviation of a matrix from any multiple of another one, relative to its largest entry; 1 where
-/// either is 0 or beyond doubles.
-double offUpToScale(const glm::dmat4 &given, const glm::dmat4 &other)
+/// Sets projection and view.
+/// @param isReversed  the numbers tell that depths are reversed
+void setMatrices(const SceneOptions &options, const PastedCamera &camera, bool isReversed, SceneFile &scene)
 {
-    const double ofGiven = largestEntry(given), ofOther = largestEntry(other);
-    if (!(ofGiven > 0.0 && ofOther > 0.0 && std::isfinite(ofGiven) && std::isfinite(ofOther)))
-        return 1.0;
-    const glm::dmat4 a = given / ofGiven, b = other / ofOther;
-    double ab = 0.0, bb = 0.0, off = 0.0;
-    for (int i = 0; i < 16; ++i) {
-        ab += a[i / 4][i % 4] * b[i / 4][i % 4];
-        bb += b[i / 4][i % 4] * b[i / 4][i % 4];
-    }
-    for (int i = 0; i < 16; ++i)
-        off = std::max(off, std::abs(a[i / 4][i % 4] - ab / bb * b[i / 4][i % 4]));
-    return off;
-}
-
-constexpr double kSame = 1e-3; // the error of three printed digits
-
-/// The contradiction between a product and the given projection and view; empty if they agree.
-std::string contradiction(const MatrixTaker &taker, const PastedScene &pasted)
-{
-    const glm::dmat4 product = taker.matrixAsGiven(*pasted.product),
-                     clipFromEye = taker.matrixAsGiven(*pasted.projection);
-    if (largestEntry(product) == 0.0)
-        return tr(", and it is not their product, but all zeros");
-    std::vector<glm::dmat4> others;
-    for (const auto &view : {pasted.view, pasted.modelView}) {
-        if (!view)
-            continue;
-        const glm::dmat4 eyeFromWorld = taker.matrixAsGiven(*view);
-        const glm::dmat4 model = pasted.model ? taker.matrixAsGiven(*pasted.model) : glm::dmat4(1.0);
-        // Any of them may be in the wrong order, which another message reports.
-        others.insert(others.end(), {clipFromEye * eyeFromWorld, eyeFromWorld * clipFromEye,
-                                     clipFromEye * eyeFromWorld * model, model * eyeFromWorld * clipFromEye});
-    }
-    double off = std::numeric_limits<double>::infinity();
-    for (const glm::dmat4 &other : others)
-        off = std::min(off, offUpToScale(product, other));
-    return off <= kSame ? ""
-                        : tr(", and it differs from their product by %1 of its largest entry: one of them is of "
-                             "another setup, or contains an object's matrix",
-                             numberText(off, Digits::Double, 2));
-}
-
-/// Reports that a matrix beside a product is ignored, and whether it agrees with the product.
-void sayLeftOut(const MatrixTaker &taker, const PastedScene &pasted, PastedPart part,
-                const std::optional<Decomposition> &apart)
-{
-    const bool isProjection = part == PastedPart::Projection;
-    const auto &given = isProjection ? pasted.projection : part == PastedPart::View ? pasted.view : pasted.modelView;
-    if (!given)
-        return;
-    const bool isSame = apart
-                        && offUpToScale(isProjection ? apart->clipFromEye : apart->eyeFromWorld,
-                                        taker.matrix(*given, isProjection ? MatrixRole::Projection : MatrixRole::View))
-                               <= kSame;
-    taker.say(part, tr(isProjection ? "ignored without a view: only the product counts"
-                                    : "ignored without a projection: only the product counts")
-                        + (isSame || !apart ? "" : tr(", and it differs from the product's")));
-}
-
-/// Sets projection and view as pasted, applies the options to them, and reports the other findings.
-void setMatrices(const SceneOptions &options, const MatrixTaker &taker, const PastedScene &pasted, SceneFile &scene)
-{
-    const bool isWhole = pasted.projection && (pasted.view || pasted.modelView);
-    const PastedMatrix &lens = isWhole ? *pasted.projection : *pasted.product;
-    glm::dmat4 clipFromEye = taker.matrix(lens, isWhole ? MatrixRole::Projection : MatrixRole::Product);
-    bool isReversed = false;
-    if (isWhole) {
-        const PastedMatrix &view = pasted.view ? *pasted.view : *pasted.modelView;
-        const PastedPart viewPart = pasted.view ? PastedPart::View : PastedPart::ModelView;
-        glm::dmat4 eyeFromWorld = taker.matrix(view, MatrixRole::View);
-        if (eyeFromWorld[3][3] < 0.0)
-            eyeFromWorld = repaired(eyeFromWorld, {MatrixFault::Negated, MatrixRepair::Negate});
-        if (options.isOrthonormal && eyeFromWorld[3][3] != 0.0)
-            eyeFromWorld = repaired(eyeFromWorld, {MatrixFault::Rounded, MatrixRepair::Orthonormal});
-        scene.view = eyeFromWorld;
-        taker.lookAt(view, viewPart, MatrixRole::View, clipFromEye);
-        isReversed = taker.lookAt(lens, PastedPart::Projection, MatrixRole::Projection);
-        for (const MatrixFinding &finding : findings(clipFromEye, MatrixRole::Projection, taker.depthOf(lens))) {
-            if (finding.fault == MatrixFault::Negated)
-                clipFromEye = repaired(clipFromEye, finding);
-        }
-        if (pasted.product)
-            taker.say(PastedPart::Product, tr("ignored, because the projection and the %1 are given", nameOf(viewPart))
-                                               + contradiction(taker, pasted));
-        if (pasted.view && pasted.modelView)
-            taker.say(PastedPart::ModelView, tr("ignored, because the view is given"));
-    } else {
-        isReversed = taker.lookAt(lens, PastedPart::Product, MatrixRole::Product);
-        const auto apart = decomposed(clipFromEye);
-        for (const PastedPart part : {PastedPart::Projection, PastedPart::View, PastedPart::ModelView})
-            sayLeftOut(taker, pasted, part, apart);
-        scene.view = apart ? apart->eyeFromWorld : glm::dmat4(1.0);
-        clipFromEye = apart ? apart->clipFromEye : clipFromEye;
-        taker.say(PastedPart::Product, !apart ? tr("it cannot be decomposed: only the inverted matrix will answer, "
-                                                   "because the formulas need projection and view")
-                                              : decompositionText(*apart));
-    }
-    for (const PastedPart part : pasted.inversesLeft)
-        taker.say(part, tr("its inverse is ignored, because the needed matrices are given"));
-    for (const PastedPart part : pasted.more)
-        taker.say(part, tr("there are several; the first one is used"));
-    if (pasted.model)
-        taker.say(PastedPart::Model, tr("ignored: world coordinates do not need it"));
-    if (options.isYDown.value_or(false))
-        clipFromEye = repaired(clipFromEye, {MatrixFault::YDown, MatrixRepair::TurnY});
+    auto lens = std::get<MatrixProjection>(*camera.projection);
+    // Stored with the depth convention used here, so that every reader uses the same.
+    if (recognised(lens))
+        lens.ndcDepth = ndcDepthOf(lens);
+    scene.projection = lens;
+    scene.view = *camera.eyeFromWorld;
     if (options.isReversed && !isReversed)
         scene.depthRange = {1.0, 0.0};
-    // Stored with the depth convention used here, so that every reader uses the same.
-    const MatrixProjection asRead{clipFromEye, taker.depthOf(lens)};
-    scene.projection = MatrixProjection{clipFromEye, recognised(asRead) ? ndcDepthOf(asRead) : taker.depthOf(lens)};
     scene.conventions = options.conventions;
-}
-
-/// Joins the texts.
-std::string joined(const GivenTexts &given)
-{
-    std::string text;
-    for (const NamedText &one : given.texts)
-        text += (text.empty() ? "" : "\n") + one.text;
-    return text;
-}
-
-/// The parts of a text with calls such as gluLookAt, and of the matrices beside them; else its
-/// matrices.
-Result<PastedScene, PasteError> partsOf(const SceneOptions &options, const std::string &text)
-{
-    const Result<PastedCalls, PasteError> calls = pastedCalls(text);
-    if (!calls)
-        return calls.error();
-    if (!calls->hasAny)
-        return pastedScene(text);
-    const Result<PastedScene, PasteError> beside = pastedParts(calls->rest);
-    PastedScene parts = beside ? *beside : PastedScene();
-    if (calls->parts.view)
-        parts.view = calls->parts.view;
-    if (calls->parts.projection)
-        parts.projection = calls->parts.projection;
-    if (calls->parts.viewport)
-        parts.viewport = calls->parts.viewport;
-    const auto size = imageSize(options);
-    if (!parts.viewport && !parts.viewportMatrix && size)
-        parts.viewport = Viewport{0.0, 0.0, double(size->width), double(size->height)};
-    if (!parts.projection)
-        return countError(PastedPart::Projection, 0, 16, 0);
-    if (!parts.view && !parts.modelView)
-        return countError(PastedPart::View, 0, 16, 0);
-    if (!parts.viewport && !parts.viewportMatrix)
-        return countError(PastedPart::Viewport, 0, 4, 0);
-    return parts;
 }
 
 /// The first given option that is only about matrices.
@@ -542,43 +325,44 @@ std::string optionAboutMatrices(const SceneOptions &options)
                                 : "--orthonormal";
 }
 
-ExitCode sceneFromMatrices(const SceneOptions &options, const GivenTexts &given)
+/// Refuses a text without a camera.
+[[noreturn]] void refuseText(const SceneOptions &options, const GivenTexts &given, const PastedCamera &camera)
 {
-    Result<PastedScene, PasteError> read = partsOf(options, joined(given));
-    if (!read) {
-        const PasteError &error = read.error();
-        const std::vector<std::string> &words = options.fromMatrices.empty() ? options.from : options.fromMatrices;
-        const auto camera = options.isAboutMatrices() && options.fromMatrices.empty()
-                                ? readCamera(given.texts, options.camera)
-                                : std::nullopt;
-        if (camera)
-            refuse(tr("%1: the text is of a camera, and %2 is only about matrices; leave it out", given.name,
-                      optionAboutMatrices(options)));
-        if (error.line == 0 && error.all == 0 && !error.isOfCall && given.files.empty() && words.size() == 1)
-            refuse(words[0] + ": " + tr("there is no such file"));
-        if (options.fromMatrices.empty())
-            refuse(tr("%1: no camera of a known program, and no matrices (%2); the manual lists the programs under "
-                      "Cameras of other programs",
-                      given.name, pasteErrorText(error, given.name)));
-        refuse(pasteErrorText(error, given.name));
-    }
+    const std::vector<std::string> &words = options.fromMatrices.empty() ? options.from : options.fromMatrices;
+    if (options.isAboutMatrices() && options.fromMatrices.empty() && readCamera(given.texts, options.camera))
+        refuse(tr("%1: the text is of a camera, and %2 is only about matrices; leave it out", given.name,
+                  optionAboutMatrices(options)));
+    if (!camera.hasNumbers && given.files.empty() && words.size() == 1)
+        refuse(words[0] + ": " + tr("there is no such file"));
+    base::Error error = *camera.fault;
+    error.file = given.name;
+    if (options.fromMatrices.empty())
+        refuse(tr("%1: no camera of a known program, and no matrices (%2); the manual lists the programs under "
+                  "Cameras of other programs",
+                  given.name, error.message()));
+    refuse(error.message());
+}
+
+ExitCode matricesScene(const SceneOptions &options, const GivenTexts &given, PasteChoices choices,
+                       const PastedCamera &read, const InputFiles &inputs, SceneFile &scene)
+{
+    if (read.fault)
+        refuseText(options, given, read);
     if (!options.camera.isNothing())
         complain(given.name + ": "
                  + tr("the text has matrices, so --image, --near, --far, --axes, --pose, --pixel-centers and "
                       "--undistorted are ignored"));
-
-    SceneFile scene;
-    InputFiles inputs = given.files;
-    addObjects(options, inputs, scene);
-    const MatrixTaker taker(options, given.name);
-    PastedScene numbers = std::move(read).value();
-    if (!taker.tellOrders(numbers))
+    if (!Findings(options, read, given.name).say())
         throw Refused();
-    setViewport(options, taker, numbers, given.name, scene);
-    setMatrices(options, taker, numbers, scene);
-    for (const std::string &aside : numbers.aside)
-        complain(tr("%1: %2: its numbers belong to no matrix, and are not used", given.name, aside));
-
+    setViewport(options, read, given.name, scene);
+    const bool isReversed = std::ranges::any_of(read.matrices, [](const ReadMatrix &one) {
+        return std::ranges::any_of(
+            one.findings, [](const MatrixFinding &finding) { return finding.fault == MatrixFault::DepthReversed; });
+    });
+    choices.corrections = corrections(options, read);
+    choices.areMatrices = true;
+    setMatrices(options, choices.corrections.empty() ? read : pastedCamera(given.texts, choices, std::nullopt),
+                isReversed, scene);
     return writeScene(options, inputs, scene);
 }
 
@@ -602,11 +386,23 @@ ExitCode runScene(const SceneOptions &options)
         isFromMatrices ? givenTexts(options.fromMatrices, "--from-matrices") : givenTexts(options.from, "--from");
     if (const auto model = modelAmong(given))
         refuse(tr("%1: this is a model, not a camera; give it with --objects", *model));
-    if (!options.isAboutMatrices()) {
-        if (const std::optional<ExitCode> made = runCameraScene(options, given))
-            return *made;
-    }
-    return sceneFromMatrices(options, given);
+    SceneFile scene;
+    InputFiles inputs = given.files;
+    const Box bounds = addObjects(options, inputs, scene);
+    PasteChoices choices;
+    choices.camera = options.camera;
+    choices.camera.size = imageSize(options);
+    choices.order = options.order;
+    choices.ndcDepth = options.depth;
+    choices.conventions = options.conventions.value_or(Api::OpenGl);
+    choices.areMatrices = options.isAboutMatrices();
+    choices.isScene = true;
+    const PastedCamera read =
+        pastedCamera(given.texts, choices, bounds.isEmpty() ? std::nullopt : std::optional(bounds));
+    if (read.isProgram && read.fault)
+        refuseCamera(*read.fault, given);
+    return read.scene ? cameraScene(options, given, *read.scene, inputs, scene)
+                      : matricesScene(options, given, std::move(choices), read, inputs, scene);
 }
 
 void addScene(const Command &command)
@@ -627,7 +423,8 @@ void addScene(const Command &command)
                    {{keyOf(PoseDirection::WorldToCamera), PoseDirection::WorldToCamera},
                     {keyOf(PoseDirection::CameraToWorld), PoseDirection::CameraToWorld}});
     command.choice("--pixel-centers", camera.centres,
-                   {{"integer", PixelCentres::AtIntegers}, {"half", PixelCentres::AtHalves}});
+                   {{keyOf(PixelCentres::AtIntegers), PixelCentres::AtIntegers},
+                    {keyOf(PixelCentres::AtHalves), PixelCentres::AtHalves}});
     command.flag("--undistorted", camera.isUndistorted);
     command.add("--objects", options->objects)->expected(1, 64);
     command.choice("--order", options->order, {{"column", NumberOrder::ByColumns}, {"row", NumberOrder::ByRows}});

@@ -17,7 +17,8 @@ struct CameraChoices {
     int width = 0, height = 0; ///< of the image, pixels; 0: the file's
     std::optional<double> nearDistance, farDistance;
     std::string axes;           ///< "opengl", "opencv", "direct3d", "unreal", "ros"; empty: by the program
-    std::string direction;      ///< "world-to-camera" or "camera-to-world"; empty: by the program
+    std::string pose;           ///< "world-to-camera" or "camera-to-world"; empty: by the program
+    std::string pixelCenters;   ///< "integer" or "half", of the first pixel; "pixel_centers" in messages
     bool isUndistorted = false; ///< pixels are of the undistorted image
 };
 

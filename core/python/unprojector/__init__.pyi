@@ -65,7 +65,7 @@ class Setup:
     def from_camera(
         *files: _Path, text: Optional[str] = None, image: str = "", size: Optional[_Size] = None,
         near: Optional[float] = None, far: Optional[float] = None, axes: str = "", pose: str = "",
-        undistorted: bool = False,
+        pixel_centers: str = "", undistorted: bool = False,
     ) -> Setup: ...
     @staticmethod
     def from_scene(text: str) -> Setup: ...

@@ -121,39 +121,56 @@ private slots:
     void rolesAreRead_data()
     {
         addColumn<QString>("text");
-        addColumn<QVector<PastedPart>>("unused");
+        addColumn<QString>("notes");
         addColumn<bool>("isProduct");
         const std::string view_ = printed(view()), lens_ = printed(lens()), product = printed(lens() * view());
-        const auto row = [](const char *name, const std::string &text, const QVector<PastedPart> &unused = {},
-                            bool isProduct = false) {
-            newRow(name) << QString::fromStdString(text) << unused << isProduct;
+        const auto row = [](const char *name, const std::string &text, const char *notes = "", bool isProduct = false) {
+            newRow(name) << QString::fromStdString(text) << notes << isProduct;
         };
-        using enum PastedPart;
         const std::string both = "view = " + view_ + "\nprojection = " + lens_;
         row("names", both);
         row("names the other way round", "projection: " + lens_ + "\nmodelview: " + view_);
-        row("an inverse too many", both + "\nviewInverse = " + printed(glm::inverse(view())));
+        row("an inverse too many", both + "\nviewInverse = " + printed(glm::inverse(view())),
+            "view: its inverse is ignored, because the needed matrices are given");
         row("an inverse alone", "projection = " + lens_ + "\ncameraToWorld = " + printed(glm::inverse(view())));
         row("a viewport", view_ + "\n" + lens_ + "\nviewport: QRect(0,0 300x200)");
-        row("a product", "mvp = " + product, {}, true);
-        row("a product and a viewport", product + "\nviewport 0 0 300 200", {}, true);
-        row("a product beside the view", "mvp = " + product + "\nview = " + view_, {View}, true);
-        row("a product beside both", "mvp = " + view_ + "\n" + both, {Product});
-        row("a model beside both", "model = " + lens_ + "\n" + both, {Model});
+        row("a product", "mvp = " + product, "", true);
+        row("a product and a viewport", product + "\nviewport 0 0 300 200", "", true);
+        row("a product beside the view", "mvp = " + product + "\nview = " + view_,
+            "view: ignored without a projection: only the product counts", true);
+        row("a product beside another view", "mvp = " + product + "\nview = " + printed(glm::inverse(view())),
+            "view: ignored without a projection: only the product counts, and it differs from the product's", true);
+        row("a product beside both", "mvp = " + product + "\n" + both,
+            "product: ignored, because the projection and the view are given");
+        row("a wrong product beside both", "mvp = " + view_ + "\n" + both,
+            "product: ignored, because the projection and the view are given, and it differs from their product by "
+            "0.72 of its largest entry: one of them is of another setup, or contains an object's matrix");
+        row("a product by rows beside both", "mvp = " + printed(glm::transpose(lens() * view())) + "\n" + both,
+            "product: ignored, because the projection and the view are given");
+        row("a model beside both", "model = " + lens_ + "\n" + both,
+            "model: ignored: world coordinates do not need it");
+        row("a modelview beside both", both + "\nmodelview = " + view_,
+            "modelview: ignored, because the view is given");
+        row("two views", "view A:\n" + view_ + "\nview B:\n" + view_ + "\nprojection = " + lens_,
+            "view: there are several; the first one is used");
+        row("exchanged", lens_ + "\n" + view_,
+            "modelview: it has no name and the form of a projection, and is read as the projection");
     }
 
     void rolesAreRead()
     {
         QFETCH(QString, text);
-        QFETCH(QVector<PastedPart>, unused);
+        QFETCH(QString, notes);
         QFETCH(bool, isProduct);
         const PastedCamera camera = pasted(text.toStdString());
         QVERIFY(isCamera(camera));
         QCOMPARE(camera.apart.has_value(), isProduct);
-        QCOMPARE(QVector<PastedPart>(camera.unused.begin(), camera.unused.end()), unused);
+        QStringList said;
+        for (const std::string &note : camera.notes)
+            said << QString::fromStdString(note);
+        QCOMPARE(said.join("; "), notes);
         QCOMPARE(camera.viewport.has_value(), text.contains("viewport"));
         QVERIFY(!camera.isViewportSet);
-        QCOMPARE(camera.matrices.back().leavesInverse, text.contains("viewInverse"));
     }
 
     /// A model in the product makes its space the world.

@@ -80,7 +80,7 @@ private slots:
         const glm::dmat4 lens = given ? given->clipFromEye : *clipFromEye(std::get<Projection>(*camera.projection));
         const double off = offFromCamera(lens * *camera.eyeFromWorld);
         QVERIFY2(off < kPrinted, qPrintable(QString::number(off)));
-        const auto scene = pastedScene(text);
+        const auto scene = pastedParts(text);
         QVERIFY(scene && scene->viewport);
         QVERIFY(*scene->viewport == (Viewport{0, 0, 800, 600}));
     }
@@ -259,7 +259,7 @@ private slots:
         const std::string matrices =
             "view 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\nprojection 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n";
         for (const std::string &text : {matrices + sizes.toStdString(), sizes.toStdString() + '\n' + matrices}) {
-            const auto scene = pastedScene(text);
+            const auto scene = pastedParts(text);
             QVERIFY2(scene, scene ? "" : scene.error().text.c_str());
             QVERIFY(scene->viewport && *scene->viewport == (Viewport{0, 0, 800, 600}));
             QCOMPARE(asideOf(text.c_str()), aside);

@@ -182,7 +182,8 @@ private slots:
         std::string text;
         while (text.size() < 1000000)
             text += "abc ";
-        QVERIFY(!pastedScene(text));
+        const auto parts = pastedParts(text);
+        QVERIFY(parts && !parts->modelView);
     }
 
     void whatIsNoMatrixIsRefused_data()
@@ -239,7 +240,7 @@ private slots:
     {
         QFETCH(QString, text);
         QFETCH(QString, parts);
-        const auto scene = pastedScene(text.toStdString());
+        const auto scene = pastedParts(text.toStdString());
         QVERIFY2(scene, scene ? "" : nameOf(scene.error().part));
         QStringList found;
         for (const auto &[name, matrix] : {std::pair("modelview", scene->modelView), std::pair("view", scene->view),
