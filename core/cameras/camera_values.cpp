@@ -162,9 +162,14 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
 /// Notes a value of one number, or of one that may have a decimal comma, and an id.
 void CameraValues::addNumber(const CameraValue &value)
 {
-    if (value.numbers.size() == 1 || (!value.decimal.empty() && isScalar(value)))
-        m_numbers.push_back(value);
     const std::string name = plain(value.name);
+    if (value.numbers.size() == 1 || (!value.decimal.empty() && isScalar(value))) {
+        m_numbers.push_back(value);
+        for (const std::string_view prefix : {"camera", "cam"}) { // "cam_fx"
+            if (name.starts_with(prefix) && isListed(kScalars, name.substr(prefix.size())))
+                m_numbers.back().words = {name.substr(prefix.size())};
+        }
+    }
     if (value.node > 0 && (name == "id" || isListed(kReferences, name))
         && (value.numbers.size() == 1 || !value.word.empty()))
         (name == "id" ? m_ids : m_references)

@@ -115,7 +115,24 @@ public:
             unfit && unfit->numbers.size() >= 3 && base::isListed(" k cameramatrix ", plain(unfit->name));
         const bool hasVectors = has(Rotation) && plain(all(Rotation).front().name).starts_with("rvec");
         const bool hasAngle = (angle("x") || angle("y")) && (has(Pose) || has(Rotation) || has(Quaternion));
-        return has(Intrinsics) || has(CameraMatrix) || hasFocal || hasVectors || isUnfit || hasAngle;
+        return has(Intrinsics) || has(CameraMatrix) || hasFocal || hasVectors || isUnfit || hasAngle || loneP();
+    }
+
+    /// The only matrix of 3 x 4 in a text, if it is K [R t] by its numbers; else null.
+    const CameraValue *loneP() const
+    {
+        const std::vector<CameraValue> &poses = all(Pose), &others = m_values.others();
+        if (poses.size() + others.size() != 1)
+            return nullptr;
+        const CameraValue &value = poses.empty() ? others.front() : poses.front();
+        const auto parts = value.numbers.size() == 12 ? partsOf(value.numbers) : std::nullopt;
+        if (!parts || !value.arithmetic.empty())
+            return nullptr;
+        const auto &k = parts->intrinsics;
+        constexpr double kLeast = 10.0, kMostSkew = 1e-3, kMostAspect = 2.0; // of a camera, in pixels
+        const bool isLens = k.fx > kLeast && k.fy > kLeast && std::abs(k.skew) < kMostSkew * k.fx && k.cx > 0.0
+                            && k.cy > 0.0 && k.fx < kMostAspect * k.fy && k.fy < kMostAspect * k.fx;
+        return isLens ? &value : nullptr;
     }
 
     ForeignCamera read()
@@ -129,7 +146,7 @@ public:
         countImages();
         readIntrinsics();
         readSize();
-        if (!m_camera.intrinsics && !has(CameraMatrix))
+        if (!m_camera.intrinsics && !has(CameraMatrix) && !loneP())
             readAngles();
         readPose();
         readDistortion();
@@ -279,12 +296,12 @@ private:
             m_camera.images = m_values.cameras();
             std::vector<std::string> lenses;
             for (const Part part : {Intrinsics, CameraMatrix}) {
-                if (all(part).size() == m_camera.images.size())
+                if (lenses.empty() && all(part).size() == m_camera.images.size())
                     lenses = namesOf(part);
             }
             m_reading.chooseImage(lenses);
-            if (m_reading.choices.image.empty())
-                refuseShared();
+            if (!isStereo())
+                refuseShared(m_reading.choices.image.empty());
             m_values.keepCamera(m_camera.images[m_camera.image]);
             return;
         }
@@ -350,15 +367,33 @@ private:
     }
 
     /// Fails for R or t that no camera of several has for its own, which may lead from one camera to the
-    /// other, and for several such poses.
-    void refuseShared() const
+    /// other, and for several such poses where no camera is chosen.
+    void refuseShared(bool isOpen) const
     {
         for (const Part part : {Rotation, Translation, Pose}) {
+            if (!isOpen && (part == Pose || !has(Translation)))
+                continue;
             const auto count =
                 std::ranges::count_if(all(part), [this](const CameraValue &one) { return !m_values.isOfCamera(one); });
             if (count > (part == Pose ? 1 : 0))
                 failCount(all(part).front(), m_values.cameras().size(), all(part).size());
         }
+    }
+
+    /// Returns whether the second of two cameras is chosen, beside OpenCV's stereo R and T from the first.
+    bool isStereo()
+    {
+        const auto isShared = [this](const CameraValue &value) { return !m_values.isOfCamera(value); };
+        const auto &lenses = all(Intrinsics);
+        const auto turn = std::ranges::find_if(all(Rotation), isShared),
+                   shift = std::ranges::find_if(all(Translation), isShared);
+        const bool isOpenCv = m_camera.images == std::vector<std::string>{"1", "2"} && lenses.size() == 2
+                              && (lenses[0].name == "M1" || lenses[0].name == "cameraMatrix1");
+        if (!isOpenCv || m_camera.image != 1 || turn == all(Rotation).end() || shift == all(Translation).end()
+            || turn->name != "R" || shift->name != "T")
+            return false;
+        say(tr("R and T are OpenCV's of two cameras: the world is the camera %1's.", lenses[0].name));
+        return true;
     }
 
     /// Returns whether the text has several K that differ.
@@ -439,7 +474,7 @@ private:
             countFromOne(principal->name);
         } else if (hasOneFocal()) {
             readOneFocal();
-        } else if (!has(CameraMatrix) && !angle("x") && !angle("y")) {
+        } else if (!has(CameraMatrix) && !angle("x") && !angle("y") && !loneP()) {
             m_reading.fail(tr("there is a pose, but no camera matrix; give K, nine numbers by rows"));
         }
     }
@@ -571,9 +606,13 @@ private:
     void readPose()
     {
         const CameraValue *matrix = valueOf(CameraMatrix);
+        if (!matrix && !m_camera.intrinsics && (matrix = loneP())) {
+            note(CameraMatrix, *matrix);
+            say(tr("The 12 numbers are read as P = K [R t]: they have the form of one."));
+        }
         if (m_values.isCameraInfo())
             readRectification(*matrix);
-        else if (matrix)
+        else if (matrix && !isOfRectified(*matrix))
             readCameraMatrix(*matrix);
         else
             readPoseOrParts();
@@ -615,6 +654,22 @@ private:
             readPoseMatrix(*valueOf(Pose));
         else
             readParts();
+    }
+
+    /// Returns whether a P beside K has no rotation and another lens, and says that K counts.
+    bool isOfRectified(const CameraValue &value)
+    {
+        const std::optional<CameraParts> parts = partsOf(value.numbers);
+        if (!m_camera.intrinsics || !parts
+            || pipeline::largestDifference(glm::dmat3(parts->cameraFromWorld), glm::dmat3(1.0)) > 1e-9)
+            return false;
+        const auto &own = *m_camera.intrinsics, &other = parts->intrinsics;
+        const auto isSame = [&](double a, double b) { return std::abs(a - b) <= 1e-6 * own.fx; };
+        if (isSame(own.fx, other.fx) && isSame(own.fy, other.fy) && isSame(own.cx, other.cx)
+            && isSame(own.cy, other.cy))
+            return false;
+        say(tr("%1 has no rotation and another lens than K: it is of the rectified image, and K counts.", value.name));
+        return true;
     }
 
     /// P = K [R t]. Where R is 1, P is of a rectified image, and another pose stands beside it.
@@ -716,7 +771,9 @@ private:
         } else if (!rotation) {
             say(tr("There is no rotation beside %1: none is assumed.", translation->name));
         } else if (rotation->numbers.size() == 3) {
-            const double unit = rotation->unit.starts_with("deg") ? geometry::radiansFromDegrees(1.0) : 1.0;
+            const bool areDegrees =
+                rotation->unit.starts_with("deg") || plain(rotation->name).find("deg") != std::string::npos;
+            const double unit = areDegrees ? geometry::radiansFromDegrees(1.0) : 1.0;
             const glm::dvec3 axis = unit * glm::dvec3(rotation->numbers[0], rotation->numbers[1], rotation->numbers[2]);
             constexpr double kMostTurn = 6.2832; // 2 pi
             if (glm::length(axis) > kMostTurn)
@@ -768,6 +825,12 @@ private:
                                "unit, or leave it out",
                                rotation.name));
         }
+        for (const CameraValue &value : m_values.numbers()) {
+            if (base::isListed(" x y z tx ty tz ", plain(value.name)) && value.node == rotation.node
+                && value.text == rotation.text && value.numbers[0] != 0.0)
+                fail(value, tr("it may be of the translation beside %1; give t or the camera's position C by its name",
+                               rotation.name));
+        }
         say(tr("There is no translation beside %1: it is taken as 0.", rotation.name));
     }
 
@@ -776,12 +839,14 @@ private:
     void refuseAngles() const
     {
         constexpr std::size_t kMost = 4; // numbers of a rotation
-        if (!has(Translation) && !has(Center))
-            return;
+        const bool hasPosition = has(Translation) || has(Center);
         for (const auto *values : {&m_values.others(), &m_values.numbers()}) {
             for (const CameraValue &value : *values) {
                 const std::vector<double> &numbers = value.numbers;
-                if (isAngle(value.name) && numbers.size() <= kMost
+                const std::string name = plain(value.name);
+                const bool isOfPose = hasPosition || name.find("pitch") != name.npos || name.find("yaw") != name.npos
+                                      || name.find("euler") != name.npos;
+                if (isOfPose && isAngle(value.name) && numbers.size() <= kMost
                     && std::ranges::any_of(numbers, [](double angle) { return angle != 0.0; }))
                     fail(value, tr("the rotation is given as angles, whose order and axes programs write differently; "
                                    "give a matrix or a quaternion"));

@@ -97,9 +97,14 @@ NamedValues::NamedValues(std::string_view text)
         } else if (group.kind == GroupKind::Word && isEmpty) {
             m_values.back().word = group.name;
         }
+        const ScannedNumber *before = nullptr;
         for (const ScannedNumber &number : group.numbers) {
+            // A line without brackets below a list has no name.
+            if (before && before->bracket > 0 && number.bracket == 0 && number.line > before->line)
+                m_values.push_back({{{}}, {}, {}, {}, {}, number.line});
             if (!number.isOperand)
                 m_values.back().numbers.push_back(number.value);
+            before = &number;
         }
         // "cy=240 (640x480)"
         const std::size_t count = group.numbers.size();

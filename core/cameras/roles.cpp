@@ -57,7 +57,7 @@ enum class Word {
 constexpr std::string_view kFillers =
     " vector vec params param parameters parameter data value values new est gt opt optimal "
     "is of the my raw array np list point points length lengths pinhole final current xyzw "
-    "wxyz double float const auto var let ";
+    "wxyz double float const auto var let deg degree degrees rad radian radians ";
 constexpr std::string_view kWorldFrames =
     " world w map m odom global g body b imu i base robot ego vehicle velodyne velo "
     "lidar rig object obj o marker board target ned enu ";
@@ -138,11 +138,17 @@ bool isTurnOrShift(std::string_view word)
     return word.size() == 1 && std::string_view("txhrqp").find(word[0]) != std::string_view::npos;
 }
 
+/// The word of a letter that is a frame beside another one: l, a lidar's, is left's elsewhere.
+std::string frameOf(char letter)
+{
+    return letter == 'l' ? "lidar" : std::string(1, letter);
+}
+
 /// Returns whether two letters are a camera's and a world's frame.
 bool areFrames(std::string_view two)
 {
     const auto isCamera = [](char c) { return c == 'c' || c == 's'; };
-    return two.size() == 2 && isFrame(kindOf(two.substr(0, 1))) && isFrame(kindOf(two.substr(1)))
+    return two.size() == 2 && isFrame(kindOf(frameOf(two[0]))) && isFrame(kindOf(frameOf(two[1])))
            && isCamera(two[0]) != isCamera(two[1]);
 }
 
@@ -185,7 +191,7 @@ void addWord(const std::string &word, std::vector<std::string> &words)
     if (!isKnown && areTwo)
         parts = {word.substr(0, 1), word.substr(1)};
     else if (!isKnown && areThree)
-        parts = {word.substr(0, 1), word.substr(1, 1), word.substr(2)};
+        parts = {word.substr(0, 1), frameOf(word[1]), frameOf(word[2])};
     else if (isKnown || !splitIntoKnown(letters, parts))
         parts = {word};
     words.insert(words.end(), parts.begin(), parts.end());
@@ -328,7 +334,8 @@ std::optional<Part> partOf(const Name &name, std::size_t count)
     if (count == 3 && !name.words.empty() && (name.words.back() == "c" || name.words.back() == "eye")
         && name.isOnly({}))
         return Part::Center;
-    if (name.has(Intrinsics) && !hasFrames)
+    const bool isM = count == 9 && name.words.size() == 1 && name.words[0] == "m"; // OpenCV's stereo_calib
+    if ((name.has(Intrinsics) && !hasFrames) || isM)
         return Part::Intrinsics;
     if (name.hasWord("p") && hasFrames && count == 3) // Drake's p_WC
         return Part::Translation;
@@ -494,7 +501,7 @@ std::string coefficientOf(std::string_view text)
         if (const std::size_t at = name.find(word); at != name.npos)
             name.erase(at, word.size());
     }
-    const bool isNumbered = name.size() == 2 && isListed(" k p s ", name.substr(0, 1)) && isDigit(name[1]);
+    const bool isNumbered = name.size() == 2 && isListed(" k p s d ", name.substr(0, 1)) && isDigit(name[1]);
     return isNumbered || name.starts_with("kappa") || isListed(" xi tau taux tauy ", name) ? name : std::string();
 }
 

@@ -398,7 +398,13 @@ private:
             word += 'e' + m_plain.substr(m_found[0], m_found[1] - m_found[0]);
             m_at += length;
         }
-        const auto cross = std::min(word.find('x'), word.size() - 1), unit = word.find_last_of("0123456789.") + 1;
+        const auto unit = word.find_last_of("0123456789.") + 1;
+        if (unit < word.size() && word.find('.') < unit
+            && isAmong(at(behind(m_at, " \t")), "=:")) { // fx=504.5fy = 504.6
+            word.resize(unit);
+            m_at = start + unit;
+        }
+        const auto cross = std::min(word.find('x'), word.size() - 1);
         const auto value = numberOf(word), width = numberOf(word.substr(0, cross)),
                    height = numberOf(word.substr(cross + 1)), whole = numberOf(word.substr(0, unit));
         if (m_commentEnd > 0)
