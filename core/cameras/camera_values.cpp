@@ -22,12 +22,24 @@ constexpr std::string_view kMembers = " typeid rows cols dt data dims ";
 constexpr std::string_view kScalars = " fx fy cx cy ppx ppy focallengthx focallengthy principalpointx principalpointy "
                                       "width height w h k1 k2 k3 p1 p2 skew znear zfar ";
 
+/// Other names of such numbers.
+constexpr std::string_view kOtherScalars =
+    " f focal focallength focallengthpx focallengthpixels focalx focaly alphac gamma s imagewidth imgwidth imageheight "
+    "imgheight nearplane nearclip nearclipplane farplane farclip farclipplane binningx xoffset yoffset x y z tx ty tz ";
+
 /// Returns whether the last words of a name are in a list.
-bool isScalar(const NamedValue &value)
+bool isScalar(const NamedValue &value, std::string_view list = kScalars)
 {
     std::string name;
     return std::any_of(value.words.rbegin(), value.words.rend(),
-                       [&](const std::string &word) { return isListed(kScalars, name = word + name); });
+                       [&](const std::string &word) { return isListed(list, name = word + name); });
+}
+
+/// Returns whether a number may be a camera's; a text may have many others.
+bool mayBeOfCamera(const CameraValue &value, const std::string &name)
+{
+    return isScalar(value) || isScalar(value, kOtherScalars) || name.find("fov") != name.npos
+           || name.find("fieldofview") != name.npos || isScalarOfPart(value.name) || isAngle(value.name);
 }
 
 /// Names of a camera's id, and of a reference to it.
@@ -77,6 +89,14 @@ std::optional<Role> roleOf(const CameraValue &value)
     const std::size_t count = value.numbers.size(), blank = name.find_last_of(" \t");
     const auto role = cameras::roleOf(name, count);
     return role || blank == name.npos ? role : cameras::roleOf(name.substr(blank + 1), count);
+}
+
+/// Returns whether numbers whose name says no part may be one.
+bool mayBePart(const CameraValue &value)
+{
+    const std::size_t count = value.numbers.size();
+    constexpr std::size_t kFewest = 4, kMost = 16; // of a camera's parts
+    return value.name.empty() || (count >= kFewest && count <= kMost) || (count > 1 && hasPartWord(value.name));
 }
 
 /// The name of a file without its folder and suffix.
@@ -132,7 +152,9 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
             }
             CameraValue added = valueOf(value);
             addNumber(added);
-            const bool isOne = added.numbers.size() == 1 && added.numbers[0] != 1.0; // 1 may be "true"
+            const std::size_t count = added.numbers.size();
+            const bool isAside = (count == 1 && added.numbers[0] != 1.0) // in m_numbers; but 1 may be "true"
+                                 || (count > 1 && !mayBePart(added));
             const bool isPart = isScalar(added) || roleOf(added);
             if (isPart && value.at > 0 && text.text[value.at - 1] == '"' && !value.numbers.empty()) {
                 const auto &[key, isNew] =
@@ -140,7 +162,9 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
                 if (!isNew && key->second.numbers != added.numbers)
                     m_twice = {key->second.line, added};
             }
-            if (isPart || !isOne) // other numbers are in m_numbers
+            if (!values.empty() && values.back().value.numbers.empty() && values.back().value.word.empty())
+                values.pop_back(); // a heading
+            if (isPart || !isAside)
                 values.emplace_back(Owned{std::move(added)});
         }
         addComponents(named);
@@ -163,12 +187,16 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
 void CameraValues::addNumber(const CameraValue &value)
 {
     const std::string name = plain(value.name);
-    if (value.numbers.size() == 1 || (!value.decimal.empty() && isScalar(value))) {
+    std::string own = name; // "fx" of "cam_fx"
+    for (const std::string_view prefix : {"camera", "cam"}) {
+        if (name.starts_with(prefix) && isListed(kScalars, name.substr(prefix.size())))
+            own = name.substr(prefix.size());
+    }
+    if ((value.numbers.size() == 1 && (own != name || mayBeOfCamera(value, name)))
+        || (!value.decimal.empty() && isScalar(value))) {
         m_numbers.push_back(value);
-        for (const std::string_view prefix : {"camera", "cam"}) { // "cam_fx"
-            if (name.starts_with(prefix) && isListed(kScalars, name.substr(prefix.size())))
-                m_numbers.back().words = {name.substr(prefix.size())};
-        }
+        if (own != name)
+            m_numbers.back().words = {own};
     }
     if (value.node > 0 && (name == "id" || isListed(kReferences, name))
         && (value.numbers.size() == 1 || !value.word.empty()))
@@ -449,8 +477,7 @@ void CameraValues::add(CameraValue value)
     }
     const std::optional<Role> role = roleOf(value);
     if (!role) {
-        constexpr std::size_t kFewest = 4, kMost = 16; // of a camera's parts without a known name
-        if ((count < kFewest || count > kMost) && (count < 2 || !hasPartWord(value.name)))
+        if (!mayBePart(value))
             return;
         return m_others.push_back(std::move(value));
     }

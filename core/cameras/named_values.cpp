@@ -67,7 +67,9 @@ double NamedValue::number() const
 NamedValues::NamedValues(std::string_view text)
 {
     std::string parent;
-    for (Group &group : scan(text)) {
+    std::vector<Group> groups = scan(text);
+    m_values.reserve(groups.size());
+    for (Group &group : groups) {
         const bool isEmpty = !m_values.empty() && m_values.back().numbers.empty() && m_values.back().word.empty();
         // "k1: {value: -0.1}"
         const bool isValue = isEmpty && !m_values.back().written.empty() && base::lowerCase(group.name) == "value";
@@ -120,6 +122,7 @@ NamedValues::NamedValues(std::string_view text)
             if (both.find_first_not_of("+-.0123456789,") == both.npos)
                 m_values.back().decimal = both;
         }
+        group.numbers = {}; // a large text takes less
     }
 }
 
