@@ -21,6 +21,8 @@ using base::tr;
 
 namespace {
 
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 using CameraRead = std::optional<base::Expected<ForeignCamera, base::Error>>;
 
 /// All forms. The first that recognises the texts reads them: the most particular one is first.
@@ -281,6 +283,12 @@ std::optional<base::Expected<ForeignCamera, base::Error>> readCamera(std::span<c
 {
     if (texts.empty())
         return std::nullopt;
+    if (std::ranges::any_of(texts, [](const NamedText &text) { return text.text.starts_with(kByteOrderMark); })) {
+        std::vector<NamedText> plain(texts.begin(), texts.end());
+        for (NamedText &text : plain)
+            text.text.erase(0, text.text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
+        return readCamera(plain, choices);
+    }
     for (const NamedText &text : texts) {
         constexpr std::size_t kBeginning = 200;
         if (text.text.starts_with('{')

@@ -99,6 +99,14 @@ bool mayBePart(const CameraValue &value)
     return value.name.empty() || (count >= kFewest && count <= kMost) || (count > 1 && hasPartWord(value.name));
 }
 
+/// Returns whether a number of a camera has no number, or several.
+bool isBroken(const CameraValue &value)
+{
+    constexpr std::string_view kOne = " fx fy cx cy k1 k2 k3 skew ", kNone = " null none undefined na nan ";
+    return value.numbers.size() != 1 && value.decimal.empty() && isListed(kOne, value.name) // K_3 is a matrix
+           && !isListed(kNone, plain(value.word));
+}
+
 /// The name of a file without its folder and suffix.
 std::string stemOf(const std::string &path)
 {
@@ -126,7 +134,8 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
     for (const NamedText &text : texts) {
         struct Owned {
             CameraValue value;
-            bool isTable = false; ///< of six columns
+            bool isTable = false;  ///< of six columns
+            bool isMatrix = false; ///< has rows and columns
         };
         std::vector<Owned> values;
         struct First {
@@ -139,9 +148,16 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
         m_outlines.emplace_back(text.text);
         for (const NamedValue &value : named.all()) {
             if (!values.empty() && isListed(kMembers, value.words.back())) {
-                if (value.isNamed("data"))
-                    values.back().value.numbers = value.numbers;
-                else if (value.isNamed("cols") && value.numbers.size() == 1)
+                CameraValue &owner = values.back().value;
+                if (value.isNamed("data") && !owner.numbers.empty() && owner.numbers != value.numbers)
+                    m_twice = {owner.line, valueOf(value)};
+                if (value.isNamed("data")) {
+                    owner.numbers = value.numbers;
+                    owner.arithmetic = value.arithmetic;
+                    owner.unit = value.unit;
+                } else if (value.isNamed("rows") || value.isNamed("cols"))
+                    values.back().isMatrix = true;
+                if (value.isNamed("cols") && value.numbers.size() == 1)
                     values.back().isTable = value.numbers[0] == 6.0;
                 continue;
             }
@@ -162,13 +178,18 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
                 if (!isNew && key->second.numbers != added.numbers)
                     m_twice = {key->second.line, added};
             }
-            if (!values.empty() && values.back().value.numbers.empty() && values.back().value.word.empty())
+            if (!values.empty() && values.back().value.numbers.empty() && values.back().value.word.empty()
+                && !values.back().isMatrix)
                 values.pop_back(); // a heading
+            if (isBroken(added))
+                m_broken = added;
             if (isPart || !isAside)
                 values.emplace_back(Owned{std::move(added)});
         }
         addComponents(named);
         for (Owned &owned : values) {
+            if (owned.isMatrix && owned.value.numbers.empty() && roleOf(owned.value))
+                m_broken = owned.value;
             const bool isPoses = owned.isTable && owned.value.numbers.size() % 6 == 0;
             if (const auto role = roleOf(owned.value); role && role->part == Part::Pose && isPoses)
                 addPoses(std::move(owned.value));
@@ -288,8 +309,25 @@ void CameraValues::dropElsewhere()
             (isOther(value) ? m_others : kept).push_back(std::move(value));
         of(part) = std::move(kept);
     };
-    for (const Part part : kPoseParts)
-        split(part, [&](const CameraValue &value) { return isOfOther(value) || isApart(value); });
+    // A pose in the camera's own part of the text counts before one elsewhere.
+    const auto depthOf = [&](const CameraValue &value) {
+        std::size_t depth = 0;
+        for (const CameraValue &lens : lenses) {
+            const std::vector<std::size_t> own = m_outlines[lens.text].pathTo(lens.node),
+                                           path = m_outlines[value.text].pathTo(value.node);
+            if (lens.text == value.text)
+                depth = std::max(depth, std::size_t(std::ranges::mismatch(own, path).in1 - own.begin()));
+        }
+        return depth;
+    };
+    for (const Part part : kPoseParts) {
+        std::size_t deepest = 0;
+        for (const CameraValue &value : all(part))
+            deepest = std::max(deepest, depthOf(value));
+        split(part, [&](const CameraValue &value) {
+            return isOfOther(value) || isApart(value) || (m_cameras.empty() && depthOf(value) < deepest);
+        });
+    }
     split(Size, isApart);
     const auto isToCameraBefore = [](const CameraValue &value) { return value.role.world == "camera before"; };
     if (const auto &poses = all(Pose); !std::ranges::all_of(poses, isToCameraBefore))
@@ -577,6 +615,7 @@ void CameraValues::addComponents(const NamedValues &named)
         const std::string &word = values[i].words.back();
         return word.substr(0, word.size() == 2 && (word[0] == 'q' || word[0] == 't') ? 1 : 0);
     };
+    const auto nodeOf = [&](std::size_t i) { return m_outlines.back().nodeAt(values[i].at); };
     const auto isComponent = [&](std::size_t i) {
         return i < values.size() && values[i].numbers.size() == 1
                && values[i].words.back().size() == prefixOf(i).size() + 1
@@ -592,7 +631,7 @@ void CameraValues::addComponents(const NamedValues &named)
         std::array<double, 4> numbers{};
         std::set<std::string> components;
         for (count = 0;
-             isComponent(i + count) && values[i + count].parent == values[i].parent
+             isComponent(i + count) && values[i + count].parent == values[i].parent && nodeOf(i + count) == nodeOf(i)
              && prefixOf(i + count) == prefixOf(i) && components.insert(values[i + count].words.back()).second;
              ++count)
             numbers[kXyzw.find(values[i + count].words.back().back())] = values[i + count].numbers[0];

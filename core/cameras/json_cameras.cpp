@@ -379,11 +379,23 @@ void readNerf(Reading &reading)
 /// PinholeCameraParameters, PinholeCameraTrajectory, PinholeCameraIntrinsic, and ViewTrajectory, which
 /// its viewer copies to the clipboard. The name of the class is missing where someone copied the middle
 /// of a file.
-Cameras open3dCameras(Reading &reading, const Node &file)
+/// Returns whether a file has only Open3D's keys; other programs have intrinsic_matrix, too.
+bool isPlain(const Node &file)
+{
+    const Json &json = file.json();
+    return json.is_object() && (json.contains("intrinsic_matrix") || json.contains("intrinsic"))
+           && std::ranges::all_of(json.items(), [](const auto &item) {
+                  return base::isListed(
+                      "class_name version_major version_minor intrinsic extrinsic intrinsic_matrix width height",
+                      item.key());
+              });
+}
+
+Cameras open3dCameras(Reading &, const Node &file)
 {
     const std::string kind = file.word("class_name");
     if (!base::isListed("PinholeCameraParameters PinholeCameraTrajectory PinholeCameraIntrinsic ViewTrajectory", kind)
-        && !(kind.empty() && reading.text.text.find("\"intrinsic_matrix\"") != std::string::npos))
+        && !(kind.empty() && isPlain(file)))
         return {};
     const char *key = kind == "ViewTrajectory" ? "trajectory" : "parameters";
     Cameras cameras;

@@ -11,6 +11,8 @@
 #include "core/geometry/numbers.h"
 #include "core/pipeline/printed_digits.h"
 
+#include <nlohmann/json.hpp>
+
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -193,15 +195,27 @@ private:
             fail(twice->second,
                  tr("it stands in one object twice, in lines %1 and %2, with other numbers; leave one out",
                     twice->first, twice->second.line));
+        if (const auto &broken = m_values.broken())
+            fail(*broken, broken->numbers.empty() ? tr("it has no number; give it, or leave the name out")
+                                                  : tr("it has %1 numbers; give one", broken->numbers.size()));
         for (std::size_t i = 0; i < m_texts.size(); ++i) {
             if (m_texts[i].text.find("PerspectiveCameras(") != std::string::npos) // x left, y up, row vectors
                 throw base::Error{.text = tr("PyTorch3D's cameras are not read; convert them by its "
                                              "opencv_from_cameras_projection, and give R, t and K"),
                                   .file = m_texts[i].name};
+            const std::string_view text = base::trimmed(m_texts[i].text);
+            if (text.starts_with("<?xml") || text.starts_with("<opencv_storage"))
+                parsedXml(m_texts[i]); // throws
+            const bool isJson = text.starts_with('{') || text.starts_with("[{");
+            if (m_values.isOverclosed(i)) {
+                if (isJson)
+                    throw base::Error{.text = tr("a bracket is closed that is not open; one may be missing before it"),
+                                      .file = m_texts[i].name};
+                say(tr("A bracket is closed that is not open."));
+            }
             if (!m_values.isUnclosed(i))
                 continue;
-            const std::string_view text = base::trimmed(m_texts[i].text);
-            if (text.starts_with('{') || text.starts_with("[{"))
+            if (isJson)
                 throw base::Error{.text = tr("the text ends before its brackets are closed; its last number may be "
                                              "cut off. Give the whole text"),
                                   .file = m_texts[i].name};
@@ -263,8 +277,8 @@ private:
     void refuseComputed(Part part, const CameraValue &value)
     {
         const bool isAngle = value.unit.starts_with("deg") || value.unit.starts_with("rad"),
-                   isOfWorld =
-                       !isAngle && part >= Translation && part <= Pose && value.unit.find(' ') == value.unit.npos;
+                   isOfWorld = part >= Translation && part <= Pose
+                               && base::isListed(" mm cm m km inch inches ft um ", value.unit);
         if (!value.unit.empty() && !isOfWorld && !(isAngle && part == Rotation))
             fail(value, tr("its unit is %1, which is not known here; give numbers without a unit", value.unit));
         if (!value.unit.empty() && isOfWorld && value.unit != "m")
@@ -479,13 +493,17 @@ private:
         }
     }
 
+    /// Words before a name in source code.
+    static constexpr std::string_view kTypes = " double float const auto var let camera cam ";
+
     /// The skew under one of its names; of alpha_c, it is a factor of fx. A large number is another thing's.
     double skewBeside(double fx)
     {
         constexpr double kMost = 0.1; // of fx
         for (const char *name : {"skew", "alphac", "gamma", "s"}) {
             const CameraValue *value = m_values.find(name);
-            if (!value || value->words.size() != 1)
+            const bool isOwn = value && (value->words.size() == 1 || base::isListed(kTypes, value->words.front()));
+            if (!isOwn)
                 continue;
             const double skew = use(*value, false) * (value->isNamed("alphac") ? fx : 1.0);
             if (!(std::abs(skew) <= kMost * fx)) {
@@ -502,7 +520,8 @@ private:
     bool hasFocalAndPrincipal() const { return has(Focal) && has(Principal); }
     bool hasOneFocal() const
     {
-        return m_values.find(kFocal) && (has(Principal) || (m_values.find(kCx) && m_values.find(kCy)));
+        return m_values.find(kFocal) && !m_values.find(kFx) && !m_values.find(kFy)
+               && (has(Principal) || (m_values.find(kCx) && m_values.find(kCy)));
     }
 
     /// One focal length for both axes, beside the principal point.

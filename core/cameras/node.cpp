@@ -225,7 +225,7 @@ bool Node::isTrue(Keys keys) const
 {
     if (m_values)
         return m_values->isTrue(plain(keys));
-    return word(keys) == "true" || number(keys, 0.0) != 0.0;
+    return word(keys) == "true" || number(keys).value_or(0.0) != 0.0;
 }
 
 Numbers Node::numbers(Keys keys, std::size_t fewest) const
@@ -263,6 +263,14 @@ std::optional<double> Node::number(Keys keys) const
 {
     const Numbers found = numbers(keys);
     return found.size() == 1 || (m_values && !found.empty()) ? std::optional(found[0]) : std::nullopt;
+}
+
+double Node::number(Keys keys, double otherwise) const
+{
+    const auto value = number(keys);
+    if (!value && !m_values && holds(keys))
+        fail(tr("it is no number; give one, or leave it out"), keys);
+    return value.value_or(otherwise);
 }
 
 Numbers Node::needed(Keys keys, std::size_t count) const

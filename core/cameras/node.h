@@ -65,7 +65,8 @@ public:
     Numbers numbers(Keys keys, std::size_t fewest = 1) const;
     /// A value that is one number; of a printed text, its first one.
     std::optional<double> number(Keys keys) const;
-    double number(Keys keys, double otherwise) const { return number(keys).value_or(otherwise); }
+    /// @param otherwise  without the key; a key with another value than one number fails
+    double number(Keys keys, double otherwise) const;
     /// The same; another count of numbers fails in the line of the key.
     Numbers needed(Keys keys, std::size_t count) const;
     double needed(Keys key) const { return needed(key, 1)[0]; }

@@ -44,7 +44,10 @@ public:
             if (m_at < m_text.size())
                 readOne();
         }
-        m_outline.m_isUnclosed = isInBrackets();
+        const std::size_t last = m_text.find_last_not_of(" \t\r\n");
+        const bool isCutOff =
+            m_parentheses > 0 && last != m_text.npos && (base::isDigit(m_text[last]) || m_text[last] == ',');
+        m_outline.m_isUnclosed = isInBrackets() || isCutOff;
     }
 
 private:
@@ -96,7 +99,9 @@ private:
         if (m_isXml || isInBrackets())
             return;
         const std::size_t end = std::min(m_text.find('\n', m_at), m_text.size());
-        const std::string_view line = m_text.substr(m_at, end - m_at), content = trimmed(line);
+        std::string_view line = m_text.substr(m_at, end - m_at);
+        line = line.substr(0, std::min(line.find(" #"), line.find("\t#")));
+        const std::string_view content = trimmed(line);
         if (content.size() > 2 && content.front() == '[' && content.back() == ']' && base::isLetter(content[1])
             && content.find_first_of(",=") == content.npos) {
             while (!m_open.empty())
@@ -173,7 +178,13 @@ private:
             const char opening = c == '}' ? '{' : '[';
             if (m_open.back().kind == opening)
                 pop();
+            else
+                m_outline.m_isOverclosed = true;
             m_name = {};
+        } else if (c == '}' || c == ']') {
+            m_outline.m_isOverclosed = true;
+        } else if (c == '(' || c == ')') {
+            m_parentheses = std::max(m_parentheses + (c == '(' ? 1 : -1), 0);
         } else if (c == ':' || c == '=') {
             constexpr std::size_t kLongest = 80; // of a label
             if (isInBrackets())
@@ -213,6 +224,7 @@ private:
     bool m_isXml = false;
     std::size_t m_at = 0;
     std::string_view m_name; ///< the last one, where it may be a heading
+    int m_parentheses = 0;   ///< that are open
     std::vector<Open> m_open;
 };
 

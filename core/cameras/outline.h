@@ -32,6 +32,8 @@ public:
     std::vector<std::size_t> pathTo(std::size_t index) const;
     /// Returns whether the text ends inside of a bracket.
     bool isUnclosed() const { return m_isUnclosed; }
+    /// Returns whether the text closes a bracket that is not open.
+    bool isOverclosed() const { return m_isOverclosed; }
     /// What to call a node: its label, its heading, or its index in its list.
     std::string nameOf(std::size_t index) const;
 
@@ -43,7 +45,7 @@ private:
     std::vector<Node> m_nodes{Node{}};
     std::map<std::pair<std::size_t, std::string>, std::pair<std::size_t, std::size_t>> m_items; ///< first and count
     std::vector<Change> m_changes{{0, 0}};
-    bool m_isUnclosed = false;
+    bool m_isUnclosed = false, m_isOverclosed = false;
 };
 
 } // namespace unprojector::cameras

@@ -178,6 +178,8 @@ void Reading::setLens(const Node &node, std::string_view keys, PixelCentres cent
     const bool isK = keys.find(' ') == keys.npos;
     const Numbers k = node.needed(keys, isK ? 9 : 4);
     const bool isByColumns = isK && k[2] == 0.0 && k[5] == 0.0;
+    if (isK && (k[8] != 1.0 || (isByColumns ? k[1] != 0.0 : k[3] != 0.0 || k[6] != 0.0 || k[7] != 0.0)))
+        node.fail(tr("this is no camera matrix; it must have the rows fx skew cx, 0 fy cy, 0 0 1"), keys);
     camera.intrinsics = !isK          ? Intrinsics{k[0], k[1], k[2], k[3], 0.0, centres}
                         : isByColumns ? Intrinsics{k[0], k[4], k[6], k[7], k[3], centres}
                                       : Intrinsics{k[0], k[4], k[2], k[5], k[1], centres};

@@ -165,7 +165,11 @@ constexpr std::string_view kUnits = " mm cm m km inch inches ft um deg degree de
                            kPixels = " px pixel pixels ";
 /// Functions that change numbers.
 constexpr std::string_view kFunctions = " sqrt tan atan exp log log2 log10 sin cos asin acos atan2 arctan arctan2 pow "
-                                        "hypot cbrt abs round floor ceil min max ";
+                                        "hypot cbrt abs round floor ceil min max square power degrees rad2deg ";
+
+/// Functions of one number that give the number.
+constexpr std::string_view kCasts = " double int decimal tensor array number scalar real value f32 f64 some ok just "
+                                    "radians deg2rad degtorad mm m px ";
 
 constexpr std::size_t kMostGroups = 500000; ///< of a text: they take 100 MB
 
@@ -206,7 +210,7 @@ private:
             if (std::ranges::count(names, ',') != commas || std::ranges::count(values, ',') != commas
                 || !isAmong('=', names) || (previous != m_text.npos && !isAmong(at(previous), "\n;") && !isDeclared)
                 || std::ranges::any_of(names,
-                                       [](char one) { return !isAmong(one, kOfName) && !isAmong(one, " ,()[]:="); }))
+                                       [](char one) { return !isAmong(one, kOfName) && !isAmong(one, " \t,()[]:="); }))
                 continue;
             for (std::size_t i = 0; i < count; ++i) {
                 m_groups[first + i].kind = Name;
@@ -281,6 +285,12 @@ private:
             m_commentEnd = 0;
         }
         const bool isNumber = isNumberAt(m_at) || isSignedInfAt(m_at);
+        if (m_commentEnd == 0 && isAmong(c, "+-") && isAmong(at(m_at + 1), "+-") && isNumberAt(m_at + 1)) { // -+0.1
+            const std::size_t start = m_at;
+            m_at = behind(m_at, kOfNumber);
+            addNumber(kNan, start);
+            return;
+        }
         if (c == '\n') {
             endLine(m_at++);
             ++m_line;
@@ -311,6 +321,11 @@ private:
     {
         if (!isAmong(m_text[m_at], "0123456789([,$MCcAF")) // the first characters of all
             return false;
+        if (const auto length = m_isLineBlank && m_open.empty() ? lengthOf("[9]`_+") : 0; length > 0) { // R
+            m_at += length;
+            m_isLineBlank = false;
+            return true;
+        }
         for (const std::string_view mark : kMarks) {
             const auto length = lengthOf(mark);
             if (length == 0)
@@ -326,19 +341,31 @@ private:
         return false;
     }
 
+    /// Returns whether a blank and the end of a statement of MATLAB stand before this place in the line.
+    bool isBehindStatement() const
+    {
+        const auto last = m_text.find_last_not_of(" \t", m_at - 1);
+        return m_at > 0 && isAmong(before(), " \t") && last != m_text.npos && isAmong(m_text[last], ";])");
+    }
+
     /// Begins a comment, or an XML tag: its name is read, the rest of it is a comment.
     bool readComment()
     {
-        const bool isTag = m_isXml && m_text[m_at] == '<', isBlock = isHere("/*");
+        const bool isTag = m_isXml && m_text[m_at] == '<', isMathematica = isHere("(*"),
+                   isBlock = isHere("/*") || isMathematica;
         const bool isQuotient = m_count > 0 && m_operandLine == m_line
                                 && isAmong(at(m_text.find_last_not_of(" \t", m_at - 1)), "0123456789.)]")
                                 && lengthOf("//_9") > 0
                                 && isAmong(at(behind(m_at + 2, "0123456789. \t\r")), ",;)\n"); // of Python: 640 // 2
         const bool isLine = (lengthOf("Q#") > 0 && !isDigit(at(m_at + 1))) || (lengthOf("Q//") > 0 && !isQuotient)
-                            || (isHere("%") && m_isLineBlank);
+                            || (isHere("%") && (m_isLineBlank || isBehindStatement()));
         if (!isTag && !isBlock && !isLine)
             return false;
-        const std::string_view last = isBlock ? "*/" : !isTag ? "\n" : isHere("<!--") ? "-->" : ">";
+        const std::string_view last = isMathematica    ? "*)"
+                                      : isBlock        ? "*/"
+                                      : !isTag         ? "\n"
+                                      : isHere("<!--") ? "-->"
+                                                       : ">";
         const auto end = std::min(m_text.find(last, m_at), m_text.size());
         if (isLine)
             endLine(end);
@@ -420,7 +447,8 @@ private:
             addNumber(*height, start, true);
         } else if (whole && (word.size() - unit <= 3 || base::isListed(kUnits, word.substr(unit)))) {
             addNumber(*whole, start, true);
-            setUnit(word.substr(unit));
+            if (!setUnit(word.substr(unit)))
+                m_groups[m_value].unit += (m_groups[m_value].unit.empty() ? "" : " ") + word.substr(unit);
         } else {
             addWord(start, m_at);
         }
@@ -468,6 +496,10 @@ private:
             return;
         if (word == "x" && m_name.empty() && m_operandLine == m_line && lengthOf("_9") > 0)
             return; // 800 x 600
+        if (isAmongNumbers(start, end)) {
+            setArithmetic(std::string(name));
+            return addNumber(kNan, start);
+        }
         addWord(start, end);
         m_at += lengthOf(":9`:"); // main.cpp:123:
         readSubscripts(word);
@@ -482,8 +514,24 @@ private:
                 : isBehindOperand && at(start - 1) == '.'
                       && base::isListed(" inverted invertedsafe transposed t ", word))
             setArithmetic(word);
+        if (m_isBehindEquals && lengthOf("(_+_)") > 0 && !base::isListed(kCasts, word)
+            && word.find("float") == word.npos)
+            setArithmetic(word);
         if (word == "radians" || word == "deg2rad" || word == "degtorad")
             m_unit = geometry::radiansFromDegrees(1.0);
+    }
+
+    /// Returns whether a word stands for a number of a list: [0.1, null, 0.3].
+    bool isAmongNumbers(std::size_t begin, std::size_t end) const
+    {
+        if (m_lists.empty() || !m_lists.back() || begin == 0)
+            return false;
+        const auto last = m_text.find_last_not_of(" \t\r\n", begin - 1), next = behind(end, " \t\r\n");
+        if (!isAmong(at(last), ",[{") || !isAmong(at(next), ",]}"))
+            return false;
+        const auto &numbers = m_groups.back().numbers;
+        const bool isBehind = !numbers.empty() && numbers.back().bracket == m_open.back();
+        return isBehind || (at(next) == ',' && isNumberAt(behind(next + 1, " \t\r\n")));
     }
 
     /// Reads the value of "np.pi / 3" and "math.sqrt(2)"; that of a function that is not known is NaN.
@@ -577,10 +625,13 @@ private:
         m_isOperand = m_isOperand && !isAmong(c, ",;[]{}");
         if (isAmong(c, "([{")) {
             m_open.push_back(++m_brackets);
+            m_lists.push_back(c != '(');
             m_subscripts.clear();
         } else if (isAmong(c, ")]}")) {
-            if (!m_open.empty())
+            if (!m_open.empty()) {
                 m_open.pop_back();
+                m_lists.pop_back();
+            }
             m_operandLine = m_line;
         } else if (c == '#') {
             m_at = behind(m_at, kDigits); // #1
@@ -670,6 +721,7 @@ private:
     std::size_t m_commentEnd = 0, m_quoteEnd = 0; ///< of the comment (0: none) and the quoted numbers that are read
     std::vector<std::size_t> m_found, m_labels;   ///< places in a pattern, and those of labels
     std::vector<std::size_t> m_open;              ///< the enclosing brackets
+    std::vector<bool> m_lists;                    ///< of these, whether they are [ or {
     std::size_t m_brackets = 0;
     std::string_view m_name; ///< the adjacent words that ended here last, if nothing followed them yet
     std::size_t m_nameBegin = 0;

@@ -410,7 +410,13 @@ constexpr Form kForms[]{
                            && !text.numbers("intrinsic", 11).empty(); // without depths, names tell all
          return onlyIf(isIt, text);
      },
-     [](Reading &reading) { reading.camera.intrinsics = lensOf(reading.lens.numbers("intrinsic", 11)); },
+     [](Reading &reading) {
+         const Numbers k = reading.lens.numbers("intrinsic", 11);
+         if (k[3] != 0.0 || k[6] != 0.0 || k[7] != 0.0 || k[8] != 1.0)
+             reading.lens.fail(tr("this is no camera matrix; it must have the rows fx skew cx, 0 fy cy, 0 0 1"),
+                               "intrinsic");
+         reading.camera.intrinsics = lensOf(k);
+     },
      {.pose = "extrinsic", .note = base::marked("The line of depths is not used.")}},
     {"Multiface", "", {}, krtCameras, readKrt},
     {"Middlebury", "cam0 doffs", {}, middleburyCameras, readMiddlebury}};

@@ -139,9 +139,10 @@ PasteCameraDialog::PasteCameraDialog(SceneDocument &document, QWidget *parent) :
 /// Narrow and at the window's right edge, so that the view is seen.
 void PasteCameraDialog::placeBeside(const QWidget *parent)
 {
-    constexpr int kDigits = 66, kLines = 48;
+    constexpr int kDigits = 66, kLines = 46, kMostPixels = 780; // of the height: the screen may have 800
     const QRect window = parent ? parent->window()->frameGeometry() : screen()->availableGeometry();
-    const QSize wanted(kDigits * fontMetrics().horizontalAdvance(u'0'), kLines * fontMetrics().lineSpacing());
+    const QSize wanted(kDigits * fontMetrics().horizontalAdvance(u'0'),
+                       std::min(kLines * fontMetrics().lineSpacing(), kMostPixels));
     resize(wanted.boundedTo(screen()->availableSize() * 0.9));
     const QRect room = screen()->availableGeometry();
     const int x = std::min(window.right(), room.right()) - width(),

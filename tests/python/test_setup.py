@@ -234,7 +234,8 @@ def test_a_camera_is_told_the_names_of_arguments():
     assert any("; pose says otherwise" in said for said in setup.findings)
     assert not any("--" in said for said in setup.findings)
     half = up.Setup.from_camera(text=lens, near=1, pixel_centers="half")
-    np.testing.assert_allclose(setup.project([[0.5, 0.5, 1]]).pixel - half.project([[0.5, 0.5, 1]]).pixel, [[0.5, 0.5]])
+    point = (0.5, 0.5, 1)
+    np.testing.assert_allclose(setup.project(point, stages=True).pixel - half.project(point, stages=True).pixel, (0.5, 0.5, 0))
     unnamed = lens.split("R")[0] + "T: [1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]"
     with pytest.raises(ValueError, match="Choose with pose camera-to-world or pose world-to-camera"):
         up.Setup.from_camera(text=unnamed)
