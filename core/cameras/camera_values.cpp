@@ -4,6 +4,7 @@
 #include "core/base/source_text.h"
 #include "core/base/text_scanner.h"
 #include "core/base/translation.h"
+#include "core/cameras/node.h"
 
 #include <algorithm>
 #include <iterator>
@@ -88,7 +89,10 @@ std::optional<Role> roleOf(const CameraValue &value)
     const std::string_view name = value.name;
     const std::size_t count = value.numbers.size(), blank = name.find_last_of(" \t");
     const auto role = cameras::roleOf(name, count);
-    return role || blank == name.npos ? role : cameras::roleOf(name.substr(blank + 1), count);
+    if (blank == name.npos || (role && role->direction))
+        return role;
+    const auto last = cameras::roleOf(name.substr(blank + 1), count);
+    return last && (!role || last->direction) ? last : role;
 }
 
 /// Returns whether numbers whose name says no part may be one.
@@ -102,9 +106,11 @@ bool mayBePart(const CameraValue &value)
 /// Returns whether a number of a camera has no number, or several.
 bool isBroken(const CameraValue &value)
 {
-    constexpr std::string_view kOne = " fx fy cx cy k1 k2 k3 skew ", kNone = " null none undefined na nan ";
-    return value.numbers.size() != 1 && value.decimal.empty() && isListed(kOne, value.name) // K_3 is a matrix
-           && !isListed(kNone, plain(value.word));
+    constexpr std::string_view kOne = " fx fy cx cy k1 k2 k3 skew ", kOthers = " p1 p2 tx ty tz qx qy qz qw ",
+                               kNone = " null none undefined na nan ";
+    const std::string name = value.name.substr(value.name.find_last_of(" \t") + 1); // K_3 is a matrix
+    return value.numbers.size() != 1 && value.decimal.empty() && !isListed(kNone, plain(value.word))
+           && (isListed(kOne, name) || (value.numbers.empty() && isListed(kOthers, name)));
 }
 
 /// The name of a file without its folder and suffix.
@@ -146,6 +152,7 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
         const NamedValues named(text.text);
         m_files.push_back(text.name);
         m_outlines.emplace_back(text.text);
+        m_isXml = isXml(text.text);
         for (const NamedValue &value : named.all()) {
             if (!values.empty() && isListed(kMembers, value.words.back())) {
                 CameraValue &owner = values.back().value;
@@ -615,7 +622,10 @@ void CameraValues::addComponents(const NamedValues &named)
         const std::string &word = values[i].words.back();
         return word.substr(0, word.size() == 2 && (word[0] == 'q' || word[0] == 't') ? 1 : 0);
     };
-    const auto nodeOf = [&](std::size_t i) { return m_outlines.back().nodeAt(values[i].at); };
+    const auto nodeOf = [&](std::size_t i) {
+        const std::size_t node = m_outlines.back().nodeAt(values[i].at);
+        return m_isXml ? m_outlines.back().node(node).parent : node;
+    };
     const auto isComponent = [&](std::size_t i) {
         return i < values.size() && values[i].numbers.size() == 1
                && values[i].words.back().size() == prefixOf(i).size() + 1
@@ -627,36 +637,43 @@ void CameraValues::addComponents(const NamedValues &named)
         return value.words.back() == "qw" || (role && (role->part == Rotation || role->part == Quaternion));
     });
     std::vector<CameraValue> found;
-    for (std::size_t i = 0, count = 0; i < values.size(); i += std::max<std::size_t>(count, 1)) {
-        std::array<double, 4> numbers{};
+    std::set<std::size_t> taken;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const std::string prefix = isComponent(i) ? prefixOf(i) : std::string();
+        constexpr std::size_t kMost = 16; // lines between qx and qw
+        std::vector<std::size_t> places;
         std::set<std::string> components;
-        for (count = 0;
-             isComponent(i + count) && values[i + count].parent == values[i].parent && nodeOf(i + count) == nodeOf(i)
-             && prefixOf(i + count) == prefixOf(i) && components.insert(values[i + count].words.back()).second;
-             ++count)
-            numbers[kXyzw.find(values[i + count].words.back().back())] = values[i + count].numbers[0];
-        if (count < 3 || components.contains(prefixOf(i) + 'w') != (count == 4))
+        for (std::size_t k = i; k < std::min(i + kMost, values.size()); ++k) {
+            const bool isNext = isComponent(k) && !taken.contains(k) && prefixOf(k) == prefix && nodeOf(k) == nodeOf(i)
+                                && (!prefix.empty() || values[k].parent == values[i].parent)
+                                && components.insert(values[k].words.back()).second;
+            if (isNext)
+                places.push_back(k);
+            else if (prefix.empty())
+                break;
+        }
+        const std::size_t count = places.size();
+        if (count < 3 || components.contains(prefix + 'w') != (count == 4) || (prefix == "t" && !hasTurn))
             continue;
-        if (prefixOf(i) == "t" && !hasTurn)
-            continue;
-        auto role = cameras::roleOf(values[i].parent, count);
-        if (!prefixOf(i).empty())
-            role = Role{count == 4 ? Quaternion : Translation};
-        if (!role || (prefixOf(i) == "q") > (count == 4))
+        const auto role = prefix.empty() ? cameras::roleOf(values[i].parent, count)
+                                         : std::optional(Role{count == 4 ? Quaternion : Translation});
+        taken.insert(places.begin(), places.end());
+        if (!role || (prefix == "q") > (count == 4))
             continue;
         CameraValue &added = found.emplace_back(valueOf(values[i]));
-        added.name = values[i].parent;
-        added.numbers.assign(numbers.begin(), numbers.begin() + std::ptrdiff_t(count));
+        added.name = prefix.empty() ? values[i].parent : values[i].written;
         added.role = *role;
-        if (!prefixOf(i).empty()) {
-            added.name = values[i].written;
-            std::erase_if(m_numbers, [&](const CameraValue &number) {
-                return number.text + 1 == m_files.size() && number.at >= values[i].at
-                       && number.at <= values[i + count - 1].at;
-            });
-        }
-        for (std::size_t k = i; k < i + count; ++k)
+        added.numbers.assign(count, 0.0);
+        for (const std::size_t k : places) {
+            added.numbers[kXyzw.find(values[k].words.back().back())] = values[k].numbers[0];
             added.arithmetic += values[k].arithmetic;
+            if (!isListed(' ' + added.unit + ' ', values[k].unit))
+                added.unit += (added.unit.empty() ? "" : " ") + values[k].unit;
+            if (!prefix.empty())
+                std::erase_if(m_numbers, [&](const CameraValue &number) {
+                    return number.text + 1 == m_files.size() && number.at == values[k].at;
+                });
+        }
     }
     const auto isTurn = [](const CameraValue &value) {
         return value.role.part == Quaternion && value.numbers.size() == 4;

@@ -114,6 +114,7 @@ private:
     std::size_t m_depth = 0;          ///< of their sections in the outline; 0: the ends of names tell them apart
     std::vector<std::string> m_files; ///< of the texts
     std::vector<Outline> m_outlines;
+    bool m_isXml = false; ///< the last text
 };
 
 } // namespace unprojector::cameras

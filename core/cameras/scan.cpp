@@ -150,6 +150,15 @@ std::optional<double> numberOf(std::string_view word)
     return base::numberIn<double>(word.substr(word.size() > 1 && word.front() == '+'));
 }
 
+/// Returns whether a word is a decimal number but for a letter: "0.1q32", "0.b452".
+bool hasWrongLetter(std::string_view word)
+{
+    word.remove_prefix(std::size_t(isAmong(word.front(), "+-")));
+    const std::size_t point = word.find('.');
+    return point != word.npos && point > 0 && word.find_first_not_of(kDigits) == point
+           && word.find_first_of(kDigits, point) != word.npos;
+}
+
 /// Returns whether a word stands for a number that cannot be read: the output of other languages
 /// and broken programs, or an overflow, as in 1.#QNAN, 0x10, 1d0, 1e400. If it were skipped,
 /// another number would take its position.
@@ -449,6 +458,8 @@ private:
             addNumber(*whole, start, true);
             if (!setUnit(word.substr(unit)))
                 m_groups[m_value].unit += (m_groups[m_value].unit.empty() ? "" : " ") + word.substr(unit);
+        } else if (hasWrongLetter(word)) {
+            addNumber(kNan, start);
         } else {
             addWord(start, m_at);
         }

@@ -24,6 +24,9 @@ CameraChoices choicesOf(const data_files::Case &example)
     for (const std::string &image : example.all("image"))
         choices.image = image;
     choices.isUndistorted = !example.all("undistorted").empty();
+    for (const std::string &pose : example.all("pose"))
+        choices.direction =
+            pose == keyOf(PoseDirection::WorldToCamera) ? PoseDirection::WorldToCamera : PoseDirection::CameraToWorld;
     return choices;
 }
 
@@ -63,6 +66,10 @@ private slots:
         QFETCH(data_files::Case, example);
         CameraChoices choices = choicesOf(example);
         const auto read = readCamera(std::vector<NamedText>{{"a.txt", example.text}}, choices);
+        if (!example.all("unknown").empty()) {
+            QVERIFY(!read);
+            return;
+        }
         QVERIFY2(read, "not recognised");
         if ((*read) && (*read)->program != "Blender")
             choices.axes = EyeAxes::RightDownAhead;
