@@ -1,4 +1,5 @@
 #include "core/base/number_text.h"
+#include "core/base/text_scanner.h"
 #include "core/base/translation.h"
 #include "core/cameras/camera_matrices.h"
 #include "core/cameras/camera_reader.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 // Cameras as programs print and save them, whose names say less than their program.
@@ -347,6 +349,56 @@ std::optional<dmat4> unityMatrix(const Node &text, const char *name)
     return matrix;
 }
 
+/// The id in "m_Father: {fileID: 12}" of a document of Unity; empty for 0, which is none.
+std::string unityReference(std::string_view document, std::string_view key)
+{
+    const std::string mark = std::string(key) + ": {fileID: ";
+    const std::size_t at = document.find(mark);
+    if (at == document.npos)
+        return {};
+    document.remove_prefix(at + mark.size());
+    const std::string_view id = document.substr(0, document.find_first_of(",}"));
+    return id == "0" ? std::string() : std::string(id);
+}
+
+using UnityDocuments = std::map<std::string, std::string_view>;
+
+/// The documents of a Unity scene: "&12" is the Transform that "--- !u!4 &12" begins, and "of 11" that of the object
+/// 11.
+UnityDocuments unityDocuments(std::string_view text)
+{
+    constexpr std::string_view kMark = "--- !u!";
+    UnityDocuments documents;
+    for (std::size_t at = text.find(kMark), end = at; at != text.npos; at = end) {
+        end = text.find(kMark, at + 1);
+        const std::string_view one = text.substr(at, end - at);
+        const Words head = split(base::trimmed(split(one, '\n')[0]), ' ');
+        if (head.size() < 3)
+            continue;
+        documents.emplace(head[2], one);
+        if (head[1] == "!u!4")
+            documents.emplace("of " + unityReference(one, "GameObject"), one);
+    }
+    documents.erase("of ");
+    return documents;
+}
+
+/// The cameras of a Unity scene, each with its own object's name and Transform.
+Cameras unityCameras(Reading &reading, const Node &text)
+{
+    UnityDocuments documents = unityDocuments(reading.text.text);
+    Cameras cameras = sections(reading, text, "--- !u!20 &", "\n--- ");
+    for (Found &one : cameras) {
+        const std::string object = unityReference(one.lens.text(), "GameObject");
+        const std::string_view transform = documents["of " + object], own = documents['&' + object];
+        one.pose = Node(reading, std::make_shared<NamedValues>(transform), transform);
+        if (const std::size_t at = own.find("m_Name: "); at != own.npos)
+            one.name = base::trimmed(split(own.substr(at + 8), '\n')[0]);
+    }
+    std::erase_if(cameras, [](const Found &one) { return !one.lens.has("fieldofview"); }); // a prefab's
+    return cameras;
+}
+
 void readUnityPose(Reading &reading, const Node &text)
 {
     ForeignCamera &camera = reading.camera;
@@ -358,6 +410,10 @@ void readUnityPose(Reading &reading, const Node &text)
             return;
         }
     }
+    const std::string_view all = text.text(), place = "m_LocalPosition";
+    if (!text.has("position") && all.find(place) != all.rfind(place))
+        text.fail(tr("there are several Transforms; give the camera's alone, or the whole scene with its lines ---"),
+                  "mlocalposition");
     const Numbers at = text.numbers("position|mlocalposition", 3), q = text.numbers("rotation|mlocalrotation", 4),
                   angles = text.numbers("eulerangles|rotation|mlocaleulerangleshint", 3);
     if (at.size() != 3)
@@ -382,7 +438,10 @@ void readUnity(Reading &reading)
     const Node &text = reading.lens;
     ForeignCamera &camera = reading.camera;
     sayUnity(reading);
-    readUnityPose(reading, text);
+    if (!camera.pose)
+        readUnityPose(reading, text);
+    if (camera.size == ImageSize{1, 1}) // m_NormalizedViewPortRect
+        camera.size.reset();
     if (const auto clip = unityMatrix(text, "projectionmatrix")) {
         setMatrix(reading, *clip);
     } else if (text.isTrue("orthographic")) {
@@ -395,8 +454,40 @@ void readUnity(Reading &reading)
         const auto degrees = text.number("fieldofview");
         if (!degrees)
             text.fail(tr("the field of view is missing; give fieldOfView or projectionMatrix"), "fieldofview");
+        if (text.number("mprojectionmatrixmode") == 2.0)
+            text.fail(tr("a physical camera is not read; give its projectionMatrix and worldToCameraMatrix"),
+                      "mprojectionmatrixmode");
         reading.setVerticalAngle(radiansFromDegrees(*degrees), text.number("aspect"));
     }
+}
+
+/// The camera's Transform with those of its parents. Their scales move it; a camera's axes have none.
+void readUnityScene(Reading &reading)
+{
+    UnityDocuments documents = unityDocuments(reading.text.text);
+    dmat3 turn(1.0);
+    dvec3 place(0.0);
+    Node one = reading.pose;
+    for (;;) {
+        const Numbers at = one.numbers("mlocalposition", 3), q = one.numbers("mlocalrotation", 4),
+                      scale = one.numbers("mlocalscale", 3);
+        const auto own = q.size() == 4 ? rotationOf(q[3], q[0], q[1], q[2]) : std::nullopt;
+        if (at.size() != 3 || scale.size() != 3 || !own || !one.text().starts_with("--- !u!4 ")
+            || std::min({scale[0], scale[1], scale[2]}) <= 0.0)
+            reading.fail(
+                tr("the camera %1 or a parent has no Transform in the text, as in a prefab, or a scale not above "
+                   "0; give its position, rotation and fieldOfView in the world",
+                   reading.name));
+        place = vectorOf(at) + *own * (vectorOf(scale) * place);
+        turn = *own * turn;
+        const std::string parent = unityReference(one.text(), "m_Father");
+        if (parent.empty())
+            break;
+        const std::string_view document = std::exchange(documents['&' + parent], {}); // none is its own parent
+        one = Node(reading, std::make_shared<NamedValues>(document), document);
+    }
+    reading.camera.pose = rigid(turn, place);
+    readUnity(reading);
 }
 
 /// Three values of one number each that follow one another under these names: "P=-10 Y=45 R=0".
@@ -670,6 +761,13 @@ constexpr Form kForms[]{
          return onlyIf(unrealPose(text) && (text.number(kUnrealAngle) || text.has("bugitgo")), text);
      },
      readUnreal},
+    // Source: Unity's manual, Format of text serialized files and YAML class ID reference
+    {"Unity",
+     "!u!20",
+     {CameraToWorld, RightUpAhead},
+     unityCameras,
+     readUnityScene,
+     {.planes = "nearclipplane farclipplane"}},
     {"Unity",
      "",
      {CameraToWorld, RightUpAhead},
