@@ -36,7 +36,7 @@ const Json *firstElement(const Json *value)
 bool addNumbers(const Json *value, Numbers &numbers)
 {
     constexpr std::size_t kMost = std::size_t{1} << 20;
-    if (const Json *element = firstElement(value))
+    if (const Json *element = memberOf(value, "@") ? value : firstElement(value))
         value = memberOf(element, "");
     if (!value || numbers.size() > kMost)
         return false;

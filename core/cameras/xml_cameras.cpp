@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -281,44 +282,49 @@ dvec3 mitsubaVector(const Node &element, double otherwise)
     return {element.number("x", otherwise), element.number("y", otherwise), element.number("z", otherwise)};
 }
 
+/// A step of a transform: "translate", "rotate" about an axis, or "scale".
+dmat4 stepOf(std::string_view tag, const dvec3 &vector, double degrees)
+{
+    if (tag == "rotate")
+        return dmat4(rotationOf(radiansFromDegrees(degrees) * glm::normalize(vector)));
+    return tag == "scale" ? glm::scale(dmat4(1.0), vector) : glm::translate(dmat4(1.0), vector);
+}
+
 /// Source: Mitsuba 3, core/transform.h: look_at has the columns left, up, ahead
 dmat4 mitsubaStep(Reading &reading, const Node &step)
 {
     const std::string tag = step.tag();
-    dmat4 m(1.0);
-    if (tag == "lookat" || tag == "look_at") {
-        const dvec3 origin = step.vector("origin");
-        reading.setLooking(origin, origin - step.vector("target"), step.vector("up"));
-        m = *reading.camera.pose;
-        m[0] = -m[0];
-        m[2] = -m[2];
-    } else if (tag == "matrix") {
-        m = *matrixByRows(step.needed("value", step.numbers("value").size() == 9 ? 9 : 16));
-    } else if (tag == "translate") {
-        m[3] = glm::dvec4(mitsubaVector(step, 0.0), 1.0);
-    } else if (tag == "rotate") {
-        m = dmat4(rotationOf(radiansFromDegrees(step.needed("angle")) * glm::normalize(mitsubaVector(step, 0.0))));
-    } else { // scale
-        const dvec3 factor = mitsubaVector(step, 1.0);
-        for (int i = 0; i < 3; ++i)
-            m[i] *= factor[i];
-    }
+    if (tag == "matrix")
+        return *matrixByRows(step.needed("value", step.numbers("value").size() == 9 ? 9 : 16));
+    if (tag != "lookat" && tag != "look_at")
+        return stepOf(tag, mitsubaVector(step, tag == "scale" ? 1.0 : 0.0),
+                      tag == "rotate" ? step.needed("angle") : 0.0);
+    const dvec3 origin = step.vector("origin");
+    reading.setLooking(origin, origin - step.vector("target"), step.vector("up"));
+    dmat4 m = *reading.camera.pose;
+    m[0] = -m[0];
+    m[2] = -m[2];
     return m;
+}
+
+/// The elements inside one that have any of these tags, in the text's order.
+Trail inOrder(const Node &element, std::string_view tags)
+{
+    Trail steps;
+    for (const std::string_view tag : split(tags, ' ')) {
+        for (const Node &step : element.list(tag))
+            steps.push_back(step);
+    }
+    std::sort(steps.begin(), steps.end(), [](const Node &a, const Node &b) { return a.number("@") < b.number("@"); });
+    return steps;
 }
 
 /// The steps of a transform, one after the other, with the columns right, up, back.
 dmat4 mitsubaPose(Reading &reading, const Node &transform)
 {
-    std::vector<Trail> steps;
-    for (const char *tag : {"lookat", "look_at", "matrix", "translate", "rotate", "scale"}) {
-        for (const Trail &step : trailsTo(transform, tag))
-            steps.push_back(step);
-    }
-    std::sort(steps.begin(), steps.end(),
-              [](const Trail &a, const Trail &b) { return a[0].number("@") < b[0].number("@"); });
     dmat4 pose(1.0);
-    for (const Trail &step : steps)
-        pose = mitsubaStep(reading, step[0]) * pose;
+    for (const Node &step : inOrder(transform, "lookat look_at matrix translate rotate scale"))
+        pose = mitsubaStep(reading, step) * pose;
     pose[0] = -pose[0];
     pose[2] = -pose[2];
     return pose;
@@ -365,6 +371,71 @@ void readMitsuba(Reading &reading)
     camera.intrinsics->cy -= size.height * number(one, "principal_point_offset_y").value_or(0.0);
 }
 
+/// The cameras of nodes. The names and ids of the lens and of the nodes around it choose one, too.
+Cameras colladaCameras(Reading &reading, const Node &text)
+{
+    auto lenses = text.index("COLLADA/library_cameras/camera", "id");
+    const std::string &choice = reading.choices.image;
+    Cameras cameras = listed({.list = "instance_camera", .name = "name|id"}, Format::Xml, text);
+    for (Found &one : cameras) {
+        const std::string url = one.lens.word("url");
+        one.pose = {};
+        one.lens = lenses[url.starts_with('#') ? url.substr(1) : url];
+        one.around.push_back(one.lens);
+        for (const Node &part : one.around) {
+            if (part.word("name") == choice || part.word("id") == choice)
+                one.id = choice;
+        }
+    }
+    return cameras;
+}
+
+/// A step of a node's transform.
+dmat4 colladaStep(Reading &reading, const Node &step)
+{
+    const std::string tag = step.tag();
+    const Numbers n = step.needed("", tag == "matrix" ? 16 : tag == "lookat" ? 9 : tag == "rotate" ? 4 : 3);
+    if (tag == "matrix")
+        return *matrixByRows(n);
+    if (tag == "lookat") {
+        reading.setLooking(vectorOf(n), vectorOf(n) - vectorOf(n, 3), vectorOf(n, 6));
+        return *reading.camera.pose;
+    }
+    return stepOf(tag, vectorOf(n), n.back());
+}
+
+void readCollada(Reading &reading)
+{
+    dmat4 pose(1.0);
+    for (const Node &node : reading.around) {
+        if (node.tag() == "library_nodes")
+            reading.fail(tr("the camera %1 is in library_nodes, which other nodes place; give a scene with the camera "
+                            "in its own node",
+                            reading.name));
+        refuseOther(node, "skew", "");
+        for (const Node &step : inOrder(node, "lookat matrix rotate scale translate"))
+            pose = pose * colladaStep(reading, step);
+    }
+    reading.camera.pose = pose;
+    const Node optics = reading.lens["optics/technique_common"], one = optics["perspective"],
+               asset = reading.file["COLLADA/asset"];
+    if (!one)
+        reading.lens.fail(tr("an orthographic camera of %1 is not read; give its matrices", "COLLADA"));
+    refuseOther(reading.lens["extra/technique"], "shiftx shifty", "0"); // Blender's
+    reading.setPlanes(one, "znear zfar");
+    const ImageSize size = reading.neededSize();
+    const double shape = double(size.width) / size.height;
+    const auto half = [&](const char *key) { return std::tan(radiansFromDegrees(one.needed(key)) / 2.0); };
+    const bool hasY = one.has("yfov");
+    double aspect = hasY && one.has("xfov") ? half("xfov") / half("yfov") : one.number("aspect_ratio", shape);
+    if (std::abs(aspect / shape - 1.0) < 1e-3) // it has few digits
+        aspect = shape;
+    reading.setVerticalAngle(2.0 * std::atan(hasY ? half("yfov") : half("xfov") / aspect), aspect);
+    const std::string up = asset.word("up_axis"), unit = asset["unit"].word("meter");
+    reading.say(tr("Coordinates are the file's own, %1 with units of %2 m. Programs that turn or scale it have others.",
+                   up.empty() ? "Y_UP" : up, unit.empty() ? "1" : unit));
+}
+
 constexpr Form kForms[]{
     {"Metashape", "<chunk <sensor", {CameraToWorld}, metashapeCameras, readMetashape, {.pose = "transform"}},
     // Source: vcglib, wrap/qt/shot_qt.h (the translation is negated) and vcg/math/shot.h, camera.h: rows of the
@@ -400,7 +471,10 @@ constexpr Form kForms[]{
      nullptr,
      readMjcf,
      {.list = "camera", .name = "name", .having = "pos|quat|euler|xyaxes|zaxis|axisangle|fovy"}},
-    {"Mitsuba", "<sensor <film", kOpenGl, nullptr, readMitsuba, {.list = "sensor", .name = "id"}}};
+    {"Mitsuba", "<sensor <film", kOpenGl, nullptr, readMitsuba, {.list = "sensor", .name = "id"}},
+    // Source: COLLADA 1.5.0, camera, perspective (degrees) and node: steps apply to column vectors, the last one
+    // first; numbers by rows; a camera looks along -z, with y up.
+    {"COLLADA", "<COLLADA <instance_camera", kOpenGl, colladaCameras, readCollada}};
 
 } // namespace
 

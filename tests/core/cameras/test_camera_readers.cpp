@@ -388,6 +388,10 @@ private slots:
                                        << "Pixels are square";
         newRow("LGSVL's world") << "LGSVL"
                                 << "(x, y, -z) here";
+        newRow("COLLADA's world") << "COLLADA"
+                                  << "Z_UP with units of 0.0254 m";
+        newRow("COLLADA's own world") << "COLLADA, two angles"
+                                      << "Y_UP with units of 1 m";
         newRow("pixels not square") << "trimesh"
                                     << "pixels are not square";
     }
