@@ -30,7 +30,8 @@ struct Row {
 };
 
 /// The first lines of a text that has only numbers, and comments behind #; empty for another text.
-std::vector<Row> rowsOf(std::string_view text)
+/// @param hasNames  words before the numbers of a line are its first word
+std::vector<Row> rowsOf(std::string_view text, bool hasNames = false)
 {
     constexpr std::size_t kMost = std::size_t{1} << 20;
     std::vector<Row> rows;
@@ -41,11 +42,12 @@ std::vector<Row> rowsOf(std::string_view text)
             if (row.numbers.empty() && word.starts_with('#'))
                 break;
             const auto number = base::doubleFromWord(word);
-            if (!number)
+            if (!number && (!hasNames || !row.numbers.empty()))
                 return {};
-            if (row.numbers.empty())
-                row.first = word;
-            row.numbers.push_back(*number);
+            if (!number || row.first.empty())
+                row.first += (row.first.empty() ? "" : " ") + std::string(word);
+            if (number)
+                row.numbers.push_back(*number);
         }
         scanner.skipLine();
         if (!row.numbers.empty())
@@ -398,6 +400,38 @@ void readBundler(Reading &reading)
     reading.camera.pose = rigid(glm::dmat3(*matrixByRows(joined(rows, at + 1, 3))), vectorOf(rows[at + 4].numbers));
 }
 
+/// The lines below the header: an image's name and size, K, R1 to R3, T1 and T2, t, and R.
+std::vector<Row> pix4dRows(std::string_view text)
+{
+    return rowsOf(text.substr(text.find("-Rt]") + 4), true);
+}
+constexpr std::size_t kPix4dLines = 10;
+
+Cameras pix4dCameras(Reading &reading, const Node &text)
+{
+    const std::vector<Row> rows = pix4dRows(reading.text.text);
+    Cameras cameras;
+    for (std::size_t i = 0; i == 0 || i < rows.size(); i += kPix4dLines) {
+        if (!haveCounts(rows, {2, 3, 3, 3, 3, 2, 3, 3, 3, 3}, i))
+            reading.fail(tr("the file ends in the middle of an entry; it is incomplete"));
+        cameras.push_back({rows[i].first, {}, text, text});
+    }
+    return cameras;
+}
+
+void readPix4d(Reading &reading)
+{
+    const std::vector<Row> rows = pix4dRows(reading.text.text);
+    const std::size_t at = kPix4dLines * reading.camera.image;
+    const Numbers &sides = rows[at].numbers;
+    reading.camera.size = sizeOf(sides[0], sides[1]);
+    reading.camera.intrinsics = lensOf(joined(rows, at + 1, 3), PixelCentres::AtHalves);
+    setDistortion(reading, "Pix4D", joined(rows, at + 4, 2));
+    reading.camera.center = vectorOf(rows[at + 6].numbers);
+    reading.camera.pose = matrixByRows(joined(rows, at + 7, 3));
+    reading.say(tr("The world is that of Pix4D's project: *_offset.xyz has its origin in map coordinates."));
+}
+
 constexpr Form kForms[]{
     {"Bundler", "Bundle", {WorldToCamera, RightUpBack}, bundlerCameras, readBundler},
 
@@ -419,6 +453,14 @@ constexpr Form kForms[]{
      },
      {.pose = "extrinsic", .note = base::marked("The line of depths is not used.")}},
     {"Multiface", "", {}, krtCameras, readKrt},
+    // Source: the file's header, m = K [R|-Rt] X; support.pix4d.com, 202559089, for the distortion, which is OpenCV's.
+    // Where pixels count from is not told there; its .cam files have principal points from the image's middle.
+    {"Pix4D",
+     "imageWidth [3x3] -Rt]",
+     {},
+     pix4dCameras,
+     readPix4d,
+     {.note = base::marked("Pixel centres are assumed at halves; --pixel-centers integer says otherwise.")}},
     {"Middlebury", "cam0 doffs", {}, middleburyCameras, readMiddlebury}};
 
 } // namespace

@@ -392,6 +392,8 @@ private slots:
                                   << "Z_UP with units of 0.0254 m";
         newRow("COLLADA's own world") << "COLLADA, two angles"
                                       << "Y_UP with units of 1 m";
+        newRow("the origin of Pix4D") << "Pix4D"
+                                      << "*_offset.xyz has its origin";
         newRow("pixels not square") << "trimesh"
                                     << "pixels are not square";
     }
