@@ -473,24 +473,9 @@ std::optional<dmat4> transformOf(const Node &node)
     return m;
 }
 
-Cameras gltfCameras(Reading &, const Node &file)
+/// The parent of each node of glTF; null without one.
+std::vector<const Node *> parentsOf(const std::vector<Node> &nodes)
 {
-    if (!file["nodes"].json().is_array() || !file["cameras"].json().is_array())
-        return {};
-    const std::vector<Node> lenses = file.list("cameras");
-    Cameras cameras;
-    for (const Node &node : file.list("nodes")) {
-        const auto lens = base::integerFromWord(node.word("camera"));
-        if (lens && *lens >= 0 && std::size_t(*lens) < lenses.size())
-            cameras.push_back(
-                {node.has("name") ? node.word("name") : node.key(), {}, node, lenses[std::size_t(*lens)]});
-    }
-    return cameras;
-}
-
-void readGltf(Reading &reading)
-{
-    const std::vector<Node> nodes = reading.file.list("nodes");
     std::vector<const Node *> parents(nodes.size());
     for (const Node &node : nodes) {
         for (const double child : node.numbers("children")) {
@@ -498,6 +483,37 @@ void readGltf(Reading &reading)
                 parents[std::size_t(child)] = &node;
         }
     }
+    return parents;
+}
+
+/// The cameras of nodes. The names of the lens and of the nodes around it choose one, too.
+Cameras gltfCameras(Reading &reading, const Node &file)
+{
+    if (!file["nodes"].json().is_array() || !file["cameras"].json().is_array())
+        return {};
+    const std::vector<Node> lenses = file.list("cameras"), nodes = file.list("nodes");
+    const std::vector<const Node *> parents = parentsOf(nodes);
+    const std::string &choice = reading.choices.image;
+    Cameras cameras;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const Node &node = nodes[i];
+        const auto index = base::integerFromWord(node.word("camera"));
+        if (!index || *index < 0 || std::size_t(*index) >= lenses.size())
+            continue;
+        const Node &lens = lenses[std::size_t(*index)];
+        bool isChosen = lens.word("name") == choice;
+        int level = 256; // a node may be its own parent
+        for (const Node *up = parents[i]; up && --level > 0; up = parents[std::stoul(up->key())])
+            isChosen = isChosen || up->word("name") == choice;
+        cameras.push_back({node.has("name") ? node.word("name") : node.key(), isChosen ? choice : "", node, lens});
+    }
+    return cameras;
+}
+
+void readGltf(Reading &reading)
+{
+    const std::vector<Node> nodes = reading.file.list("nodes");
+    const std::vector<const Node *> parents = parentsOf(nodes);
     const auto nameOf = [](const Node &node) { return node.has("name") ? node.word("name") : node.key(); };
     dmat4 pose(1.0);
     std::size_t steps = 0;

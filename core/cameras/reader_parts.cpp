@@ -94,11 +94,15 @@ void Reading::fail(std::string reason, std::size_t line) const
 
 void Reading::chooseImage(std::span<const std::string> ids)
 {
-    const auto known = std::ranges::find(ids, choices.image);
-    const bool isId = known != ids.end() && !choices.image.empty()
-                      && std::ranges::find(camera.images, choices.image) == camera.images.end();
-    const std::vector<std::size_t> found =
-        isId ? std::vector{std::size_t(known - ids.begin())} : imageIndexes(camera.images, choices.image);
+    std::vector<std::size_t> found;
+    if (std::ranges::find(camera.images, choices.image) == camera.images.end()) {
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            if (!choices.image.empty() && ids[i] == choices.image)
+                found.push_back(i);
+        }
+    }
+    if (found.empty())
+        found = imageIndexes(camera.images, choices.image);
     if (found.size() > 1) {
         std::vector<std::string> names;
         names.reserve(found.size());

@@ -65,7 +65,7 @@ public:
 
     /// Sets the image of a camera whose `images` are set. Adds a sentence where the first of several
     /// is taken. A wrong choice fails with a list of the first images.
-    /// @param ids  other names of the images, in their order; empty: none
+    /// @param ids  other names of the images, in their order; empty: none. They count where no image has the name.
     void chooseImage(std::span<const std::string> ids = {});
 
     /// Sets the size of two whole numbers; none for others.
