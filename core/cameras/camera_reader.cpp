@@ -178,15 +178,17 @@ std::optional<std::string> reasonAgainst(const ForeignCamera &camera, const Came
     return std::nullopt;
 }
 
-/// The JSON that is not all of a text: the first chunk of a .glb; an object around what people paste of its middle.
+/// The JSON of a text, without comments: the first chunk of a .glb; an object around what people paste of its middle.
 std::string jsonIn(const std::string &text, bool mayBePart)
 {
     constexpr std::size_t kHeader = 20; // magic, version, length; the chunk's length and type
     if (text.starts_with("glTF") && text.size() >= kHeader)
         return text.substr(kHeader, base::numberAt<std::uint32_t>(reinterpret_cast<const std::uint8_t *>(&text[12])));
-    const std::string_view part = base::trimmed(text);
-    return mayBePart && part.starts_with('"') ? '{' + std::string(part.substr(0, part.find_last_not_of(',') + 1)) + '}'
-                                              : std::string();
+    std::string all = withoutComments(text);
+    const std::string_view part = base::trimmed(all);
+    if (mayBePart && part.starts_with('"'))
+        return '{' + std::string(part.substr(0, part.find_last_not_of(',') + 1)) + '}';
+    return all;
 }
 
 } // namespace
@@ -207,11 +209,9 @@ bool openDocument(Reading &reading, const Form &form, base::Json &document)
         return true;
     }
     reading.json = areKeys ? jsonIn(text, form.parts.mayBePart) : std::string();
-    if (!reading.json.empty() || (areKeys ? isJson(text) : isXml(text))) {
-        const NamedText part{reading.text.name, reading.json};
-        const NamedText &whole = reading.json.empty() ? reading.text : part;
+    if (areKeys ? isJson(reading.json) : isXml(text)) {
         try {
-            document = areKeys ? parsedJson(whole) : parsedXml(whole);
+            document = areKeys ? parsedJson({reading.text.name, reading.json}) : parsedXml(reading.text);
         } catch (const base::Error &) {
             if (!form.parts.isLax)
                 throw;

@@ -540,6 +540,23 @@ bool isXml(std::string_view text)
     return firstOf(text) == '<';
 }
 
+std::string withoutComments(std::string text)
+{
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const std::string_view rest = std::string_view(text).substr(at), end = rest.starts_with("//") ? "\n" : "*/";
+        if (text[at] == '"') { // a text in quotes
+            while (++at < text.size() && text[at] != '"')
+                at += text[at] == '\\' ? 1U : 0U;
+        } else if (rest.starts_with("//") || rest.starts_with("/*")) {
+            const std::size_t count = std::min(rest.find(end, 2), rest.size() - end.size()) + end.size();
+            const auto begin = text.begin() + std::ptrdiff_t(at);
+            std::replace_if(
+                begin, begin + std::ptrdiff_t(count), [](char c) { return c != '\n'; }, ' ');
+        }
+    }
+    return text;
+}
+
 Json parsedJson(const NamedText &text)
 {
     refuseLong(text);

@@ -104,6 +104,8 @@ glm::dvec3 vectorOf(const Numbers &numbers, std::size_t from = 0);
 bool isJson(std::string_view text);
 bool isXml(std::string_view text);
 
+/// JSON with blanks in the places of its comments, // and /* */, which some programs write.
+std::string withoutComments(std::string text);
 /// The document of JSON. Throws a base::Error with the position and reason of a mistake in its syntax.
 base::Json parsedJson(const NamedText &text);
 /// The elements of XML, under an object that stands for the document; a part of a file may have several

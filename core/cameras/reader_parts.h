@@ -48,7 +48,7 @@ public:
     const CameraChoices &choices;
     ForeignCamera camera = {};
     Node file{};                      ///< the whole text
-    std::string json{};               ///< its JSON, where that is not all of the text
+    std::string json{};               ///< its JSON, without comments
     std::span<const NamedText> all{}; ///< the texts given with it
 
     mutable std::set<std::string, std::less<>> used{}; ///< the plain names that were looked up
