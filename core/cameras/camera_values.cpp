@@ -103,6 +103,34 @@ bool mayBePart(const CameraValue &value)
     return value.name.empty() || (count >= kFewest && count <= kMost) || (count > 1 && hasPartWord(value.name));
 }
 
+/// Returns whether source code changes a part behind its name: K[0, 0] = 600, t *= 0.001, R = R.T.
+bool isChange(std::string_view text, const CameraValue &value)
+{
+    constexpr std::size_t kLongest = 40;
+    std::string_view rest = text.substr(std::min(value.at + value.written.size(), text.size()), kLongest);
+    rest = rest.substr(0, rest.find('\n'));
+    const bool isIndexed = rest.starts_with('[') || rest.starts_with('(');
+    const std::size_t close = isIndexed ? base::closingBracket(rest, 0) : 0;
+    if (close == rest.npos || value.written.empty())
+        return false;
+    const std::string_view behind = base::trimmed(rest.substr(isIndexed ? close + 1 : 0));
+    const bool isAssigned = behind.starts_with('=') && !behind.starts_with("==");
+    const std::string_view inside = rest.substr(0, close), given = base::trimmed(behind.substr(isAssigned ? 1 : 0));
+    const bool isArray = !given.empty() && std::string_view("{[(").find(given.front()) != given.npos; // K[9] = {600, …
+    const bool isEntry =
+        isIndexed && isAssigned
+        && (inside.find(':') != inside.npos
+            || (!isArray && value.numbers.size() < 2 && inside.find_first_of("0123456789") != inside.npos));
+    const bool isComputed = behind.starts_with("*=") || behind.starts_with("/=") || behind.starts_with("+=")
+                            || behind.starts_with("-=")
+                            || (!isIndexed && isAssigned && value.numbers.empty()
+                                && base::trimmed(behind.substr(1)).starts_with(value.name + '.'));
+    if (!isEntry && !isComputed)
+        return false;
+    return std::ranges::any_of(std::array<std::size_t, 3>{3, 9, 16},
+                               [&](std::size_t count) { return cameras::roleOf(value.name, count).has_value(); });
+}
+
 /// Returns whether a number of a camera has no number, or several.
 bool isBroken(const CameraValue &value)
 {
@@ -162,7 +190,7 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
                     owner.numbers = value.numbers;
                     owner.arithmetic = value.arithmetic;
                     owner.unit = value.unit;
-                } else if (value.isNamed("rows") || value.isNamed("cols"))
+                } else if ((value.isNamed("rows") || value.isNamed("cols")) && value.numbers != std::vector{0.0})
                     values.back().isMatrix = true;
                 if (value.isNamed("cols") && value.numbers.size() == 1)
                     values.back().isTable = value.numbers[0] == 6.0;
@@ -174,6 +202,8 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
                 continue;
             }
             CameraValue added = valueOf(value);
+            if (!m_changed && isChange(text.text, added))
+                m_changed = added;
             addNumber(added);
             const std::size_t count = added.numbers.size();
             const bool isAside = (count == 1 && added.numbers[0] != 1.0) // in m_numbers; but 1 may be "true"
@@ -189,14 +219,14 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
                 && !values.back().isMatrix)
                 values.pop_back(); // a heading
             if (isBroken(added))
-                m_broken = added;
+                m_broken.push_back(added);
             if (isPart || !isAside)
                 values.emplace_back(Owned{std::move(added)});
         }
         addComponents(named);
         for (Owned &owned : values) {
             if (owned.isMatrix && owned.value.numbers.empty() && roleOf(owned.value))
-                m_broken = owned.value;
+                m_broken.push_back(owned.value);
             const bool isPoses = owned.isTable && owned.value.numbers.size() % 6 == 0;
             if (const auto role = roleOf(owned.value); role && role->part == Part::Pose && isPoses)
                 addPoses(std::move(owned.value));
@@ -412,8 +442,8 @@ void CameraValues::keepCamera(const std::string &name, Place image)
         if (value && isOfOther(*value))
             value.reset();
     }
-    std::erase_if(m_others, isOfOther);
-    std::erase_if(m_numbers, isOfOther);
+    for (std::vector<CameraValue> *values : {&m_others, &m_numbers, &m_broken})
+        std::erase_if(*values, isOfOther);
     dropElsewhere();
 }
 
@@ -637,7 +667,7 @@ void CameraValues::addComponents(const NamedValues &named)
         return value.words.back() == "qw" || (role && (role->part == Rotation || role->part == Quaternion));
     });
     std::vector<CameraValue> found;
-    std::set<std::size_t> taken;
+    std::set<std::size_t> taken, read; ///< indexes, and places in the text
     for (std::size_t i = 0; i < values.size(); ++i) {
         const std::string prefix = isComponent(i) ? prefixOf(i) : std::string();
         constexpr std::size_t kMost = 16; // lines between qx and qw
@@ -670,11 +700,12 @@ void CameraValues::addComponents(const NamedValues &named)
             if (!isListed(' ' + added.unit + ' ', values[k].unit))
                 added.unit += (added.unit.empty() ? "" : " ") + values[k].unit;
             if (!prefix.empty())
-                std::erase_if(m_numbers, [&](const CameraValue &number) {
-                    return number.text + 1 == m_files.size() && number.at == values[k].at;
-                });
+                read.insert(values[k].at);
         }
     }
+    std::erase_if(m_numbers, [&](const CameraValue &number) {
+        return number.text + 1 == m_files.size() && read.contains(number.at);
+    });
     const auto isTurn = [](const CameraValue &value) {
         return value.role.part == Quaternion && value.numbers.size() == 4;
     };

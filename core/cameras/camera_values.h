@@ -78,7 +78,9 @@ public:
     /// Returns whether a text closes a bracket that is not open.
     bool isOverclosed(std::size_t text) const { return m_outlines[text].isOverclosed(); }
     /// A number of a camera whose name has another count of numbers, or a matrix without data.
-    const std::optional<CameraValue> &broken() const { return m_broken; }
+    const std::vector<CameraValue> &broken() const { return m_broken; }
+    /// A part that source code changes behind its name.
+    const std::optional<CameraValue> &changed() const { return m_changed; }
     /// Returns whether a value is of one of cameras().
     bool isOfCamera(const CameraValue &value) const;
 
@@ -109,7 +111,8 @@ private:
     std::string idAround(const CameraValue &value, const std::map<Place, std::string> &ids, Place &place) const;
     std::map<Place, std::string> m_ids, m_references; ///< of parts of a text, and those of the cameras they name
     std::optional<std::pair<std::size_t, CameraValue>> m_twice;
-    std::optional<CameraValue> m_broken;
+    std::vector<CameraValue> m_broken;
+    std::optional<CameraValue> m_changed;
     std::vector<std::string> m_cameras;
     std::size_t m_depth = 0;          ///< of their sections in the outline; 0: the ends of names tell them apart
     std::vector<std::string> m_files; ///< of the texts

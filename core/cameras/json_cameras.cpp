@@ -376,9 +376,6 @@ void readNerf(Reading &reading)
         reading.say(tr("%1: not applied. Coordinates are those of transform_matrix.", names));
 }
 
-/// PinholeCameraParameters, PinholeCameraTrajectory, PinholeCameraIntrinsic, and ViewTrajectory, which
-/// its viewer copies to the clipboard. The name of the class is missing where someone copied the middle
-/// of a file.
 /// Returns whether a file has only Open3D's keys; other programs have intrinsic_matrix, too.
 bool isPlain(const Node &file)
 {
@@ -391,6 +388,9 @@ bool isPlain(const Node &file)
               });
 }
 
+/// PinholeCameraParameters, PinholeCameraTrajectory, PinholeCameraIntrinsic, and ViewTrajectory, which
+/// its viewer copies to the clipboard. The name of the class is missing where someone copied the middle
+/// of a file.
 Cameras open3dCameras(Reading &, const Node &file)
 {
     const std::string kind = file.word("class_name");

@@ -146,6 +146,11 @@ public:
         m_reading.begin(m_values.isCameraInfo() ? "ROS camera_info" : "OpenCV", {});
         refuseBroken();
         countImages();
+        if (!m_values.broken().empty()) {
+            const CameraValue &broken = m_values.broken().front();
+            fail(broken, broken.numbers.empty() ? tr("it has no number; give it, or leave the name out")
+                                                : tr("it has %1 numbers; give one", broken.numbers.size()));
+        }
         readIntrinsics();
         readSize();
         if (!m_camera.intrinsics && !has(CameraMatrix) && !loneP())
@@ -195,9 +200,8 @@ private:
             fail(twice->second,
                  tr("it stands in one object twice, in lines %1 and %2, with other numbers; leave one out",
                     twice->first, twice->second.line));
-        if (const auto &broken = m_values.broken())
-            fail(*broken, broken->numbers.empty() ? tr("it has no number; give it, or leave the name out")
-                                                  : tr("it has %1 numbers; give one", broken->numbers.size()));
+        if (const auto &changed = m_values.changed())
+            fail(*changed, tr("the text changes it here; give its final numbers at once"));
         for (std::size_t i = 0; i < m_texts.size(); ++i) {
             if (m_texts[i].text.find("PerspectiveCameras(") != std::string::npos) // x left, y up, row vectors
                 throw base::Error{.text = tr("PyTorch3D's cameras are not read; convert them by its "
@@ -563,8 +567,11 @@ private:
     double radians(const CameraValue &value)
     {
         const std::string name = plain(value.name) + value.unit;
-        const double number = value.number();
-        m_used.insert(&value);
+        if (!value.unit.empty() && !value.unit.starts_with("deg") && !value.unit.starts_with("rad"))
+            fail(value, tr("its unit is %1, which is not known here; give numbers without a unit", value.unit));
+        const double number = use(value, true, true);
+        if (!(number > 0.0))
+            fail(value, tr("it is %1; an angle of view is greater than 0", shortestText(number)));
         m_camera.read.push_back({ReadValue::Of::Lens, value.name, value.line});
         if (name.find("rad") != name.npos)
             return number;
@@ -602,9 +609,9 @@ private:
     /// A value's one number. Fails where the text computes with it, has others under a name, or gives it in
     /// another unit than pixels.
     /// @param isOfOne  the text has no other number with its name
-    double use(const CameraValue &value, bool isOfOne = true)
+    double use(const CameraValue &value, bool isOfOne = true, bool hasUnit = false)
     {
-        if (!value.unit.empty())
+        if (!value.unit.empty() && !hasUnit)
             fail(value, tr("it is in %1; give pixels", value.unit));
         const double number = value.number();
         if (!std::isfinite(number))
@@ -683,7 +690,7 @@ private:
             || pipeline::largestDifference(glm::dmat3(parts->cameraFromWorld), glm::dmat3(1.0)) > 1e-9)
             return false;
         const auto &own = *m_camera.intrinsics, &other = parts->intrinsics;
-        const auto isSame = [&](double a, double b) { return std::abs(a - b) <= 1e-6 * own.fx; };
+        const auto isSame = [&](double a, double b) { return std::abs(a - b) <= 1e-3 * own.fx; };
         if (isSame(own.fx, other.fx) && isSame(own.fy, other.fy) && isSame(own.cx, other.cx)
             && isSame(own.cy, other.cy))
             return false;
@@ -701,7 +708,7 @@ private:
         }
         if (!parts)
             fail(value, tr("its first three columns have no inverse; a camera's P has one"));
-        const bool hasPose = has(Pose) || has(Rotation) || has(Quaternion);
+        const bool hasPose = (has(Pose) && &value != all(Pose).data()) || has(Rotation) || has(Quaternion);
         const bool isRectified =
             hasPose && pipeline::largestDifference(glm::dmat3(parts->cameraFromWorld), glm::dmat3(1.0)) < 1e-9;
         if ((m_camera.intrinsics || hasPose) && !isRectified) {
@@ -773,6 +780,9 @@ private:
                            "1}, or give R"));
         if (!rotation && !quaternion)
             refuseAngles();
+        if (rotation && rotation->numbers.size() == 3 && areDegrees(*rotation)
+            && plain(rotation->name).find("vec") == std::string::npos)
+            failAngles(*rotation);
         if (!rotation && !quaternion && !translation)
             return;
         glm::dmat3 turn(1.0);
@@ -790,9 +800,7 @@ private:
         } else if (!rotation) {
             say(tr("There is no rotation beside %1: none is assumed.", translation->name));
         } else if (rotation->numbers.size() == 3) {
-            const bool areDegrees =
-                rotation->unit.starts_with("deg") || plain(rotation->name).find("deg") != std::string::npos;
-            const double unit = areDegrees ? geometry::radiansFromDegrees(1.0) : 1.0;
+            const double unit = areDegrees(*rotation) ? geometry::radiansFromDegrees(1.0) : 1.0;
             const glm::dvec3 axis = unit * glm::dvec3(rotation->numbers[0], rotation->numbers[1], rotation->numbers[2]);
             constexpr double kMostTurn = 6.2832; // 2 pi
             if (glm::length(axis) > kMostTurn)
@@ -804,8 +812,10 @@ private:
         } else {
             turn = glm::dmat3(*matrixByRows(rotation->numbers));
             const bool isRealSense = m_values.find("ppx") && plain(rotation->name) == "rotation"; // rs2_extrinsics
-            const CameraValue *fov = angle("y");
-            const bool isSplatting = fov && (fov->name == "FovY" || fov->name == "FoVy"); // CameraInfo, Camera
+            const CameraValue *across = angle("x"), *down = angle("y");
+            const bool isSplatting = across && down && (down->name == "FovY" || down->name == "FoVy")
+                                     && (across->name == "FovX" || across->name == "FoVx") && translation
+                                     && translation->name == "T"; // CameraInfo, Camera
             if (isRealSense) {
                 turn = glm::transpose(turn);
                 say(tr("%1 is read by columns, as RealSense's rs2_extrinsics has it.", rotation->name));
@@ -853,6 +863,18 @@ private:
         say(tr("There is no translation beside %1: it is taken as 0.", rotation.name));
     }
 
+    static bool areDegrees(const CameraValue &rotation)
+    {
+        return rotation.unit.starts_with("deg") || plain(rotation.name).find("deg") != std::string::npos;
+    }
+
+    [[noreturn]] static void failAngles(const CameraValue &value)
+    {
+        fail(value,
+             tr("the rotation is given as angles, whose order and axes programs write differently; give a matrix "
+                "or a quaternion"));
+    }
+
     /// Fails for a position beside angles: without them, it would be the pose of a camera that is not
     /// turned.
     void refuseAngles() const
@@ -862,9 +884,14 @@ private:
         for (const auto *values : {&m_values.others(), &m_values.numbers()}) {
             for (const CameraValue &value : *values) {
                 const std::vector<double> &numbers = value.numbers;
-                const std::string name = plain(value.name);
-                const bool isOfPose = hasPosition || name.find("pitch") != name.npos || name.find("yaw") != name.npos
-                                      || name.find("euler") != name.npos;
+                const std::vector<std::string> words = wordsOf(value.name);
+                const auto hasAny = [&words](std::string_view list) {
+                    return std::ranges::any_of(words,
+                                               [list](const std::string &word) { return base::isListed(list, word); });
+                };
+                if (hasAny(" pixel dot sensor "))
+                    continue;
+                const bool isOfPose = hasPosition || hasAny(" pitch yaw roll rpy ypr euler eulers ");
                 if (isOfPose && isAngle(value.name) && numbers.size() <= kMost
                     && std::ranges::any_of(numbers, [](double angle) { return angle != 0.0; }))
                     fail(value, tr("the rotation is given as angles, whose order and axes programs write differently; "

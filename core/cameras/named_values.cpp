@@ -2,6 +2,7 @@
 
 #include "core/base/expression.h"
 #include "core/base/number_text.h"
+#include "core/base/source_text.h"
 #include "core/base/text_scanner.h"
 #include "core/base/translation.h"
 
@@ -24,6 +25,31 @@ std::vector<std::string> namesIn(std::string_view name)
     return words;
 }
 
+/// Returns whether a text ends with a bracket that it opens.
+bool isOpened(std::string_view text)
+{
+    const std::size_t last = text.find_last_not_of(" \t");
+    return last != text.npos && (text[last] == '(' || text[last] == '[');
+}
+
+/// The numbers by rows of those that R's matrix(c(...)) has by columns, behind which its sides may stand.
+std::vector<double> byRows(const std::vector<double> &columns)
+{
+    for (const std::size_t count : {16U, 12U, 9U}) {
+        if (columns.size() < count || columns.size() > count + 2)
+            continue;
+        const std::size_t height = count == 16 ? 4 : 3, width = count / height;
+        std::vector<double> rows;
+        for (std::size_t i = 0; i < count; ++i)
+            rows.push_back(columns[i % width * height + i / width]);
+        return rows;
+    }
+    return columns;
+}
+
+/// Names of a value's own number: "k1: {value: -0.1}", "fx: float = 600".
+constexpr std::string_view kOfValue = " value float double f32 f64 float32 float64 number int ";
+
 } // namespace
 
 bool NamedValue::isNamed(std::string_view name) const
@@ -38,7 +64,10 @@ bool NamedValue::isNamed(std::string_view name) const
 
 base::Error NamedValue::computedError() const
 {
-    return {tr("the text computes with it (%1), and only numbers are read; write the result", arithmetic),
+    return {arithmetic.ends_with(',')
+                ? tr("%1 stands among its numbers; write the number",
+                     base::quoted(arithmetic.substr(0, arithmetic.size() - 1)))
+                : tr("the text computes with it (%1), and only numbers are read; write the result", arithmetic),
             written,
             {},
             static_cast<int>(line)};
@@ -69,14 +98,22 @@ NamedValues::NamedValues(std::string_view text)
     std::string parent;
     std::vector<Group> groups = scan(text);
     m_values.reserve(groups.size());
+    const auto finish = [this] {
+        if (m_values.empty() || m_values.back().arithmetic != kByColumns)
+            return;
+        m_values.back().numbers = byRows(m_values.back().numbers);
+        m_values.back().arithmetic.clear();
+    };
     for (Group &group : groups) {
         const bool isEmpty = !m_values.empty() && m_values.back().numbers.empty() && m_values.back().word.empty();
         // "k1: {value: -0.1}"
-        const bool isValue = isEmpty && !m_values.back().written.empty() && base::lowerCase(group.name) == "value";
+        const bool isValue =
+            isEmpty && !m_values.back().written.empty() && base::isListed(kOfValue, base::lowerCase(group.name));
         if (group.kind == GroupKind::Name && isValue) {
             m_values.back().arithmetic = std::move(group.arithmetic);
             m_values.back().unit = std::move(group.unit);
         } else if (group.kind == GroupKind::Name) {
+            finish();
             NamedValue value{namesIn(group.name),
                              std::string(group.name),
                              isEmpty ? m_values.back().words.back() : parent,
@@ -111,7 +148,7 @@ NamedValues::NamedValues(std::string_view text)
         // "cy=240 (640x480)"
         const std::size_t count = group.numbers.size();
         if (count > 1 && group.numbers[count - 1].isInWord && group.numbers[count - 1].at == group.numbers[count - 2].at
-            && (count > 2 || group.name.empty())) {
+            && (count > 2 || group.name.empty()) && isOpened(text.substr(0, group.numbers[count - 1].at))) {
             std::vector<double> &numbers = m_values.back().numbers;
             NamedValue size{{"size"}, "size", {}, {}, {numbers.end() - 2, numbers.end()}, group.numbers.back().line};
             numbers.resize(numbers.size() - 2);
@@ -124,6 +161,7 @@ NamedValues::NamedValues(std::string_view text)
         }
         group.numbers = {}; // a large text takes less
     }
+    finish();
 }
 
 const NamedValue *NamedValues::find(Names names, std::size_t fewest) const

@@ -151,6 +151,10 @@ private:
             m_at = std::min(m_text.find('\n', m_at), m_text.size());
             return;
         }
+        if (!m_isXml && m_text.substr(m_at).starts_with("/*")) {
+            m_at = std::min(m_text.find("*/", m_at), m_text.size() - 1) + 1;
+            return;
+        }
         if (c == '"' || (c == '\'' && (m_at == 0 || !base::isLetter(m_text[m_at - 1])))) {
             const std::size_t end = m_text.find_first_of(c == '"' ? "\"\n" : "'\n", m_at + 1);
             if (end != m_text.npos && m_text[end] == c) {

@@ -230,6 +230,9 @@ private:
         }
         if (all.size() == 1)
             all[0].role = m_choices.role.value_or(all[0].role);
+        if (m_choices.isScene && all.size() == 1 && all[0].part == PastedPart::ModelView
+            && !hasFormOf(all[0].given, MatrixRole::Product))
+            all[0].role = MatrixRole::View;
         if (const ReadMatrix *product = of(PastedPart::Product); product && all.size() > 1) {
             const bool isProduct =
                 all.size() == 2 && (m_choices.isScene || hasFormOf(product->given, MatrixRole::Product));

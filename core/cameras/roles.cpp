@@ -189,7 +189,8 @@ void addWord(const std::string &word, std::vector<std::string> &words)
                           && letters.find('c', 1) != letters.npos; // Twc
     const bool isKnown = kindOf(word) != Word::Unknown;
     if (!isKnown && areTwo)
-        parts = {word.substr(0, 1), word.substr(1)};
+        parts = {word.size() == 2 ? frameOf(word[0]) : word.substr(0, 1),
+                 word.size() == 2 ? frameOf(word[1]) : word.substr(1)};
     else if (!isKnown && areThree)
         parts = {word.substr(0, 1), frameOf(word[1]), frameOf(word[2])};
     else if (isKnown || !splitIntoKnown(letters, parts))
@@ -389,7 +390,7 @@ bool isOfOther(const Name &name)
 bool areAngles(const Name &name)
 {
     using enum Word;
-    return (name.has(Angles) || name.has(Rotation)) && !name.has(Other) && !isOfOther(name);
+    return (name.has(Angles) || name.has(Rotation) || name.has(Quaternion)) && !name.has(Other) && !isOfOther(name);
 }
 
 } // namespace

@@ -66,6 +66,8 @@ constexpr std::string_view kMarks[]{
     "%x%?",
     "Matrix 4x4",
     "Columns 9 through 9",
+    "Matrix{&}:", // Julia
+    "9-element Vector{&}:",
     "Array(9)",
     "Float32Array(9)",
     "Float64Array(9)",
@@ -93,6 +95,10 @@ constexpr std::string_view kMarks[]{
 
 /// Signs in numbers, and the same as C++ writes them: of typeset text, Mathematica and Fortran.
 constexpr std::string_view kSigns[][2]{{"\xe2\x88\x92", "  -"},
+                                       {"\xe2\x80\x90", "  -"},
+                                       {"\xe2\x80\x91", "  -"},
+                                       {"\xe2\x80\x93", "  -"},
+                                       {"\xef\xbc\x8d", "  -"},
                                        {"*^-", "e-0"},
                                        {"*^", "e0"},
                                        {"D-", "e-"},
@@ -135,7 +141,10 @@ std::string withPlainNumbers(std::string_view given)
         for (auto i = text.find(sign); i != text.npos; i = text.find(sign, i + 1)) {
             const bool isInNumber = i > 0 && isAmong(text[i - 1], "0123456789.")
                                     && (sign != "," || (hasCommas && isDigit(given[i + 1 < text.size() ? i + 1 : i])));
-            if (isInNumber || plainSign.starts_with(' '))
+            const std::size_t next = i + sign.size();
+            const bool isSign = plainSign.starts_with(' ')
+                                && (sign == kSigns[0][0] || (next < text.size() && isAmong(text[next], "0123456789.")));
+            if (isInNumber || isSign)
                 text.replace(i, sign.size(), plainSign);
         }
     }
@@ -145,7 +154,8 @@ std::string withPlainNumbers(std::string_view given)
 /// Parses a number, with or without the f of a C float.
 std::optional<double> numberOf(std::string_view word)
 {
-    if (word.size() > 1 && isAmong(word.back(), "fF") && word.find_first_of(kDigits) != word.npos)
+    const std::string_view suffixes = word.find('.') != word.npos ? "fFdDlL" : "fFuUlL"; // of C, Java and C#
+    while (word.size() > 1 && isAmong(word.back(), suffixes) && word.find_first_of(kDigits) != word.npos)
         word.remove_suffix(1);
     return base::numberIn<double>(word.substr(word.size() > 1 && word.front() == '+'));
 }
@@ -213,13 +223,16 @@ private:
             const auto names = m_text.substr(begin, numbers.front().at - begin),
                        values = m_text.substr(numbers.front().at, numbers.back().at - numbers.front().at);
             const auto commas = std::ptrdiff_t(count) - 1;
+            const auto line = names.find_last_not_of(" \t");
+            const bool isHeader = line != names.npos && names[line] == '\n' && std::ranges::count(names, '\n') == 1;
             const auto previous = begin > 0 ? m_text.find_last_not_of(" \t([", begin - 1) : m_text.npos;
             const auto words = m_text.substr(0, previous + 1);
             const bool isDeclared = words.ends_with("const") || words.ends_with("let") || words.ends_with("auto");
             if (std::ranges::count(names, ',') != commas || std::ranges::count(values, ',') != commas
-                || !isAmong('=', names) || (previous != m_text.npos && !isAmong(at(previous), "\n;") && !isDeclared)
-                || std::ranges::any_of(names,
-                                       [](char one) { return !isAmong(one, kOfName) && !isAmong(one, " \t,()[]:="); }))
+                || (isHeader ? isAmong('=', names) : !isAmong('=', names) || isAmong('\n', names))
+                || (previous != m_text.npos && !isAmong(at(previous), "\n;") && !isDeclared)
+                || std::ranges::any_of(
+                    names, [](char one) { return !isAmong(one, kOfName) && !isAmong(one, " \t\r\n,()[]:="); }))
                 continue;
             for (std::size_t i = 0; i < count; ++i) {
                 m_groups[first + i].kind = Name;
@@ -311,11 +324,13 @@ private:
             ++m_at;
             return;
         }
-        if (m_isLineBlank && isHere(">>> ")) { // Python's console
-            m_at += 4;
-            return;
+        for (const std::string_view prompt : {">>> ", "> ", "julia> ", "$"}) {
+            if (m_isLineBlank && m_commentEnd == 0 && isHere(prompt) && (prompt != "$" || isLetter(at(m_at + 1)))) {
+                m_at += prompt.size();
+                return;
+            }
         }
-        if (m_commentEnd == 0 && (readMark() || readComment() || readQuoted()))
+        if (m_commentEnd == 0 && (readUncertainty() || readMark() || readComment() || readQuoted()))
             return;
         if (isNumber)
             readNumber();
@@ -326,9 +341,20 @@ private:
         m_isLineBlank = false;
     }
 
+    /// Reads an uncertainty: the number behind +/- is no value. Returns whether it is one.
+    bool readUncertainty()
+    {
+        const std::size_t length = isHere("+/-") ? 3 : isHere("\xC2\xB1") ? 2 : 0;
+        if (length == 0 || m_count == 0 || m_operandLine != m_line)
+            return false;
+        m_at += length;
+        m_isOperand = true;
+        return true;
+    }
+
     bool readMark()
     {
-        if (!isAmong(m_text[m_at], "0123456789([,$MCcAF")) // the first characters of all
+        if (!isAmong(m_text[m_at], "0123456789([,$MCcAFV")) // the first characters of all
             return false;
         if (const auto length = m_isLineBlank && m_open.empty() ? lengthOf("[9]`_+") : 0; length > 0) { // R
             m_at += length;
@@ -360,8 +386,9 @@ private:
     /// Begins a comment, or an XML tag: its name is read, the rest of it is a comment.
     bool readComment()
     {
-        const bool isTag = m_isXml && m_text[m_at] == '<', isMathematica = isHere("(*"),
-                   isBlock = isHere("/*") || isMathematica;
+        const bool isTag = m_isXml && m_text[m_at] == '<',
+                   isMathematica = isHere("(* ") && m_text.find("*)", m_at) != m_text.npos,
+                   isBlock = (isHere("/*") && m_text.find("*/", m_at) != m_text.npos) || isMathematica;
         const bool isQuotient = m_count > 0 && m_operandLine == m_line
                                 && isAmong(at(m_text.find_last_not_of(" \t", m_at - 1)), "0123456789.)]")
                                 && lengthOf("//_9") > 0
@@ -479,8 +506,8 @@ private:
     {
         endName(Name);
         start -= std::size_t(m_given[start] == m_text[start] ? 0 : 2); // U+2212
-        m_groups.back().numbers.push_back({value * m_factor * std::exchange(m_unit, 1.0), isInWord, m_isBehindSemicolon,
-                                           start, m_at - start, m_line, m_open.empty() ? 0 : m_open.back(),
+        m_groups.back().numbers.push_back({value * m_factor * m_unit, isInWord, m_isBehindSemicolon, start,
+                                           m_at - start, m_line, m_open.empty() ? 0 : m_open.back(),
                                            std::exchange(m_subscripts, {}), std::exchange(m_isOperand, false)});
         m_count += std::size_t(!m_groups.back().numbers.back().isOperand);
         m_isBehindSemicolon = m_isBehindEquals = false;
@@ -508,15 +535,21 @@ private:
         if (word == "x" && m_name.empty() && m_operandLine == m_line && lengthOf("_9") > 0)
             return; // 800 x 600
         if (isAmongNumbers(start, end)) {
-            setArithmetic(std::string(name));
-            return addNumber(kNan, start);
+            const auto known = std::ranges::find_if(m_groups.rbegin(), m_groups.rend(), [&](const Group &group) {
+                return group.kind == Name && group.numbers.size() == 1 && group.name == name
+                       && group.arithmetic.empty();
+            });
+            if (known == m_groups.rend())
+                setArithmetic(std::string(name) + ',');
+            return addNumber(known == m_groups.rend() ? kNan : known->numbers[0].value, start);
         }
         addWord(start, end);
         m_at += lengthOf(":9`:"); // main.cpp:123:
         readSubscripts(word);
         if (at(m_at) != '(')
             return;
-        if (type.starts_with("mat") || type.starts_with("vec") || type.starts_with("point3")) // Vec3d t(0, 0, 5)
+        if (type.starts_with("mat") || type.starts_with("vec") || type.starts_with("point3")
+            || type.starts_with("size")) // Vec3d t(0, 0, 5)
             return endName(Name);
         endName(Other);
         const bool isBehindOperand = m_count > 0 && m_operandLine == m_line;
@@ -525,11 +558,19 @@ private:
                 : isBehindOperand && at(start - 1) == '.'
                       && base::isListed(" inverted invertedsafe transposed t ", word))
             setArithmetic(word);
+        if (word == "matrix" && lengthOf("(c(") > 0) { // R
+            const auto rest = m_text.substr(m_at);
+            const auto call = rest.substr(0, base::closingBracket(rest, 0));
+            if (call.find("byrow") == call.npos)
+                setArithmetic(std::string(kByColumns));
+        }
         if (m_isBehindEquals && lengthOf("(_+_)") > 0 && !base::isListed(kCasts, word)
             && word.find("float") == word.npos)
             setArithmetic(word);
-        if (word == "radians" || word == "deg2rad" || word == "degtorad")
+        if (word == "radians" || word == "deg2rad" || word == "degtorad") {
             m_unit = geometry::radiansFromDegrees(1.0);
+            m_unitDepth = m_open.size();
+        }
     }
 
     /// Returns whether a word stands for a number of a list: [0.1, null, 0.3].
@@ -643,6 +684,8 @@ private:
                 m_open.pop_back();
                 m_lists.pop_back();
             }
+            if (m_open.size() <= m_unitDepth)
+                m_unit = 1.0;
             m_operandLine = m_line;
         } else if (c == '#') {
             m_at = behind(m_at, kDigits); // #1
@@ -739,7 +782,8 @@ private:
     bool m_isNameFirst = false, m_isLineBlank = true;
     bool m_isBehindSemicolon = false;    ///< of the next number
     std::vector<int> m_subscripts;       ///< of the next number
-    double m_unit = 1.0, m_factor = 1.0; ///< of the next number, and of those up to the next name
+    double m_unit = 1.0, m_factor = 1.0; ///< of the numbers up to a closing bracket, and of those up to the next name
+    std::size_t m_unitDepth = 0;         ///< the open brackets around that one
     std::size_t m_operandLine = 0;       ///< the line of the last number or closing bracket
     bool m_isBehindEquals = false;       ///< only words stand between the last equals sign or colon and here
     std::size_t m_value = 0;             ///< the last group of the kind Name

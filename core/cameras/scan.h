@@ -9,8 +9,10 @@ namespace unprojector::cameras {
 
 /// A number of a text with its place.
 struct ScannedNumber {
-    double value = 0.0;    ///< NaN or infinite if the text has no finite number here: nan, 1.#QNAN, 1e400, 3 - 5
-    bool isInWord = false; ///< one of 800x600, or 50mm
+    /// NaN or infinite if the text has no finite number here: nan, 1.#QNAN, 1e400, 3 - 5, --2, 0.1q3, or a word of a
+    /// list, [0, null, 1].
+    double value = 0.0;
+    bool isInWord = false;            ///< one of 800x600, or 50mm
     bool isBehindSemicolon = false;   ///< a semicolon stands between it and the number before it
     std::size_t at = 0, length = 0;   ///< its bytes in the text
     std::size_t line = 0;             ///< from 1
@@ -25,6 +27,9 @@ enum class GroupKind {
     Other ///< a type or function before brackets, np.array(, or words of a comment
 };
 
+/// Group::arithmetic of R's matrix(c(...)) without byrow: its numbers are by columns.
+inline constexpr std::string_view kByColumns = "by columns";
+
 /// Adjacent words of a text, and the numbers between them and the next ones.
 struct Group {
     std::string_view name; ///< as written: "cam.nearClipPlane"; the first group has none
@@ -32,7 +37,7 @@ struct Group {
     std::size_t line = 0;                    ///< from 1
     std::string arithmetic = {};             ///< what the text computes with a name's values: "/ 1000", ".T"
     std::vector<ScannedNumber> numbers = {}; ///< without those of comments
-    std::string unit = {};                   ///< behind a name's values: "mm"; "mm m" for several
+    std::string unit = {};                   ///< behind a name's values: "mm", letters such as "g"; "mm m" for several
 };
 
 /// The words and numbers of any text, in its order: JSON, YAML, XML, source code and printed

@@ -119,7 +119,8 @@ double withTwoDigits(double value)
 /// whole coordinate is half of one, for pixel centres at whole numbers too.
 double twice(double centre, double toCorner)
 {
-    return std::round(centre == std::floor(centre) ? 2.0 * centre : 2.0 * (centre + toCorner));
+    constexpr double kRounding = 1e-6; // of a K that is computed
+    return std::round(std::abs(centre - std::round(centre)) < kRounding ? 2.0 * centre : 2.0 * (centre + toCorner));
 }
 
 /// The image's size: the choice, the file's, or twice the principal point.

@@ -101,7 +101,8 @@ Result<CameraRead> readCamera(const std::vector<CameraText> &texts, const Camera
     const auto errorOf = [&name](base::Error error) {
         if (error.file.empty())
             error.file = name;
-        return valueError(withChoices(error.message()));
+        error.text = withChoices(error.text);
+        return valueError(error.message());
     };
     const auto read = cameras::readCamera(named, *internal);
     if (!read)
