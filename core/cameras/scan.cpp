@@ -231,6 +231,8 @@ private:
             if (std::ranges::count(names, ',') != commas || std::ranges::count(values, ',') != commas
                 || (isHeader ? isAmong('=', names) : !isAmong('=', names) || isAmong('\n', names))
                 || (previous != m_text.npos && !isAmong(at(previous), "\n;") && !isDeclared)
+                || std::any_of(m_groups.begin() + std::ptrdiff_t(first), m_groups.begin() + std::ptrdiff_t(last),
+                               [](const Group &one) { return !one.numbers.empty(); })
                 || std::ranges::any_of(
                     names, [](char one) { return !isAmong(one, kOfName) && !isAmong(one, " \t\r\n,()[]:="); }))
                 continue;
