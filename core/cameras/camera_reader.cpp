@@ -38,6 +38,7 @@ const std::vector<Form> &forms()
         add(xmlForms(), Format::Xml);
         add(fileForms());
         add(jsonForms(), Format::Json);
+        add(sceneForms());
         add(printForms());
         list.push_back({.program = "DSO", .readAll = readTables});
         list.push_back({.program = "OpenCV", .readAll = readNamedParts});

@@ -59,11 +59,12 @@ Cameras onlyIf(bool isIt, const Node &text);
 Cameras sections(const Reading &reading, const Node &text, std::string_view mark, std::string_view end,
                  std::string_view word = {});
 
-/// The forms of COLMAP, of XML, of JSON, of files of numbers, and of prints.
+/// The forms of COLMAP, of XML, of JSON, of files of numbers, of scene languages, and of prints.
 std::span<const Form> colmapForms();
 std::span<const Form> xmlForms();
 std::span<const Form> jsonForms();
 std::span<const Form> fileForms();
+std::span<const Form> sceneForms();
 std::span<const Form> printForms();
 
 /// K, R, t and distortion coefficients: text, JSON, the YAML and XML of cv::FileStorage, ROS's

@@ -1,0 +1,5 @@
+scene.add_area_light_for_ray_tracing(sapien.Pose([2, 1, 2], [1, 0, 0, 0]), np.array([1, 1, 1]), 5, 5)
+left = scene.add_camera(name="left", width=320, height=240, fovy=1.2, near=0.1, far=10)
+left.set_local_pose(sapien.Pose([0, 0, 0.5], [1, 0, 0, 0]))
+right = scene.add_camera(name="right", width=640, height=480, fovy=np.deg2rad(52), near=0.1, far=50)
+right.entity.set_pose(sapien.Pose(p=[-0.75, 0.4, 1.1], q=[0.8, 0.1, 0.3, -0.5]))
