@@ -1,3 +1,4 @@
+#include "core/base/expression.h"
 #include "core/base/number_text.h"
 #include "core/base/source_text.h"
 #include "core/base/text_scanner.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 // Cameras of scene languages: an eye with a target or a rotation, and an angle.
@@ -121,10 +123,10 @@ void add(Cameras &cameras, const Reading &reading, string_view part, string_view
         {name.empty() ? std::to_string(cameras.size()) : std::string(name), {}, {}, nodeAt(reading, part), own});
 }
 
-/// The parts "PerspectiveCamera {…}" of a text, and "<Viewpoint …>".
+/// The parts "camera {…}" of a text, and "<Viewpoint …>".
 Cameras blocks(Reading &reading, const Node &)
 {
-    constexpr const char *kNames = "PerspectiveCamera OrthographicCamera Viewpoint OrthoViewpoint";
+    constexpr const char *kNames = "camera PerspectiveCamera OrthographicCamera Viewpoint OrthoViewpoint";
     Cameras found;
     const std::string text = base::withoutComments(reading.text.text);
     for (std::size_t at = 0, length = 0; at < text.size(); at += length) {
@@ -287,6 +289,48 @@ void readPbrt(Reading &reading)
     setAngle(reading, radiansFromDegrees(parameter("fov").value_or(90.0)), "smaller");
 }
 
+// Source: POV-Ray's documentation, Camera, and parser/parse.cpp: angle is across, in degrees; the picture is as wide as
+// right is long, and as high as up
+void readPovRay(Reading &reading)
+{
+    const Node &one = reading.lens;
+    const std::string text = base::withoutComments(one.text());
+    refuseWords(reading, text, "camera",
+                "orthographic fisheye ultra_wide_angle omnimax panoramic cylinder spherical "
+                "mesh_camera user_defined rotate translate scale matrix transform direction");
+    for (const char *name : {"location", "look_at", "sky", "angle"}) {
+        if (text.find(name) != text.npos && !one.has(name))
+            failValue(one, name, base::trimmed(string_view(text).substr(text.find(name))));
+    }
+    const ImageSize size = reading.neededSize();
+    const std::map<string_view, std::string> known{{"x", "1"},
+                                                   {"y", "1"},
+                                                   {"image_width", std::to_string(size.width)},
+                                                   {"image_height", std::to_string(size.height)}};
+    const auto length = [&](string_view name, double usual) {
+        const std::size_t at = text.find(name);
+        if (at == text.npos) {
+            sayUsual(reading, name, {usual});
+            return usual;
+        }
+        const string_view value = base::trimmed(split(string_view(text).substr(at + name.size()), '\n')[0]);
+        const auto number = base::sourceNumber(value, [&](string_view variable) {
+            const auto found = known.find(variable);
+            return found == known.end() ? std::nullopt : std::optional<string_view>(found->second);
+        });
+        if (!number)
+            failValue(one, name, value);
+        return number->value;
+    };
+    const double right = length("right", 1.33), half = std::abs(right) / 2.0, aspect = 2.0 * half / length("up", 1.0);
+    reading.camera.axes = right > 0.0 ? RightUpAhead : RightUpBack;
+    if (right > 0.0)
+        sayLeftHanded(reading);
+    lookBy(reading, "location", "look_at", "sky", {0.0, 1.0, 0.0});
+    const Numbers angle = numbersOf(reading, one, "angle", 1, {degreesFromRadians(2.0 * std::atan(half))});
+    reading.setVerticalAngle(2.0 * std::atan(std::tan(radiansFromDegrees(angle[0]) / 2.0) / aspect), aspect);
+}
+
 // Source: Coin, nodes/SoPerspectiveCamera.cpp and SoCamera.cpp; ISO/IEC 19775-1 (X3D), 23.4.6 Viewpoint: the angle, in
 // radians, is that of the picture's shorter side; orientation is an axis and an angle
 void readViewpoint(Reading &reading)
@@ -330,6 +374,7 @@ constexpr Form kForms[]{
          return onlyIf(reading.text.text.find("Camera \"") != std::string::npos, text);
      },
      readPbrt},
+    {"POV-Ray", "camera look_at|location", {CameraToWorld, RightUpAhead}, blocks, readPovRay},
     {"Coin",
      "PerspectiveCamera|OrthographicCamera position|orientation",
      kOpenGl,
