@@ -200,6 +200,66 @@ void readSapienScene(Reading &reading)
     setAngle(reading, numbersOf(reading, reading.lens, "fovy", 1)[0], "y");
 }
 
+/// The variables of cameras' blueprints.
+Cameras carlaCameras(Reading &reading, const Node &)
+{
+    Cameras cameras;
+    const std::string bare = base::withoutComments(reading.text.text);
+    for (const SourceCall &call : base::sourceCalls(bare)) {
+        if (call.isAssignment && call.arguments[0].find("sensor.camera.") != bare.npos)
+            add(cameras, reading, string_view(reading.text.text).substr(call.at, call.end - call.at), call.written);
+    }
+    return cameras;
+}
+
+// Source: CARLA's documentation, Sensors reference (fov is across, in degrees) and Python API, carla.Rotation (pitch,
+// yaw and roll as Unreal's)
+void readCarla(Reading &reading)
+{
+    const string_view text = reading.text.text;
+    const std::string bare = base::withoutComments(text);
+    const auto unquoted = [](string_view value) { return value.size() < 2 ? "" : value.substr(1, value.size() - 2); };
+    std::map<string_view, std::optional<double>> set{{"image_size_x", {}}, {"image_size_y", {}}, {"fov", {}}};
+    Node pose;
+    std::size_t count = 0;
+    for (const SourceCall &call : base::sourceCalls(bare)) {
+        if (call.name == "Transform" && ++count > 0)
+            pose = nodeAt(reading, text.substr(call.at, call.end - call.at));
+        if (call.name != "set_attribute" || call.object != reading.name || call.arguments.size() != 2)
+            continue;
+        refuseWords(reading, call.arguments[0], "CARLA", "lens_k lens_circle_multiplier");
+        const auto found = set.find(unquoted(call.arguments[0]));
+        if (found != set.end() && !(found->second = base::doubleFromWord(unquoted(call.arguments[1]))))
+            failValue(reading.lens, found->first, call.arguments[1]);
+    }
+    refuseWords(reading, reading.lens.text(), "sensor.camera", "wide_angle fisheye");
+    if (count != 1)
+        reading.fail(tr("%1 is there %2 times; give the part of the text that has the camera's", "Transform", count));
+    const std::string inside = base::withoutComments(pose.text());
+    std::ptrdiff_t unnamed = 1; // arguments, without those that are calls
+    for (const SourceCall &call : base::sourceCalls(inside))
+        unnamed += call.isAssignment ? -1 : std::ptrdiff_t(call.arguments.size()) - 1;
+    if (unnamed != 0)
+        pose.fail(tr("write the place into Transform as Location(x=1, y=2, z=3), with the names of its numbers"));
+    const auto number = [&](const char *name) { return pose.has(name) ? numbersOf(reading, pose, name, 1)[0] : 0.0; };
+    const auto turn = [&](int axis, const char *name) { return about(axis, radiansFromDegrees(number(name))); };
+    reading.camera.pose = rigid(turn(2, "yaw") * glm::transpose(turn(1, "pitch")) * glm::transpose(turn(0, "roll")),
+                                {number("x"), number("y"), number("z")});
+    reading.camera.rightHandedFromWorld[1][1] = -1.0;
+    reading.say(
+        tr("CARLA's world is left-handed, and in metres. The scene has its y negated: the point (x, y, z) of CARLA is "
+           "(x, -y, z) here."));
+    if (bare.find("attach_to") != bare.npos)
+        sayNoParent(reading, "Transform");
+    const auto attribute = [&](const char *name, double usual) {
+        if (!set[name])
+            sayUsual(reading, name, {usual});
+        return set[name].value_or(usual);
+    };
+    reading.camera.size = sizeOf(attribute("image_size_x", 800.0), attribute("image_size_y", 600.0));
+    setAngle(reading, radiansFromDegrees(attribute("fov", 90.0)), "x");
+}
+
 /// The Python dicts that begin with the type of a sensor.
 Cameras mitsubaSensors(Reading &reading, const Node &)
 {
@@ -361,6 +421,7 @@ constexpr Form kForms[]{
      addedCameras,
      readSapienScene,
      {.size = "width height", .planes = "near far"}},
+    {"CARLA", "sensor.camera. Transform(", {CameraToWorld, AheadRightUp}, carlaCameras, readCarla},
     {"Mitsuba",
      "to_world perspective|thinlens|orthographic type",
      kOpenGl,
