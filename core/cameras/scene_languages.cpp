@@ -150,17 +150,17 @@ Cameras addedCameras(Reading &reading, const Node &)
     const string_view text = reading.text.text;
     const std::string bare = base::withoutComments(text);
     const std::vector<SourceCall> calls = base::sourceCalls(bare);
+    std::map<string_view, string_view> poses;
+    for (const SourceCall &call : calls) {
+        if (isListed("set_pose set_local_pose", call.name))
+            poses[split(call.object, '.')[0]] = text.substr(call.at, call.end - call.at);
+    }
     Cameras cameras;
     for (const SourceCall &call : calls) {
-        if (call.isAssignment || !isListed("add_camera add_mounted_camera", call.name))
-            continue;
-        Node pose;
-        for (const SourceCall &other : calls) {
-            if (isListed("set_pose set_local_pose", other.name) && !call.variable.empty()
-                && split(other.object, '.')[0] == call.variable)
-                pose = nodeAt(reading, text.substr(other.at, other.end - other.at));
-        }
-        add(cameras, reading, text.substr(call.at, call.end - call.at - 1), call.variable, pose);
+        const auto pose = call.variable.empty() ? poses.end() : poses.find(call.variable);
+        if (!call.isAssignment && isListed("add_camera add_mounted_camera", call.name))
+            add(cameras, reading, text.substr(call.at, call.end - call.at - 1), call.variable,
+                pose == poses.end() ? Node() : nodeAt(reading, pose->second));
     }
     return cameras;
 }
@@ -266,7 +266,7 @@ Cameras mitsubaSensors(Reading &reading, const Node &)
     Cameras cameras;
     const string_view text = reading.text.text;
     for (std::size_t at = text.find('{'); at != text.npos; at = text.find('{', at + 1)) {
-        const std::size_t quote = std::min(text.find_first_of("'\"", at), text.size() - 1);
+        const std::size_t quote = std::min(base::behindBlanks(text, at + 1), text.size() - 1);
         if (!text.substr(quote + 1).starts_with("type"))
             continue;
         const string_view part = text.substr(at, base::closingBracket(text, at) - at);
