@@ -25,7 +25,8 @@ constexpr std::string_view kScalars = " fx fy cx cy ppx ppy focallengthx focalle
 
 /// Other names of such numbers.
 constexpr std::string_view kOtherScalars =
-    " f focal focallength focallengthpx focallengthpixels focalx focaly alphac gamma s imagewidth imgwidth imageheight "
+    " imgw imgh f focal focallength focallengthpx focallengthpixels focalx focaly alphac gamma s imagewidth imgwidth "
+    "imageheight "
     "imgheight nearplane nearclip nearclipplane farplane farclip farclipplane binningx xoffset yoffset x y z tx ty tz ";
 
 /// Returns whether the last words of a name are in a list.
@@ -91,7 +92,10 @@ std::optional<Role> roleOf(const CameraValue &value)
     const auto role = cameras::roleOf(name, count);
     if (blank == name.npos || (role && role->direction))
         return role;
-    const auto last = cameras::roleOf(name.substr(blank + 1), count);
+    auto last = cameras::roleOf(name.substr(blank + 1), count);
+    constexpr std::array kWFirst{"Quaterniond ", "Quaternionf ", "dquat "}; // of Eigen and GLM
+    if (last && std::ranges::any_of(kWFirst, [name](const char *type) { return name.find(type) != name.npos; }))
+        last->w = 0;
     return last && (!role || last->direction) ? last : role;
 }
 
@@ -101,6 +105,15 @@ bool mayBePart(const CameraValue &value)
     const std::size_t count = value.numbers.size();
     constexpr std::size_t kFewest = 4, kMost = 16; // of a camera's parts
     return value.name.empty() || (count >= kFewest && count <= kMost) || (count > 1 && hasPartWord(value.name));
+}
+
+/// Returns whether something stands behind a name and its sign, in its line.
+bool isGiven(std::string_view text, const CameraValue &value)
+{
+    std::string_view rest = text.substr(std::min(value.at + value.written.size(), text.size()));
+    rest = base::trimmed(rest.substr(0, rest.find('\n')));
+    return (rest.starts_with('=') || rest.starts_with(':')) && rest.find_first_of("([{") != rest.npos
+           && rest.find_first_not_of(":= \t\"'{") != rest.npos && !rest.ends_with('{') && !rest.ends_with('[');
 }
 
 /// Returns whether source code changes a part behind its name: K[0, 0] = 600, t *= 0.001, R = R.T.
@@ -205,6 +218,11 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
             if (!m_changed && isChange(text.text, added))
                 m_changed = added;
             addNumber(added);
+            if (const auto role = added.numbers.empty() ? cameras::roleOf(added.name, 9) : std::nullopt;
+                role && isGiven(text.text, added)) {
+                m_empty.push_back(added);
+                m_empty.back().role = *role;
+            }
             const std::size_t count = added.numbers.size();
             const bool isAside = (count == 1 && added.numbers[0] != 1.0) // in m_numbers; but 1 may be "true"
                                  || (count > 1 && !mayBePart(added));

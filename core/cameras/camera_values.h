@@ -79,6 +79,8 @@ public:
     bool isOverclosed(std::size_t text) const { return m_outlines[text].isOverclosed(); }
     /// A number of a camera whose name has another count of numbers, or a matrix without data.
     const std::vector<CameraValue> &broken() const { return m_broken; }
+    /// Names of a pose's parts that have something else than numbers.
+    const std::vector<CameraValue> &empty() const { return m_empty; }
     /// A part that source code changes behind its name.
     const std::optional<CameraValue> &changed() const { return m_changed; }
     /// Returns whether a value is of one of cameras().
@@ -111,7 +113,7 @@ private:
     std::string idAround(const CameraValue &value, const std::map<Place, std::string> &ids, Place &place) const;
     std::map<Place, std::string> m_ids, m_references; ///< of parts of a text, and those of the cameras they name
     std::optional<std::pair<std::size_t, CameraValue>> m_twice;
-    std::vector<CameraValue> m_broken;
+    std::vector<CameraValue> m_broken, m_empty;
     std::optional<CameraValue> m_changed;
     std::vector<std::string> m_cameras;
     std::size_t m_depth = 0;          ///< of their sections in the outline; 0: the ends of names tell them apart

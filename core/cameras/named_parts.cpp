@@ -441,8 +441,8 @@ private:
     {
         const CameraValue *given = valueOf(Size);
         if (!given) {
-            m_camera.size =
-                sizeOf(scalar("imagewidth imgwidth width w", false), scalar("imageheight imgheight height h", false));
+            m_camera.size = sizeOf(scalar("imagewidth imgwidth imgw width w", false),
+                                   scalar("imageheight imgheight imgh height h", false));
             return;
         }
         const double first = given->numbers[0], second = given->numbers[1];
@@ -778,8 +778,10 @@ private:
         if (const auto &list = m_values.unfit(Quaternion); list && !rotation && !quaternion)
             fail(*list, tr("the order of a quaternion's four numbers is not known; name them, {x: 0, y: 0, z: 0, w: "
                            "1}, or give R"));
-        if (!rotation && !quaternion)
+        if (!rotation && !quaternion) {
             refuseAngles();
+            refuseEmpty({Rotation, Quaternion});
+        }
         if (rotation && rotation->numbers.size() == 3 && areDegrees(*rotation)
             && plain(rotation->name).find("vec") == std::string::npos)
             failAngles(*rotation);
@@ -811,7 +813,9 @@ private:
             turn = rotationOf(axis);
         } else {
             turn = glm::dmat3(*matrixByRows(rotation->numbers));
-            const bool isRealSense = m_values.find("ppx") && plain(rotation->name) == "rotation"; // rs2_extrinsics
+            const bool isPrint = has(Principal) && all(Principal).front().name == "p";
+            const bool isRealSense =
+                (isPrint || m_values.find("ppx")) && plain(rotation->name) == "rotation"; // rs2_extrinsics
             const CameraValue *across = angle("x"), *down = angle("y");
             const bool isSplatting = across && down && (down->name == "FovY" || down->name == "FoVy")
                                      && (across->name == "FovX" || across->name == "FoVx") && translation
@@ -860,7 +864,17 @@ private:
                 fail(value, tr("it may be of the translation beside %1; give t or the camera's position C by its name",
                                rotation.name));
         }
+        refuseEmpty({Translation, Center});
         say(tr("There is no translation beside %1: it is taken as 0.", rotation.name));
+    }
+
+    /// Fails for a name of a part that has something else than numbers: "R = f(x)", "R: [3x3 double]".
+    void refuseEmpty(std::initializer_list<Part> parts) const
+    {
+        for (const CameraValue &value : m_values.empty()) {
+            if (std::ranges::find(parts, value.role.part) != parts.end())
+                fail(value, tr("it has no number; give it, or leave the name out"));
+        }
     }
 
     static bool areDegrees(const CameraValue &rotation)

@@ -104,6 +104,7 @@ NamedValues::NamedValues(std::string_view text)
         m_values.back().numbers = byRows(m_values.back().numbers);
         m_values.back().arithmetic.clear();
     };
+    std::string_view word;
     for (Group &group : groups) {
         const bool isEmpty = !m_values.empty() && m_values.back().numbers.empty() && m_values.back().word.empty();
         // "k1: {value: -0.1}"
@@ -114,8 +115,9 @@ NamedValues::NamedValues(std::string_view text)
             m_values.back().unit = std::move(group.unit);
         } else if (group.kind == GroupKind::Name) {
             finish();
-            NamedValue value{namesIn(group.name),
-                             std::string(group.name),
+            const std::string_view name = group.name == "ans" && !word.empty() ? word : group.name; // MATLAB's
+            NamedValue value{namesIn(name),
+                             std::string(name),
                              isEmpty ? m_values.back().words.back() : parent,
                              {},
                              {},
@@ -159,6 +161,7 @@ NamedValues::NamedValues(std::string_view text)
             if (both.find_first_not_of("+-.0123456789,") == both.npos)
                 m_values.back().decimal = both;
         }
+        word = group.kind == GroupKind::Word ? group.name : std::string_view();
         group.numbers = {}; // a large text takes less
     }
     finish();

@@ -107,6 +107,19 @@ MatrixRole roleByForm(const PastedMatrix &given)
     return isAffine(m) || isAffine(glm::transpose(m)) ? MatrixRole::View : MatrixRole::Product;
 }
 
+/// Returns whether a matrix only scales and moves, as one from NDC to the window does, in one of its orders.
+bool isOfViewport(const PastedMatrix &given)
+{
+    const auto isIt = [&](NumberOrder order) {
+        const glm::dmat4 m = meantMatrix(given, order);
+        bool isDiagonal = isAffine(m);
+        for (int i = 0; i < 9; ++i)
+            isDiagonal = isDiagonal && (i / 3 == i % 3 || m[i / 3][i % 3] == 0.0);
+        return isDiagonal;
+    };
+    return isIt(NumberOrder::ByRows) || isIt(NumberOrder::ByColumns);
+}
+
 /// The deviation of a matrix from any multiple of another one, relative to its largest entry; 1 where either is 0 or
 /// beyond doubles.
 double offUpToScale(const glm::dmat4 &given, const glm::dmat4 &other)
@@ -145,9 +158,13 @@ public:
               std::pair(&parts.modelView, PastedPart::ModelView), std::pair(&parts.product, PastedPart::Product),
               std::pair(&parts.model, PastedPart::Model)})
             add(*given, part);
+        const bool isViewport =
+            !parts.viewportMatrix || parts.viewportMatrix->part || isOfViewport(*parts.viewportMatrix);
+        if (!isViewport)
+            addThird(*parts.viewportMatrix);
         choose();
         m_camera.aside = parts.aside;
-        readViewport(parts);
+        readViewport(parts, isViewport);
         if (m_choices.isScene) {
             if (const auto missing = missingPart())
                 return countError(*missing, 0, *missing == PastedPart::Viewport ? 4 : kEntries, 0);
@@ -247,10 +264,25 @@ private:
         }
     }
 
-    void readViewport(const PastedScene &parts)
+    /// Adds an unnamed matrix behind two others: the projection if the second has no form of one, else a product.
+    void addThird(const PastedMatrix &given)
+    {
+        ReadMatrix *second = of(PastedPart::Projection);
+        const bool isLens = second && !isNamed(second->given) && second->role == MatrixRole::View
+                            && roleByForm(given) == MatrixRole::Projection;
+        if (isLens) {
+            m_ignored.push_back(*second);
+            m_ignored.back().part = PastedPart::ModelView;
+            *second = {PastedPart::Projection, MatrixRole::Projection, given};
+        } else {
+            m_camera.matrices.push_back({PastedPart::Product, MatrixRole::Product, given});
+        }
+    }
+
+    void readViewport(const PastedScene &parts, bool isViewport)
     {
         m_camera.viewport = parts.viewport;
-        if (parts.viewportMatrix)
+        if (parts.viewportMatrix && isViewport)
             m_camera.viewportMatrix = ReadMatrix{PastedPart::Viewport, MatrixRole::View, *parts.viewportMatrix};
         const auto &size = m_choices.camera.size;
         if (m_choices.isScene && size && !m_camera.viewport && !m_camera.viewportMatrix)

@@ -73,34 +73,35 @@ constexpr std::string_view kVocabulary[]{
     kFillers,
     " camera cam cams c cn cnm optical sensor s eye lens ", // Camera
     kWorldFrames,
-    " left right color colour rgb depth ir infrared reference ref rect ",                        // Side
-    " t transform transformation trafo tf se ",                                                  // Transform
-    " to ",                                                                                      // To
-    " from ",                                                                                    // From
-    " in ",                                                                                      // In
-    " gl opengl blender nerf ",                                                                  // OpenGl
-    " cv opencv colmap ",                                                                        // OpenCv
-    " k intrinsic intrinsics intr intri intrin kmat ",                                           // Intrinsics
-    " focal fl ",                                                                                // Focal
-    " principal pp ",                                                                            // Principal
-    " matrix mat mtx ",                                                                          // Matrix
-    " r rot rotation rmat rvec rvecs rodrigues ",                                                // Rotation
-    " q quat quaternion orientation qvec ",                                                      // Quaternion
-    " euler eulers rpy ypr roll pitch yaw azimuth elevation heading tilt rx ry rz axis angles ", // Angles
-    " trans translation tvec tvecs ",                                                            // Translation
-    " center centre position pos origin location ",                                              // Center
-    " pose poses ",                                                                              // Pose
-    " extrinsic extrinsics extr extri rt ",                                                      // Extrinsics
-    " view ",                                                                                    // View
-    " p projection proj ",                                                                       // Projection
-    " d dist distortion distort distorsion kc ",                                                 // Distortion
-    " coeff coeffs coef coefs coefficients coefficient ",                                        // Coefficients
-    " radial ",                                                                                  // Radial
-    " tangential ",                                                                              // Tangential
-    " size resolution ",                                                                         // Size
-    " shape hw ",                                                                                // Shape
-    " image img frame ",                                                                         // Image
-    " model type ",                                                                              // Model
+    " left right color colour rgb depth ir infrared reference ref rect ", // Side
+    " t transform transformation trafo tf se ",                           // Transform
+    " to ",                                                               // To
+    " from ",                                                             // From
+    " in ",                                                               // In
+    " gl opengl blender nerf ",                                           // OpenGl
+    " cv opencv colmap ",                                                 // OpenCv
+    " k intrinsic intrinsics intr intri intrin kmat ",                    // Intrinsics
+    " focal fl ",                                                         // Focal
+    " principal pp ",                                                     // Principal
+    " matrix mat mtx ",                                                   // Matrix
+    " r rot rotation rmat rvec rvecs rodrigues ",                         // Rotation
+    " q quat quaternion orientation qvec quaterniond quaternionf dquat ", // Quaternion
+    " euler eulers eul angleaxis angleaxisd rpy ypr roll pitch yaw azimuth elevation heading tilt rx ry rz axis "
+    "angles ",                                            // Angles
+    " trans translation tvec tvecs ",                     // Translation
+    " center centre position pos origin location ",       // Center
+    " pose poses ",                                       // Pose
+    " extrinsic extrinsics extr extri rt ",               // Extrinsics
+    " view ",                                             // View
+    " p projection proj ",                                // Projection
+    " d dist distortion distort distorsion kc ",          // Distortion
+    " coeff coeffs coef coefs coefficients coefficient ", // Coefficients
+    " radial ",                                           // Radial
+    " tangential ",                                       // Tangential
+    " size resolution imsize imgsz ",                     // Size
+    " shape hw ",                                         // Shape
+    " image img frame ",                                  // Image
+    " model type ",                                       // Model
     kOtherThings,
 };
 
@@ -431,7 +432,8 @@ std::optional<Role> roleOf(std::string_view text, std::size_t count)
     setCustom(name, role);
     if (name.has(Unknown) && !role.isDirectionStated)
         role.direction.reset(); // "head_pose"
-    role.w = name.hasWord("xyzw") ? 3 : name.hasWord("wxyz") || name.hasWord("qvec") ? 0 : 4;
+    const bool isTfEcho = text == "in Quaternion";
+    role.w = name.hasWord("xyzw") || isTfEcho ? 3 : name.hasWord("wxyz") || name.hasWord("qvec") ? 0 : 4;
     return role;
 }
 

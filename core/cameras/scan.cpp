@@ -537,6 +537,9 @@ private:
         if (word == "x" && m_name.empty() && m_operandLine == m_line && lengthOf("_9") > 0)
             return; // 800 x 600
         if (isAmongNumbers(start, end)) {
+            constexpr std::size_t kFew = 1000;
+            if (m_groups.size() < kFew)
+                shareAll(); // "fx, fy = 600, 610"
             const auto known = std::ranges::find_if(m_groups.rbegin(), m_groups.rend(), [&](const Group &group) {
                 return group.kind == Name && group.numbers.size() == 1 && group.name == name
                        && group.arithmetic.empty();
@@ -550,9 +553,10 @@ private:
         readSubscripts(word);
         if (at(m_at) != '(')
             return;
-        if (type.starts_with("mat") || type.starts_with("vec") || type.starts_with("point3")
-            || type.starts_with("size")) // Vec3d t(0, 0, 5)
-            return endName(Name);
+        constexpr std::string_view kTypes[]{"mat", "vec", "point3", "size", "quat", "dquat", "angleaxis"};
+        const bool isTyped = std::ranges::any_of(kTypes, [&](std::string_view one) { return type.starts_with(one); });
+        if (isTyped || (m_isNameFirst && m_name.find(' ') != m_name.npos && !m_name.starts_with("return")))
+            return endName(Name); // Vec3d t(0, 0, 5)
         endName(Other);
         const bool isBehindOperand = m_count > 0 && m_operandLine == m_line;
         if (base::isListed(" inv inverse transpose ", word)

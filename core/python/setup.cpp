@@ -262,6 +262,10 @@ near, far : float
             CameraChoices choices{image, 0, 0, nearDistance, farDistance, axes, pose, pixelCenters, isUndistorted};
             if (size)
                 std::tie(choices.width, choices.height) = *size;
+            if (!text.is_none() && !py::isinstance<py::str>(text))
+                throw py::type_error("text is not a str");
+            if (!text.is_none() && !files.empty())
+                throw py::type_error("from_camera needs files or text=, not both");
             if (!text.is_none())
                 return valueOrRaise(readCamera(std::vector<CameraText>{{"text", text.cast<std::string>()}}, choices))
                     .setup;

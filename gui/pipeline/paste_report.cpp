@@ -76,12 +76,14 @@ public:
                     say({}, directionName(direction), kDirection + (':' + std::to_string(int(direction))));
             }
         } else if (m_shown.setup) {
+            if (m_camera.foreign) // what was assumed stands first
+                sayForeign(*m_camera.foreign);
             sayMeaning(*m_shown.setup);
         } else {
             begin({});
             say(tr("The view shows the pasted camera at once. Cancel brings the present one back."));
         }
-        if (m_camera.foreign)
+        if (m_camera.foreign && (!m_shown.setup || m_camera.fault || !m_shown.fault.isEmpty()))
             sayForeign(*m_camera.foreign);
         for (std::size_t i = 0; i < m_camera.matrices.size(); ++i)
             sayMatrix(i);
@@ -188,6 +190,8 @@ private:
         const double seen = seenPart(*lens, *view, objects);
         const DepthExtent depths = depthExtent(*view, objects);
         const ProjectionWindow w = projectionWindow(setup.projection());
+        if (seen == 0.0 && depths.nearest == 0.0 && depths.farthest > 0.0) // the eye may be among them
+            return;
         if (seen == 0.0)
             say(tr("Nothing will be seen: no object is in the image."));
         else if (depths.farthest <= std::min(w.nearDistance, w.farDistance)
@@ -215,6 +219,9 @@ private:
         using Of = ReadValue::Of;
         const auto &scene = m_camera.scene;
         begin(tr("Camera of %1").arg(QString::fromStdString(camera.program)));
+        for (const std::string &sentence : scene ? scene->assumed : camera.assumed)
+            say(withFieldNames(QString::fromStdString(sentence)));
+        begin({});
         if (camera.images.size() > 1)
             addRow(tr("Image"), tr("%1 (%2 of %3)", "an image, its number, how many there are")
                                     .arg(QString::fromStdString(camera.images[camera.image]))
@@ -239,8 +246,6 @@ private:
             addRow(tr("Distortion"), QStringLiteral("k1 %1, k2 %2, p1 %3, p2 %4, k3 %5%6")
                                          .arg(shortestText(d->k1), shortestText(d->k2), shortestText(d->p1),
                                               shortestText(d->p2), shortestText(d->k3), readFrom(Of::Distortion)));
-        for (const std::string &sentence : scene ? scene->assumed : camera.assumed)
-            say(withFieldNames(QString::fromStdString(sentence)));
     }
 
     /// What told a matrix its role, and how its numbers are written.

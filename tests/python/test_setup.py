@@ -239,6 +239,10 @@ def test_a_camera_is_told_the_names_of_arguments():
     unnamed = lens.split("R")[0] + "T: [1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]"
     with pytest.raises(ValueError, match="Choose with pose camera-to-world or pose world-to-camera"):
         up.Setup.from_camera(text=unnamed)
+    with pytest.raises(TypeError, match="text is not a str"):
+        up.Setup.from_camera(text=[lens])
+    with pytest.raises(TypeError, match="needs files or text=, not both"):
+        up.Setup.from_camera("a.json", text=lens)
     with pytest.raises(ValueError, match='no pixel centers "third"; known: integer, half'):
         up.Setup.from_camera(text=lens, pixel_centers="third")
 

@@ -334,6 +334,10 @@ std::string optionAboutMatrices(const SceneOptions &options)
                   optionAboutMatrices(options)));
     if (!camera.hasNumbers && given.files.empty() && words.size() == 1)
         refuse(words[0] + ": " + tr("there is no such file"));
+    if (!camera.matrices.empty() && camera.fault->subject == nameOf(PastedPart::Viewport))
+        refuse(given.name + ": "
+               + tr("there is no viewport; give x y width height behind the word viewport, or the image's size with "
+                    "--size"));
     base::Error error = *camera.fault;
     error.file = given.name;
     if (options.fromMatrices.empty())

@@ -153,6 +153,10 @@ private slots:
             "modelview: ignored, because the view is given");
         row("two views", "view A:\n" + view_ + "\nview B:\n" + view_ + "\nprojection = " + lens_,
             "view: there are several; the first one is used");
+        row("a product behind both", view_ + "\n" + lens_ + "\n" + product,
+            "product: ignored, because the projection and the modelview are given");
+        row("an inverse between both", view_ + "\n" + printed(glm::inverse(view())) + "\n" + lens_,
+            "modelview: ignored, because the view is given");
         row("exchanged", lens_ + "\n" + view_,
             "modelview: it has no name and the form of a projection, and is read as the projection");
     }
