@@ -89,7 +89,7 @@ std::optional<Role> roleOf(const CameraValue &value)
 {
     const std::string_view name = value.name;
     const std::size_t count = value.numbers.size(), blank = name.find_last_of(" \t");
-    const auto role = cameras::roleOf(name, count);
+    auto role = cameras::roleOf(name, count);
     if (blank == name.npos || (role && role->direction))
         return role;
     auto last = cameras::roleOf(name.substr(blank + 1), count);

@@ -62,6 +62,9 @@ constexpr std::string_view kWorldFrames =
     " world w map m odom global g body b imu i base robot ego vehicle velodyne velo "
     "lidar rig object obj o marker board target ned enu ";
 
+constexpr std::string_view kAngleWords = " euler eulers eul angleaxis angleaxisd rpy ypr roll pitch yaw azimuth "
+                                         "elevation heading tilt rx ry rz axis angles ";
+
 constexpr std::string_view kOtherThings =
     " std sigma cov covariance noise velocity speed error residual residuals jacobian inv "
     "inverse inverted delta relative limits min max bounds weights stereo fundamental "
@@ -86,22 +89,21 @@ constexpr std::string_view kVocabulary[]{
     " matrix mat mtx ",                                                   // Matrix
     " r rot rotation rmat rvec rvecs rodrigues ",                         // Rotation
     " q quat quaternion orientation qvec quaterniond quaternionf dquat ", // Quaternion
-    " euler eulers eul angleaxis angleaxisd rpy ypr roll pitch yaw azimuth elevation heading tilt rx ry rz axis "
-    "angles ",                                            // Angles
-    " trans translation tvec tvecs ",                     // Translation
-    " center centre position pos origin location ",       // Center
-    " pose poses ",                                       // Pose
-    " extrinsic extrinsics extr extri rt ",               // Extrinsics
-    " view ",                                             // View
-    " p projection proj ",                                // Projection
-    " d dist distortion distort distorsion kc ",          // Distortion
-    " coeff coeffs coef coefs coefficients coefficient ", // Coefficients
-    " radial ",                                           // Radial
-    " tangential ",                                       // Tangential
-    " size resolution imsize imgsz ",                     // Size
-    " shape hw ",                                         // Shape
-    " image img frame ",                                  // Image
-    " model type ",                                       // Model
+    kAngleWords,                                                          // Angles
+    " trans translation tvec tvecs ",                                     // Translation
+    " center centre position pos origin location ",                       // Center
+    " pose poses ",                                                       // Pose
+    " extrinsic extrinsics extr extri rt ",                               // Extrinsics
+    " view ",                                                             // View
+    " p projection proj ",                                                // Projection
+    " d dist distortion distort distorsion kc ",                          // Distortion
+    " coeff coeffs coef coefs coefficients coefficient ",                 // Coefficients
+    " radial ",                                                           // Radial
+    " tangential ",                                                       // Tangential
+    " size resolution imsize imgsz ",                                     // Size
+    " shape hw ",                                                         // Shape
+    " image img frame ",                                                  // Image
+    " model type ",                                                       // Model
     kOtherThings,
 };
 
