@@ -27,7 +27,8 @@ constexpr std::string_view kScalars = " fx fy cx cy ppx ppy focallengthx focalle
 constexpr std::string_view kOtherScalars =
     " imgw imgh f focal focallength focallengthpx focallengthpixels focalx focaly alphac gamma s imagewidth imgwidth "
     "imageheight "
-    "imgheight nearplane nearclip nearclipplane farplane farclip farclipplane binningx xoffset yoffset x y z tx ty tz ";
+    "imgheight near nearplane nearclip nearclipplane far farplane farclip farclipplane binningx xoffset yoffset x y z "
+    "tx ty tz ";
 
 /// Returns whether the last words of a name are in a list.
 bool isScalar(const NamedValue &value, std::string_view list = kScalars)
@@ -191,6 +192,9 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
         };
         std::map<std::pair<std::size_t, std::string>, First> keys; // of parts: their objects and names
         const NamedValues named(text.text);
+        m_ends.push_back(0);
+        for (const NamedValue &value : named.all())
+            m_ends.back() = value.numbers.empty() ? m_ends.back() : value.at;
         m_files.push_back(text.name);
         m_outlines.emplace_back(text.text);
         m_isXml = isXml(text.text);
@@ -623,6 +627,10 @@ void CameraValues::addUnnamed(CameraValue value)
     for (std::size_t i = 0; i < count && are16 && count > 16; ++i)
         are16 = isLastRow(i);
     const std::size_t entries = are16 ? 16 : 12;
+    if (count == 7 || count == 8) { // t and a quaternion, behind a time
+        value.name = base::tr("the numbers without a name");
+        return m_others.push_back(std::move(value));
+    }
     if (count < 9 || (count != 9 && count % entries != 0))
         return;
     value.name = stemOf(value.file);
@@ -763,6 +771,17 @@ const CameraValue *CameraValues::coefficient(std::string_view name) const
     const CameraValue *exact = find(name);
     const auto found = std::ranges::find_if(m_numbers, isIt);
     return exact || found == m_numbers.end() ? exact : &*found;
+}
+
+const CameraValue *CameraValues::lastPart(std::size_t text) const
+{
+    const auto isLast = [&](const CameraValue &value) { return value.text == text && value.at == m_ends[text]; };
+    for (const std::vector<CameraValue> &values : m_parts) {
+        if (const auto found = std::ranges::find_if(values, isLast); found != values.end())
+            return &*found;
+    }
+    const auto found = std::ranges::find_if(m_numbers, isLast);
+    return found != m_numbers.end() && isScalar(*found) ? &*found : nullptr;
 }
 
 bool CameraValues::differs(const CameraValue &value) const

@@ -75,6 +75,8 @@ public:
     const std::optional<std::pair<std::size_t, CameraValue>> &twice() const { return m_twice; }
     /// Returns whether a text ends inside of a bracket.
     bool isUnclosed(std::size_t text) const { return m_outlines[text].isUnclosed(); }
+    /// The last value of a text if it is a camera's; else null.
+    const CameraValue *lastPart(std::size_t text) const;
     /// Returns whether a text closes a bracket that is not open.
     bool isOverclosed(std::size_t text) const { return m_outlines[text].isOverclosed(); }
     /// A number of a camera whose name has another count of numbers, or a matrix without data.
@@ -118,6 +120,7 @@ private:
     std::vector<std::string> m_cameras;
     std::size_t m_depth = 0;          ///< of their sections in the outline; 0: the ends of names tell them apart
     std::vector<std::string> m_files; ///< of the texts
+    std::vector<std::size_t> m_ends;  ///< where their last names with numbers stand
     std::vector<Outline> m_outlines;
     bool m_isXml = false; ///< the last text
 };

@@ -219,10 +219,12 @@ private:
             }
             if (!m_values.isUnclosed(i))
                 continue;
-            if (isJson)
-                throw base::Error{.text = tr("the text ends before its brackets are closed; its last number may be "
-                                             "cut off. Give the whole text"),
-                                  .file = m_texts[i].name};
+            const bool isList = std::string_view(")]}").find(text.back()) != std::string_view::npos; // that ends
+            if (const CameraValue *last = isList ? nullptr : m_values.lastPart(i); last || isJson)
+                throw base::Error{tr("the text ends before its brackets are closed; its last number may be cut off. "
+                                     "Give the whole text"),
+                                  last ? last->name : std::string(), m_texts[i].name,
+                                  last ? static_cast<int>(last->line) : 0};
             say(tr("The text ends before its brackets are closed."));
         }
     }
@@ -441,8 +443,14 @@ private:
     {
         const CameraValue *given = valueOf(Size);
         if (!given) {
-            m_camera.size = sizeOf(scalar("imagewidth imgwidth imgw width w", false),
-                                   scalar("imageheight imgheight imgh height h", false));
+            const auto width = scalar("imagewidth imgwidth imgw width w", false),
+                       height = scalar("imageheight imgheight imgh height h", false);
+            m_camera.size = sizeOf(width, height);
+            if (width && height && !m_camera.size && !m_reading.choices.size)
+                m_reading.fail(tr("%1 and %2 are no size of an image; they must be whole numbers from 1 to 1000000",
+                                  shortestText(*width), shortestText(*height)));
+            if (width.has_value() != height.has_value())
+                say(tr("The text has only one side of the image, %1.", shortestText(width ? *width : *height)));
             return;
         }
         const double first = given->numbers[0], second = given->numbers[1];
@@ -1050,8 +1058,8 @@ private:
     void readClipDistances()
     {
         for (const auto &[names, distance] :
-             {std::pair("znear nearplane nearclip nearclipplane", &m_camera.nearDistance),
-              std::pair("zfar farplane farclip farclipplane", &m_camera.farDistance)}) {
+             {std::pair("znear near nearplane nearclip nearclipplane", &m_camera.nearDistance),
+              std::pair("zfar far farplane farclip farclipplane", &m_camera.farDistance)}) {
             const CameraValue *value = m_values.find(names);
             if (!value)
                 continue;

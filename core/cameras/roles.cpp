@@ -329,6 +329,8 @@ std::optional<Part> partOf(const Name &name, std::size_t count)
         return name.has(Focal) || (isOne && name.words[0] == "f") ? Part::Focal : Part::Principal;
     if (name.has(Rotation) && name.hasWord("rect")) // KITTI's R_rect
         return std::nullopt;
+    if (name.has(Rotation) && isMatrix && count < 9)
+        return std::nullopt;
     if (name.has(Rotation) || name.has(Quaternion))
         return count == 4 || name.has(Quaternion) ? Part::Quaternion : Part::Rotation;
     if (name.has(Translation))

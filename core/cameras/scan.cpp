@@ -98,6 +98,9 @@ constexpr std::string_view kSigns[][2]{{"\xe2\x88\x92", "  -"},
                                        {"\xe2\x80\x90", "  -"},
                                        {"\xe2\x80\x91", "  -"},
                                        {"\xe2\x80\x93", "  -"},
+                                       {"\xe2\x80\x92", "  -"},
+                                       {"\xe2\x80\x94", "  -"},
+                                       {"\xef\xb9\xa3", "  -"},
                                        {"\xef\xbc\x8d", "  -"},
                                        {"*^-", "e-0"},
                                        {"*^", "e0"},
@@ -136,6 +139,12 @@ bool hasDecimalCommas(std::string_view text)
 std::string withPlainNumbers(std::string_view given)
 {
     std::string text = withoutRemarks(given);
+    constexpr std::string_view kBlanks[]{"\xc2\xa0", "\xe2\x80\x8b",
+                                         std::string_view("\0", 1)}; // no-break, of no width, none
+    for (const std::string_view blank : kBlanks) {
+        for (auto i = text.find(blank); i != text.npos; i = text.find(blank, i + 1))
+            text.replace(i, blank.size(), blank.size(), ' ');
+    }
     const bool hasCommas = hasDecimalCommas(text);
     for (const auto &[sign, plainSign] : kSigns) {
         for (auto i = text.find(sign); i != text.npos; i = text.find(sign, i + 1)) {
@@ -707,8 +716,10 @@ private:
         const auto line = m_text.substr(m_at + 1, kMost);
         const bool isBehindOperand = m_count > 0 && m_operandLine == m_line && m_name.empty(),
                    isProduct = isAmong(c, "*/@");
-        const auto operand = behind(m_at + 1, " \t\r");
-        const bool isSum = isAmong(c, "+-") && at(m_at + 1) == ' ' && isAmong(at(operand), "0123456789+-.[");
+        const auto operand = behind(m_at + 1, m_open.empty() ? " \t\r" : " \t\r\n");
+        const bool isApartInList = at(m_at + 1) == '\n' && !m_open.empty();
+        const bool isSum =
+            isAmong(c, "+-") && (at(m_at + 1) == ' ' || isApartInList) && isAmong(at(operand), "0123456789+-.[");
         const bool isTransposed = isAmong(before(), "])") && ((c == '\'' && m_at + 1 != m_quoteEnd) || isHere(".T"));
         // "scale * np.array(…)", "-np.array(…)"
         const bool isFirst = m_count == 0 && m_isBehindEquals && (m_name.empty() ? lengthOf("-@") > 0 : isProduct);

@@ -136,7 +136,9 @@ ImageSize imageSize(const ForeignCamera &camera, const CameraChoices &choices, s
         const Intrinsics &k = *camera.intrinsics;
         const double toCorner = cornerToCentre(choices.centres.value_or(k.centres));
         const double width = twice(k.cx, toCorner), height = twice(k.cy, toCorner);
-        if (!(width >= 1.0 && height >= 1.0 && width <= kMostPixels && height <= kMostPixels))
+        constexpr double kMostAspect = 5.0; // of sides that are guessed
+        if (!(width >= 1.0 && height >= 1.0 && width <= kMostPixels && height <= kMostPixels)
+            || width > kMostAspect * height || height > kMostAspect * width)
             fail(tr("the principal point (%1, %2) gives no size of the image; give it with --size 800x600",
                     shortestText(k.cx), shortestText(k.cy)));
         size = ImageSize{static_cast<int>(width), static_cast<int>(height)};

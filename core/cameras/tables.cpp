@@ -253,7 +253,7 @@ std::optional<ForeignCamera> readTables(std::span<const NamedText> texts, const 
 {
     constexpr std::size_t kMostBytes = std::size_t{1} << 20;
     std::vector<NamedText> both;
-    if (texts.size() == 1 && texts[0].text.size() < kMostBytes && texts[0].text.find("fx") != std::string::npos)
+    if (texts.size() == 1 && texts[0].text.size() < kMostBytes && !isJson(texts[0].text) && !isXml(texts[0].text))
         both = withoutRows(texts[0]);
     if (!both.empty())
         texts = both;

@@ -139,6 +139,8 @@ Result<CameraRead> readCamera(const std::vector<std::filesystem::path> &files, c
         std::error_code code;
         if (!std::filesystem::exists(file, code))
             return Error{Error::Kind::MissingFile, name + ": " + base::tr("there is no such file")};
+        if (std::filesystem::is_directory(file, code))
+            return Error{Error::Kind::File, name + ": " + base::tr("this is a folder; give the name of a file")};
         const std::uintmax_t bytes = std::filesystem::file_size(file, code);
         if (!code && bytes > cameras::kMostCameraBytes)
             return valueError(name + ": " + base::tr("longer than 256 MiB; give the file of one camera"));

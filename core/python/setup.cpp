@@ -262,6 +262,10 @@ near, far : float
             CameraChoices choices{image, 0, 0, nearDistance, farDistance, axes, pose, pixelCenters, isUndistorted};
             if (size)
                 std::tie(choices.width, choices.height) = *size;
+            if (size && (choices.width < 1 || choices.height < 1))
+                throw py::value_error("size is (" + std::to_string(choices.width) + ", "
+                                      + std::to_string(choices.height)
+                                      + "); width and height must be at least 1 pixel");
             if (!text.is_none() && !py::isinstance<py::str>(text))
                 throw py::type_error("text is not a str");
             if (!text.is_none() && !files.empty())
@@ -270,8 +274,11 @@ near, far : float
                 return valueOrRaise(readCamera(std::vector<CameraText>{{"text", text.cast<std::string>()}}, choices))
                     .setup;
             std::vector<std::filesystem::path> paths;
-            for (const py::handle file : files)
+            for (const py::handle file : files) {
+                if (!py::isinstance<py::str>(file) && !py::hasattr(file, "__fspath__"))
+                    throw py::type_error("a file is no path; give texts by text=");
                 paths.push_back(file.cast<std::filesystem::path>());
+            }
             if (paths.empty())
                 throw py::type_error("from_camera needs files, or text=");
             return valueOrRaise(readCamera(paths, choices)).setup;
