@@ -56,10 +56,10 @@ std::vector<NamedValue> columnsOf(const NamedValue &value)
     std::vector<NamedValue> columns;
     const std::size_t count = value.numbers.size(), words = value.words.size();
     for (std::size_t i = 0; count > 1 && count <= words && i < count; ++i) {
-        NamedValue &column = columns.emplace_back(value);
-        column.words = {value.words[words - count + i]};
-        column.written = column.words[0];
-        column.numbers = {value.numbers[i]};
+        const std::string &name = value.words[words - count + i];
+        NamedValue &column = columns.emplace_back(
+            NamedValue{{name}, name, value.parent, {}, {value.numbers[i]}, value.line, value.at, value.arithmetic});
+        column.unit = value.unit;
         if (!isScalar(column))
             return {};
     }
@@ -111,7 +111,8 @@ bool mayBePart(const CameraValue &value)
 /// Returns whether something stands behind a name and its sign, in its line.
 bool isGiven(std::string_view text, const CameraValue &value)
 {
-    std::string_view rest = text.substr(std::min(value.at + value.written.size(), text.size()));
+    constexpr std::size_t kLongest = 200;
+    std::string_view rest = text.substr(std::min(value.at + value.written.size(), text.size()), kLongest);
     rest = base::trimmed(rest.substr(0, rest.find('\n')));
     return (rest.starts_with('=') || rest.starts_with(':')) && rest.find_first_of("([{") != rest.npos
            && rest.find_first_not_of(":= \t\"'{") != rest.npos && !rest.ends_with('{') && !rest.ends_with('[');
@@ -381,8 +382,8 @@ void CameraValues::dropElsewhere()
     };
     for (const Part part : kPoseParts) {
         std::size_t deepest = 0;
-        for (const CameraValue &value : all(part))
-            deepest = std::max(deepest, depthOf(value));
+        for (std::size_t i = 0; m_cameras.empty() && i < all(part).size(); ++i)
+            deepest = std::max(deepest, depthOf(all(part)[i]));
         split(part, [&](const CameraValue &value) {
             return isOfOther(value) || isApart(value) || (m_cameras.empty() && depthOf(value) < deepest);
         });

@@ -213,9 +213,9 @@ private:
             const bool isJson = text.starts_with('{') || text.starts_with("[{");
             if (m_values.isOverclosed(i)) {
                 if (isJson)
-                    throw base::Error{.text = tr("a bracket is closed that is not open; one may be missing before it"),
+                    throw base::Error{.text = tr("a bracket closes that was not opened; one may be missing before it"),
                                       .file = m_texts[i].name};
-                say(tr("A bracket is closed that is not open."));
+                say(tr("A bracket closes that was not opened."));
             }
             if (!m_values.isUnclosed(i))
                 continue;
@@ -450,7 +450,7 @@ private:
                 m_reading.fail(tr("%1 and %2 are no size of an image; they must be whole numbers from 1 to 1000000",
                                   shortestText(*width), shortestText(*height)));
             if (width.has_value() != height.has_value())
-                say(tr("The text has only one side of the image, %1.", shortestText(width ? *width : *height)));
+                say(tr("The text gives only one side of the image, %1.", shortestText(width ? *width : *height)));
             return;
         }
         const double first = given->numbers[0], second = given->numbers[1];
@@ -869,8 +869,9 @@ private:
         for (const CameraValue &value : m_values.numbers()) {
             if (base::isListed(" x y z tx ty tz ", plain(value.name)) && value.node == rotation.node
                 && value.text == rotation.text && value.numbers[0] != 0.0)
-                fail(value, tr("it may be of the translation beside %1; give t or the camera's position C by its name",
-                               rotation.name));
+                fail(value,
+                     tr("it may belong to the translation beside %1; give t or the camera's position C by its name",
+                        rotation.name));
         }
         refuseEmpty({Translation, Center});
         say(tr("There is no translation beside %1: it is taken as 0.", rotation.name));

@@ -18,7 +18,7 @@ std::vector<std::string> namesIn(std::string_view name)
 {
     std::vector<std::string> words;
     for (std::size_t at = 0, end = 0; at < name.size(); at = end + 1) {
-        end = std::min(name.find_first_of(" -*/+@|", at), name.size());
+        end = std::min(name.find_first_of(" \t-*/+@|", at), name.size());
         if (std::string word = plain(lastPart(name.substr(at, end - at))); !word.empty())
             words.push_back(std::move(word));
     }

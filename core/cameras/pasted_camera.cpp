@@ -457,7 +457,7 @@ private:
                 note(one.part, tr("ignored, because the projection and the %1 are given", nameOf(view->part))
                                    + contradiction(one));
             else if (one.part == PastedPart::Product)
-                note(one.part, tr("ignored: it has not the form of a product"));
+                note(one.part, tr("ignored: it does not have the form of a product"));
             else if (one.role == MatrixRole::View && view)
                 note(one.part, tr("ignored, because the view is given"));
             else

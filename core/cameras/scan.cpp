@@ -534,7 +534,7 @@ private:
         const auto end = m_text.find_last_not_of('.', m_at - 1) + 1;
         const auto name = m_text.substr(start, end - start);
         const std::string word = plain(lastPart(name)),
-                          type = plain(lastPart(m_name.substr(m_name.find_last_of(" */@") + 1)));
+                          type = plain(lastPart(m_name.substr(m_name.find_last_of(" \t*/@") + 1)));
         if (m_commentEnd > 0)
             return addWord(start, end);
         if (word == "nan" || word == "inf" || word == "infinity")
@@ -550,8 +550,8 @@ private:
             if (m_groups.size() < kFew)
                 shareAll(); // "fx, fy = 600, 610"
             const auto known = std::ranges::find_if(m_groups.rbegin(), m_groups.rend(), [&](const Group &group) {
-                return group.kind == Name && group.numbers.size() == 1 && group.name == name
-                       && group.arithmetic.empty();
+                return group.kind == Name && group.numbers.size() == 1 && group.name == name && group.arithmetic.empty()
+                       && group.unit.empty();
             });
             if (known == m_groups.rend())
                 setArithmetic(std::string(name) + ',');
@@ -572,6 +572,9 @@ private:
                 ? isBehindOperand || m_count == 0
                 : isBehindOperand && at(start - 1) == '.'
                       && base::isListed(" inverted invertedsafe transposed t ", word))
+            setArithmetic(word);
+        const bool isOfQuaternion = m_groups[m_value].name.find("uaternion") != m_text.npos;
+        if (isOfQuaternion && word.starts_with("vector4")) // Eigen's order is another one then
             setArithmetic(word);
         if (word == "matrix" && lengthOf("(c(") > 0) { // R
             const auto rest = m_text.substr(m_at);

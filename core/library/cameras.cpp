@@ -26,6 +26,12 @@ std::string withChoices(const std::string &sentence)
             text += sentence[at++];
             continue;
         }
+        constexpr std::string_view kValue = "--image NAME"; // "image reads another"
+        if (sentence.compare(at, kValue.size(), kValue) == 0) {
+            text += "image";
+            at += kValue.size();
+            continue;
+        }
         for (at += 2; at < sentence.size() && (sentence[at] == '-' || base::isLetter(sentence[at])); ++at)
             text += sentence[at] == '-' ? '_' : sentence[at];
     }

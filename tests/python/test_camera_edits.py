@@ -14,7 +14,7 @@ TO_CAMERA = ("T_cam_world", "world2cam", "w2c", "world_to_camera", "cam_T_world"
 LENS = ("K", "camera_matrix", "cam_K", "intrinsic_matrix", "cameraMatrix", "mtx")
 HARMLESS = (("serial", "12"), ("gain", "1.5"), ("iso", "200"))
 # What a text says of a part that is missing or not read.
-TELLS = re.compile("Not used|No pose|There is no|ends before|is closed|assumed to be|The first of")
+TELLS = re.compile("Not used|No pose|There is no|ends before|bracket closes|assumed to be|The first of")
 
 
 def rotation(rnd):
