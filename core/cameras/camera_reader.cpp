@@ -4,6 +4,7 @@
 #include "core/base/number_text.h"
 #include "core/base/text_scanner.h"
 #include "core/base/translation.h"
+#include "core/cameras/program_text.h"
 #include "core/geometry/finite.h"
 
 #include <nlohmann/json.hpp>
@@ -279,17 +280,17 @@ Cameras listed(const Parts &parts, Format format, const Node &text)
     return found;
 }
 
-std::optional<base::Expected<ForeignCamera, base::Error>> readCamera(std::span<const NamedText> texts,
+std::optional<base::Expected<ForeignCamera, base::Error>> readCamera(std::span<const NamedText> given,
                                                                      const CameraChoices &choices)
 {
-    if (texts.empty())
+    if (given.empty())
         return std::nullopt;
-    if (std::ranges::any_of(texts, [](const NamedText &text) { return text.text.starts_with(kByteOrderMark); })) {
-        std::vector<NamedText> plain(texts.begin(), texts.end());
-        for (NamedText &text : plain)
-            text.text.erase(0, text.text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
-        return readCamera(plain, choices);
+    std::vector<NamedText> prepared(given.begin(), given.end());
+    for (NamedText &text : prepared) {
+        text.text.erase(0, text.text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
+        text.text = withValues(std::move(text.text));
     }
+    const std::span<const NamedText> texts = prepared;
     for (const NamedText &text : texts) {
         constexpr std::size_t kBeginning = 200;
         if (text.text.starts_with('{')

@@ -623,6 +623,16 @@ constexpr Form kForms[]{
      openSfmShots,
      readOpenSfmLens,
      {.pose = "rotation", .count = 3, .at = "translation"}},
+    {"OpenSfM",
+     "projection_type focal|focal_x width", // camera_models.json
+     {},
+     [](Reading &, const Node &file) {
+         Cameras lenses;
+         for (const auto &[name, lens] : file.index("", ""))
+             lenses.push_back({name, {}, {}, lens, lens});
+         return lenses;
+     },
+     readOpenSfmLens},
     // Source: nerfstudio, cameras/camera_paths.py; viewer/render_panel.py for its key frames.
     {"Nerfstudio",
      "camera_path render_height",

@@ -50,6 +50,7 @@ constexpr CallShape kLookAt{View, "eye, center, up"};
 constexpr CallShape kLookTo{View, "eye, direction, up"};
 constexpr CallShape kLookAtNumbers{View, "eyex, eyey, eyez, centerx, centery, centerz, upx, upy, upz"};
 constexpr CallShape kViewport{Viewport, "x, y, width, height"};
+constexpr CallShape kWindow{Window, "width, height"};
 constexpr CallShape kThreePerspective{Perspective, "fov=50, aspect=1, near=0.1, far=2000"};
 constexpr CallShape kThreeBox{Orthographic, "left=-1, right=1, top=1, bottom=-1, near=0.1, far=2000"};
 
@@ -68,7 +69,10 @@ constexpr Row kCalls[] = {{" gluPerspective ", OpenGl, kFieldOfView},
                           {" gluOrtho2D ", OpenGl, kFlatBox},
                           {" gluLookAt ", OpenGl, kLookAtNumbers},
                           {" glViewport ", OpenGl, kViewport},
+                          {" glutInitWindowSize ", OpenGl, kWindow},
+                          {" glfwCreateWindow ", OpenGl, kWindow},
                           {" PerspectiveCamera ", Three, kThreePerspective},
+                          {" setSize ", Three, kWindow},
                           {" OrthographicCamera ", Three, kThreeBox},
                           {" computeViewMatrix ", PyBullet, kLookAt},
                           {" computeProjectionMatrixFOV ", PyBullet, kFieldOfView},
@@ -219,7 +223,10 @@ std::vector<CallArgument> callArguments(const SourceCall &call, const KnownCall 
     }
     std::vector<bool> isGiven(sorted.size(), false);
     std::size_t tooMany = 0;
-    for (std::size_t i = known.skipped; i < call.arguments.size(); ++i) {
+    // A window's title and flags follow its size.
+    const std::size_t count =
+        known.kind == Window ? std::min<std::size_t>(call.arguments.size(), 2) : call.arguments.size();
+    for (std::size_t i = known.skipped; i < count; ++i) {
         const auto [keyword, value] = keywordAndValue(call.arguments[i]);
         const std::string name = plainName(keyword);
         if (name == "physicsclientid")

@@ -11,7 +11,13 @@
 
 namespace unprojector::cameras {
 
-enum class CallKind { Perspective, Orthographic, View, Viewport };
+enum class CallKind {
+    Perspective,
+    Orthographic,
+    View,
+    Viewport,
+    Window ///< its viewport, if no call sets another one
+};
 
 /// What a call makes, and of what.
 struct CallShape {

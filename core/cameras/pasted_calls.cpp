@@ -101,7 +101,7 @@ public:
         std::vector<std::string_view> leftOut; // calls that change the view
         for (const SourceCall &call : m_calls) {
             if (const std::optional<KnownCall> known = knownCall(call, m_program))
-                readCall(call, *known);
+                readKnown(call, *known);
             else if (const std::string_view camera = movedCamera(call); !camera.empty())
                 readMove(call, camera);
             if (call.isAssignment)
@@ -109,6 +109,10 @@ public:
             else if (isLeftOut(call) && std::ranges::find(leftOut, call.written) == leftOut.end())
                 leftOut.push_back(call.written);
         }
+        if (!m_parts.viewport && m_window)
+            m_parts.viewport = m_window;
+        else if (!m_parts.viewport && m_viewportError)
+            throw *m_viewportError;
         if (!m_three.name.empty())
             setView({m_three.name}, {{CallKind::View, {}}, {}},
                     {WorldPoint(m_three.position), WorldPoint(m_three.position + m_three.direction),
@@ -212,6 +216,20 @@ private:
         return *value;
     }
 
+    /// Reads a call. A viewport of a resized window, glViewport(0, 0, w, h), counts only where no other call has
+    /// numbers.
+    void readKnown(const SourceCall &call, const KnownCall &known)
+    {
+        if (known.kind != CallKind::Viewport && known.kind != CallKind::Window)
+            return readCall(call, known);
+        try {
+            readCall(call, known);
+        } catch (const PasteError &error) {
+            if (!m_viewportError)
+                m_viewportError = error;
+        }
+    }
+
     void readCall(const SourceCall &call, const KnownCall &known)
     {
         blank(call);
@@ -224,12 +242,13 @@ private:
             m_camera = call.variable;
         if (known.kind == CallKind::View)
             return readView(call, known, values);
-        if (known.kind != CallKind::Viewport)
+        if (known.kind == CallKind::Perspective || known.kind == CallKind::Orthographic)
             return readProjection(call, known, values);
         const Viewport viewport{values["x"].x, values["y"].x, values["width"].x, values["height"].x};
         if (const Check valid = check(viewport); !valid && !m_parts.viewport)
             fail(call, valid.error());
-        m_parts.viewport = m_parts.viewport.value_or(viewport);
+        std::optional<Viewport> &taken = known.kind == CallKind::Window ? m_window : m_parts.viewport;
+        taken = taken.value_or(viewport);
     }
 
     void readProjection(const SourceCall &call, const KnownCall &known, Values &v)
@@ -394,6 +413,8 @@ private:
     std::vector<SourceCall> m_calls;
     std::string m_rest; ///< the text without what is read
     PastedScene m_parts;
+    std::optional<Viewport> m_window;
+    std::optional<PasteError> m_viewportError;
     SourceNumber m_wholeQuotient; ///< of the current call
     std::string_view m_camera;    ///< the variable that holds the three.js camera
 

@@ -1,10 +1,12 @@
 #include "core/cameras/pasted_camera.h"
 
+#include "core/base/text_scanner.h"
 #include "core/base/translation.h"
 #include "core/cameras/camera_matrices.h"
 #include "core/cameras/camera_reader.h"
 #include "core/cameras/pasted_calls.h"
 #include "core/cameras/pasted_numbers.h"
+#include "core/cameras/program_text.h"
 #include "core/cameras/told_order.h"
 #include "core/geometry/condition_number.h"
 #include "core/pipeline/matrix_format.h"
@@ -162,6 +164,11 @@ public:
             !parts.viewportMatrix || parts.viewportMatrix->part || isOfViewport(*parts.viewportMatrix);
         if (!isViewport)
             addThird(*parts.viewportMatrix);
+        if (m_choices.isScene && !m_choices.areMatrices && areAnyNumbers()) {
+            m_camera.matrices.clear();
+            return PasteError{.text = tr("the numbers have no names, and none of their matrices is a view or a "
+                                         "projection; write modelview, projection and viewport before the numbers")};
+        }
         choose();
         m_camera.aside = parts.aside;
         readViewport(parts, isViewport);
@@ -195,6 +202,15 @@ private:
     static bool isNamed(const PastedMatrix &given)
     {
         return given.form == MatrixForm::Call || (given.part && given.part != PastedPart::Model);
+    }
+
+    /// Returns whether neither a name nor a form tells that the numbers are matrices of a camera.
+    bool areAnyNumbers() const
+    {
+        return std::ranges::none_of(m_camera.matrices, [](const ReadMatrix &one) {
+            return isNamed(one.given) || hasFormOf(one.given, MatrixRole::View)
+                   || hasFormOf(one.given, MatrixRole::Projection) || hasFormOf(one.given, MatrixRole::Product);
+        });
     }
 
     void note(PastedPart part, const std::string &what) { m_camera.notes.push_back(nameOf(part) + (": " + what)); }
@@ -513,12 +529,27 @@ private:
     std::vector<ReadMatrix> m_ignored;
 };
 
+/// The error of texts that are none.
+std::optional<base::Error> faultOfBytes(std::span<const NamedText> texts)
+{
+    for (const NamedText &one : texts) {
+        if (base::trimmed(one.text).empty())
+            return base::Error{.text = tr("it is empty"), .file = one.name};
+        if (one.text.find('\0') != one.text.npos)
+            return base::Error{.text = tr("it has zero bytes, which no text has; save it as UTF-8"), .file = one.name};
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
-PastedCamera pastedCamera(std::span<const NamedText> texts, const PasteChoices &choices,
+PastedCamera pastedCamera(std::span<const NamedText> given, const PasteChoices &choices,
                           const std::optional<Box> &objects)
 {
     PastedCamera camera;
+    std::vector<NamedText> texts(given.begin(), given.end());
+    for (NamedText &one : texts)
+        one.text = withValues(std::move(one.text));
     const auto read = choices.areMatrices ? std::nullopt : readCamera(texts, choices.camera);
     camera.isProgram = read.has_value();
     if (read && *read) {
@@ -535,6 +566,10 @@ PastedCamera pastedCamera(std::span<const NamedText> texts, const PasteChoices &
     }
     if (read) {
         camera.fault = read->error();
+        return camera;
+    }
+    if (const auto fault = faultOfBytes(texts)) {
+        camera.fault = *fault;
         return camera;
     }
     std::string text;

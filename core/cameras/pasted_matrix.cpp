@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <span>
 #include <utility>
@@ -222,6 +223,34 @@ void sortInverses(Parts &parts)
     }
 }
 
+/// Drops numbers beside named matrices that have a name of no part, and the count of none: "camera pos: 1 2 3".
+/// @param aside  gets their names
+void dropOthers(std::vector<PastedNumber> &numbers, std::vector<std::string> &aside)
+{
+    const auto isOf = [&numbers](PastedPart part) {
+        return std::ranges::any_of(numbers, [&](const PastedNumber &number) { return number.part == part; });
+    };
+    const bool isView = isOf(PastedPart::View) || isOf(PastedPart::ModelView);
+    if (!isOf(PastedPart::Product) && !(isView && isOf(PastedPart::Projection)))
+        return;
+    std::vector<PastedNumber> kept;
+    for (std::size_t i = 0; i < numbers.size();) {
+        std::size_t end = i + 1;
+        while (end < numbers.size() && numbers[end].words.empty() && numbers[end].part == numbers[i].part)
+            ++end;
+        const std::size_t count = end - i;
+        const bool isOther =
+            !numbers[i].part && !numbers[i].words.empty() && count != 4 && count != 12 && count != kEntries;
+        if (isOther)
+            aside.push_back(numbers[i].words.back());
+        else
+            std::move(numbers.begin() + std::ptrdiff_t(i), numbers.begin() + std::ptrdiff_t(end),
+                      std::back_inserter(kept));
+        i = end;
+    }
+    numbers = std::move(kept);
+}
+
 /// Assigns unnamed numbers to the first required part that is not full yet.
 void sort(std::vector<PastedNumber> &numbers, Parts &parts)
 {
@@ -371,6 +400,7 @@ Result<PastedScene, PasteError> pastedParts(std::string_view text)
     Parts parts;
     PastedNumbers all = std::move(read).value();
     const std::size_t count = all.numbers.size();
+    dropOthers(all.numbers, all.aside);
     sort(all.numbers, parts);
     PastedScene scene;
     scene.aside = std::move(all.aside);

@@ -13,7 +13,8 @@ using namespace geometry;
 
 namespace {
 
-constexpr double kMatrixSide = 4.0; ///< "size 4x4" is a matrix's
+constexpr double kMatrixSide = 4.0;           ///< "size 4x4" is a matrix's
+constexpr std::size_t kMostNumbers = 100'000; ///< of 6,000 matrices; the rest of a larger text is not read
 
 class Reader {
 public:
@@ -31,8 +32,14 @@ public:
                     return PasteError{
                         base::tr("\"%1\" is not a finite number", std::string(text.substr(number.at, number.length))),
                         number.line, number.at - text.rfind('\n', number.at)};
-                if (!isOnLine || !takeAside(number.value))
-                    add(number);
+                if (isOnLine && takeAside(number.value))
+                    continue;
+                if (m_read.numbers.size() == kMostNumbers)
+                    return PasteError{
+                        .text = base::tr("it has more than %1 numbers; give the matrices alone", kMostNumbers),
+                        .line = number.line,
+                        .column = 1};
+                add(number);
             }
         }
         addSize();

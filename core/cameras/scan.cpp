@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -51,6 +52,14 @@ constexpr Code kCodes[]{
     {kBetweenCells},                         // |
     {kBetweenCells, 1, kAny, true},          // W: a cell of a table
 };
+/// The place of each character in kCodeNames; of others, their count.
+constexpr auto kCodeOf = [] {
+    std::array<std::uint8_t, 256> places{};
+    places.fill(std::uint8_t(kCodeNames.size()));
+    for (std::size_t i = 0; i < kCodeNames.size(); ++i)
+        places[std::uint8_t(kCodeNames[i])] = std::uint8_t(i);
+    return places;
+}();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view kApart = " \t\n({,[=:;@"; ///< characters before a Q
 
@@ -267,7 +276,7 @@ private:
         std::size_t end = m_at, length = 0;
         m_found.clear();
         for (const char one : pattern) {
-            if (const auto code = kCodeNames.find(one); code != kCodeNames.npos) {
+            if (const std::size_t code = kCodeOf[std::uint8_t(one)]; code < kCodeNames.size()) {
                 const auto &[characters, fewest, most, areOthers] = kCodes[code];
                 const std::string_view rest = m_text.substr(std::min(end, m_text.size()), most);
                 const auto stop = areOthers ? rest.find_first_of(characters) : rest.find_first_not_of(characters);
@@ -373,7 +382,10 @@ private:
             return true;
         }
         for (const std::string_view mark : kMarks) {
-            const auto length = lengthOf(mark);
+            const char first = mark.front();
+            const bool isOther =
+                first != m_text[m_at] && first != 'Q' && kCodeOf[std::uint8_t(first)] == kCodeNames.size();
+            const auto length = isOther ? 0 : lengthOf(mark);
             if (length == 0)
                 continue;
             if (!m_found.empty())
@@ -397,6 +409,8 @@ private:
     /// Begins a comment, or an XML tag: its name is read, the rest of it is a comment.
     bool readComment()
     {
+        if (!isAmong(m_text[m_at], "</(#%")) // the first characters of all
+            return false;
         const bool isTag = m_isXml && m_text[m_at] == '<',
                    isMathematica = isHere("(* ") && m_text.find("*)", m_at) != m_text.npos,
                    isBlock = (isHere("/*") && m_text.find("*/", m_at) != m_text.npos) || isMathematica;
@@ -546,16 +560,14 @@ private:
         if (word == "x" && m_name.empty() && m_operandLine == m_line && lengthOf("_9") > 0)
             return; // 800 x 600
         if (isAmongNumbers(start, end)) {
-            constexpr std::size_t kFew = 1000;
-            if (m_groups.size() < kFew)
+            constexpr std::size_t kFew = 1000; // groups: a larger text is no program's
+            const bool areFew = m_groups.size() < kFew;
+            if (areFew)
                 shareAll(); // "fx, fy = 600, 610"
-            const auto known = std::ranges::find_if(m_groups.rbegin(), m_groups.rend(), [&](const Group &group) {
-                return group.kind == Name && group.numbers.size() == 1 && group.name == name && group.arithmetic.empty()
-                       && group.unit.empty();
-            });
-            if (known == m_groups.rend())
+            const auto known = areFew ? valueOf(name) : std::nullopt;
+            if (!known)
                 setArithmetic(std::string(name) + ',');
-            return addNumber(known == m_groups.rend() ? kNan : known->numbers[0].value, start);
+            return addNumber(known.value_or(kNan), start);
         }
         addWord(start, end);
         m_at += lengthOf(":9`:"); // main.cpp:123:
@@ -589,6 +601,25 @@ private:
             m_unit = geometry::radiansFromDegrees(1.0);
             m_unitDepth = m_open.size();
         }
+    }
+
+    /// The number that the text gives a name above, and never another one.
+    std::optional<double> valueOf(std::string_view name) const
+    {
+        std::optional<double> value;
+        if (m_text.substr(0, m_at).find("for " + std::string(name) + ' ') != m_text.npos)
+            return value; // a loop's
+        for (const Group &group : m_groups) {
+            if (group.kind != Name || group.name != name || group.numbers.empty())
+                continue;
+            const bool isPlain = group.numbers.size() == 1 && group.arithmetic.empty() && group.unit.empty();
+            const auto end = std::size_t(group.name.data() - m_given.data()) + name.size();
+            const bool isChange = isAmong(at(behind(end, " \t")), "+-*/"); // f *= 2
+            if (!isPlain || isChange || (value && *value != group.numbers[0].value))
+                return std::nullopt;
+            value = group.numbers[0].value;
+        }
+        return value;
     }
 
     /// Returns whether a word stands for a number of a list: [0.1, null, 0.3].

@@ -24,7 +24,8 @@ using enum EyeAxes;
 using enum PoseDirection;
 namespace {
 
-constexpr int kMostPixels = 65536; // as for windows
+constexpr int kMostPixels = 65536;  // as for windows
+constexpr double kMostLength = 1e9; // of a focal length, in pixels, and of 1 / it
 constexpr double kUsualNear = 0.1, kUsualFar = 1000.0;
 
 /// Thrown through sceneCamera, which returns it.
@@ -426,6 +427,12 @@ SceneCamera converted(const ForeignCamera &camera, const CameraChoices &choices,
         if (!isFinite({k.fx, k.fy, k.cx, k.cy, k.skew}) || k.fx == 0.0 || k.fy == 0.0)
             fail(tr("the focal lengths are %1 and %2; they must be finite and not 0", shortestText(k.fx),
                     shortestText(k.fy)));
+        for (const double pixels : {k.fx, k.fy, k.cx, k.cy, k.skew}) {
+            if (std::abs(pixels) > kMostLength)
+                fail(tr("%1 pixels cannot be of a camera; check fx, fy, cx, cy and the skew", shortestText(pixels)));
+        }
+        if (std::min(std::abs(k.fx), std::abs(k.fy)) < 1.0 / kMostLength)
+            fail(tr("the focal lengths are %1 and %2 pixels; check them", shortestText(k.fx), shortestText(k.fy)));
         scene.projection = pinhole(k, scene.size, n, f);
         if (!(k.cx >= 0.0 && k.cx <= scene.size.width && k.cy >= 0.0 && k.cy <= scene.size.height))
             say(tr("The principal point (%1, %2) lies outside the image of %3: check the size.", shortestText(k.cx),

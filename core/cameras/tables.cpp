@@ -7,6 +7,7 @@
 #include "core/cameras/lens.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -247,10 +248,75 @@ NamedLens lensBeside(const NamedText &text)
     return {namedText({"fx", "fy", "cx", "cy"}, numbers), false, parts->cameraFromWorld};
 }
 
+/// A text that has only matrices of a size, one below the other.
+struct Blocks {
+    std::vector<Row> rows{};
+    std::size_t count = 0, lines = 0; ///< matrices, and the rows of each
+    std::string textOf(std::size_t index) const
+    {
+        std::string text;
+        for (std::size_t i = index * lines; i < (index + 1) * lines; ++i) {
+            for (const double number : rows[i].numbers) {
+                base::appendNumber(text, number);
+                text += ' ';
+            }
+            text += '\n';
+        }
+        return text;
+    }
+};
+
+Blocks blocksOf(const NamedText &text, std::size_t lines, std::size_t width)
+{
+    Blocks blocks{rowsOf(text.text)};
+    const bool isIt = !blocks.rows.empty() && blocks.rows.size() % lines == 0
+                      && std::ranges::all_of(blocks.rows, [&](const Row &row) { return row.numbers.size() == width; });
+    if (!isIt)
+        return {};
+    blocks.count = blocks.rows.size() / lines;
+    blocks.lines = lines;
+    return blocks;
+}
+
+/// A file of several K and a file of as many poses: the names of the files are those of the matrices.
+std::optional<ForeignCamera> readBlocks(std::span<const NamedText> texts, const CameraChoices &choices)
+{
+    for (std::size_t i = 0; i < 2 && texts.size() == 2; ++i) {
+        const NamedText &ofLenses = texts[i], &ofPoses = texts[1 - i];
+        const Blocks lenses = blocksOf(ofLenses, 3, 3);
+        Blocks poses = blocksOf(ofPoses, 4, 4);
+        if (poses.count == 0)
+            poses = blocksOf(ofPoses, 3, 4);
+        if (lenses.count < 2 || lenses.count != poses.count)
+            continue;
+        Reading reading(ofPoses, choices);
+        for (std::size_t one = 0; one < poses.count; ++one)
+            reading.camera.images.push_back(std::to_string(one));
+        reading.chooseImage();
+        const std::size_t image = reading.camera.image;
+        const std::string_view name = fileNameOf(ofPoses);
+        const std::vector<NamedText> named{
+            {ofLenses.name, "K:\n" + lenses.textOf(image)},
+            {ofPoses.name, std::string(name.substr(0, name.find('.'))) + ":\n" + poses.textOf(image)}};
+        CameraChoices alone = choices;
+        alone.image.clear();
+        std::optional<ForeignCamera> camera = readNamedParts(named, alone);
+        if (!camera)
+            return std::nullopt;
+        camera->images = std::move(reading.camera.images);
+        camera->image = image;
+        camera->assumed.insert(camera->assumed.begin(), reading.camera.assumed.begin(), reading.camera.assumed.end());
+        return camera;
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 std::optional<ForeignCamera> readTables(std::span<const NamedText> texts, const CameraChoices &choices)
 {
+    if (auto camera = readBlocks(texts, choices))
+        return camera;
     constexpr std::size_t kMostBytes = std::size_t{1} << 20;
     std::vector<NamedText> both;
     if (texts.size() == 1 && texts[0].text.size() < kMostBytes && !isJson(texts[0].text) && !isXml(texts[0].text))
@@ -432,6 +498,72 @@ void readPix4d(Reading &reading)
     reading.say(tr("The world is that of Pix4D's project: *_offset.xyz has its origin in map coordinates."));
 }
 
+// Source: vision.middlebury.edu/mview/data, README: the image's name, K, R and t; the projection is K [R t]
+constexpr std::size_t kParameters = 21;
+
+Cameras multiViewCameras(Reading &reading, const Node &text)
+{
+    const std::vector<Row> rows = rowsOf(reading.text.text, true);
+    Cameras cameras;
+    for (std::size_t i = 1; haveCounts(rows, {1}) && i < rows.size(); ++i) {
+        if (rows[i].numbers.size() != kParameters)
+            return {};
+        cameras.push_back({rows[i].first, {}, text, text});
+    }
+    return cameras;
+}
+
+void readMultiView(Reading &reading)
+{
+    const Numbers n = rowsOf(reading.text.text, true)[reading.camera.image + 1].numbers;
+    reading.camera.intrinsics = lensOf(n);
+    reading.camera.pose = rigid(glm::transpose(glm::make_mat3(&n[9])), vectorOf(n, 18));
+}
+
+// Source: VisualSFM's documentation, "Output format": the image's name, focal length, quaternion w x y z, centre,
+// distortion, 0; pixels count from the image's middle
+std::vector<Row> sfmRows(const Reading &reading)
+{
+    constexpr std::size_t kLast = 10'000; // lines of images
+    std::string_view text = reading.text.text, images = text.substr(text.find('\n') + 1);
+    base::TextScanner scanner(images);
+    const auto count = base::integerFromWord(scanner.nextWord());
+    for (std::size_t i = 0; count && i < std::min(kLast, std::size_t(std::max(0LL, *count))); ++i) {
+        scanner.skipLine();
+        scanner.skipBlankLines();
+    }
+    scanner.skipLine();
+    return rowsOf(images.substr(0, scanner.offset()), true);
+}
+
+Cameras sfmCameras(Reading &reading, const Node &text)
+{
+    Cameras cameras;
+    if (!reading.text.text.starts_with("NVM_V3"))
+        return cameras;
+    if (split(reading.text.text, '\n')[0].find_first_of("0123456789", 6) != std::string::npos)
+        reading.fail(tr("a fixed calibration of %1 is not read; give fx, fy, cx and cy with the pose", "VisualSFM"), 1);
+    const std::vector<Row> rows = sfmRows(reading);
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        if (rows[i].numbers.size() != 10)
+            reading.fail(tr("the file ends in the middle of an entry; it is incomplete"));
+        cameras.push_back({rows[i].first, {}, text, text});
+    }
+    return cameras;
+}
+
+void readSfm(Reading &reading)
+{
+    const Numbers n = sfmRows(reading)[reading.camera.image + 1].numbers;
+    reading.setCentred(reading.neededSize(), n[0], n[0]);
+    setDistortion(reading, "VisualSFM", n[8] == 0.0 ? std::optional(Numbers()) : std::nullopt);
+    const auto turn = rotationOf(n[1], n[2], n[3], n[4]);
+    if (!turn)
+        reading.fail(tr("the quaternion of %1 is 0", reading.name));
+    reading.camera.pose = rigid(*turn, {});
+    reading.camera.center = vectorOf(n, 5);
+}
+
 constexpr Form kForms[]{
     {"Bundler", "Bundle", {WorldToCamera, RightUpBack}, bundlerCameras, readBundler},
 
@@ -461,7 +593,9 @@ constexpr Form kForms[]{
      pix4dCameras,
      readPix4d,
      {.note = base::marked("Pixel centres are assumed at halves; --pixel-centers integer says otherwise.")}},
-    {"Middlebury", "cam0 doffs", {}, middleburyCameras, readMiddlebury}};
+    {"Middlebury", "cam0 doffs", {}, middleburyCameras, readMiddlebury},
+    {"Middlebury", ".png|.jpg|.ppm|.bmp", {}, multiViewCameras, readMultiView},
+    {"VisualSFM", "NVM_V3", {}, sfmCameras, readSfm}};
 
 } // namespace
 

@@ -154,7 +154,7 @@ Result<CameraRead> readCamera(const std::vector<std::filesystem::path> &files, c
         std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
         if (code || !stream)
             return Error{Error::Kind::File, name + ": " + base::tr("cannot be read")};
-        texts.push_back({name, std::move(text)});
+        texts.push_back({name, base::utf8FromFile(std::move(text))});
     }
     return readCamera(texts, choices);
 }

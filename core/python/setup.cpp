@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace unprojector::python {
@@ -256,10 +257,12 @@ near, far : float
     limit the distances.)");
     setup.def_static(
         "from_camera",
-        [](const py::args &files, const py::object &text, const std::string &image, const std::optional<Size> &size,
-           std::optional<double> nearDistance, std::optional<double> farDistance, const std::string &axes,
-           const std::string &pose, const std::string &pixelCenters, bool isUndistorted) {
-            CameraChoices choices{image, 0, 0, nearDistance, farDistance, axes, pose, pixelCenters, isUndistorted};
+        [](const py::args &files, const py::object &text, const std::variant<int, std::string> &image,
+           const std::optional<Size> &size, std::optional<double> nearDistance, std::optional<double> farDistance,
+           const std::string &axes, const std::string &pose, const std::string &pixelCenters, bool isUndistorted) {
+            const std::string imageName = std::holds_alternative<int>(image) ? std::to_string(std::get<int>(image))
+                                                                             : std::get<std::string>(image);
+            CameraChoices choices{imageName, 0, 0, nearDistance, farDistance, axes, pose, pixelCenters, isUndistorted};
             if (size)
                 std::tie(choices.width, choices.height) = *size;
             if (size && (choices.width < 1 || choices.height < 1))
@@ -298,7 +301,7 @@ files : paths
     SAPIEN.
 text : str, optional
     The text itself, instead of files.
-image : str
+image : str or int
     The name or the index of an image or frame. Empty: the first.
 size, near, far : optional
     Instead of the file's.

@@ -222,6 +222,9 @@ def test_a_camera_file_makes_a_setup(tmp_path):
     expected = up.Setup.from_opencv([[500, 0, 319.5], [0, 500, 239.5], [0, 0, 1]], np.eye(3), (0, 0, 2), size=(640, 480), near=0.1, far=10)
     assert setup == expected
     assert up.Setup.from_camera(text=file.read_text(), near=0.1, far=10) == expected
+    wide = tmp_path / "wide.json"
+    wide.write_text(file.read_text(), encoding="utf-16")  # as PowerShell's > writes it
+    assert up.Setup.from_camera(wide, near=0.1, far=10) == expected
     with pytest.raises(OSError, match="this is a folder; give the name of a file"):
         up.Setup.from_camera(tmp_path)
     with pytest.raises(OSError, match="none.json: there is no such file"):
@@ -241,6 +244,8 @@ def test_a_camera_is_told_the_names_of_arguments():
     unnamed = lens.split("R")[0] + "T: [1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]"
     with pytest.raises(ValueError, match="Choose with pose camera-to-world or pose world-to-camera"):
         up.Setup.from_camera(text=unnamed)
+    two = "[{%s, \"t\": [0, 0, 2]}, {%s, \"t\": [0, 0, 3]}]" % (('"K": [[500, 0, 320], [0, 500, 240], [0, 0, 1]], "R": [[1,0,0],[0,1,0],[0,0,1]]',) * 2)
+    assert up.Setup.from_camera(text=two, near=1, far=9, image=1) == up.Setup.from_camera(text=two, near=1, far=9, image="1")
     with pytest.raises(TypeError, match="a file is no path"):
         up.Setup.from_camera(["a.json"])
     with pytest.raises(ValueError, match="width and height must be at least 1 pixel"):

@@ -63,7 +63,8 @@ class Setup:
     ) -> Setup: ...
     @staticmethod
     def from_camera(
-        *files: _Path, text: Optional[str] = None, image: str = "", size: Optional[_Size] = None,
+        *files: _Path, text: Optional[str] = None, image: Union[str, int] = "",
+        size: Optional[_Size] = None,
         near: Optional[float] = None, far: Optional[float] = None, axes: str = "", pose: str = "",
         pixel_centers: str = "", undistorted: bool = False,
     ) -> Setup: ...

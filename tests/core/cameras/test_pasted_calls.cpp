@@ -453,6 +453,43 @@ private slots:
         QVERIFY(camera.matrices[0].findings.empty() && camera.matrices[1].findings.empty());
     }
 
+    void aWindowsSizeIsItsViewport_data()
+    {
+        addColumn<QString>("calls");
+        newRow("GLUT") << "glViewport(0, 0, width, height);\nglutInitWindowSize(800, 600);";
+        newRow("GLFW") << "glfwCreateWindow(800, 600, \"title\", NULL, NULL);";
+        newRow("three.js") << "const W = 800;\nrenderer.setSize(W, 600);";
+        newRow("another viewport")
+            << "glfwCreateWindow(1024, 768, \"title\", NULL, NULL);\nglViewport(0, 0, 800, 600);";
+    }
+
+    void aWindowsSizeIsItsViewport()
+    {
+        QFETCH(QString, calls);
+        const PastedCamera camera = pasted("gluPerspective(45.0, 800.0 / 600.0, 0.1, 100.0);\n"
+                                           "gluLookAt(3, 2, 5, 0, 0.5, 0, 0, 1, 0);\n"
+                                           + calls.toStdString());
+        QVERIFY(camera.isViewportSet && camera.viewport == std::optional(Viewport{0, 0, 800, 600}));
+    }
+
+    void constantsAreArguments()
+    {
+        const PastedCamera camera = pasted(
+            "#define W 800\nconst float H = 600;\nglm::perspective(glm::radians(45.f), float(W) / H, .1f, 100.f);");
+        QVERIFY(camera.projection);
+        QVERIFY(difference(std::get<MatrixProjection>(*camera.projection).clipFromEye, perspective()) <= 1e-7);
+    }
+
+    /// As PyBullet prints them.
+    void numbersBesideNamedMatricesAreNamed()
+    {
+        const PastedCamera camera = pasted("camera pos:\n 2 0 1\ntarget pos:\n 0 0 0\n\n"
+                                           "projection = [1, 0, 0, 0,  0, 1, 0, 0,  0, 0, -1.002, -1,  0, 0, -0.2, 0]\n"
+                                           "view = [1, 0, 0, 0,  0, 1, 0, 0,  0, 0, 1, 0,  0, 0, -5, 1]");
+        QVERIFY(camera.projection && camera.eyeFromWorld);
+        QCOMPARE(camera.aside.size(), std::size_t{2});
+    }
+
     void matricesMayStandBesideCalls()
     {
         const PastedCamera camera = pasted("int width = 800;\ngluPerspective(45.0, 4.0 / 3.0, 0.1, 100.0);\n"

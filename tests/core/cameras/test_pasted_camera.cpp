@@ -314,7 +314,9 @@ private slots:
         newRow("words") << "no matrix at all"
                         << "0 numbers found, 16 are needed";
         newRow("nothing") << ""
-                          << "0 numbers found, 16 are needed";
+                          << "it is empty";
+        newRow("UTF-16 without its mark") << QString(QChar(0)).prepend('7')
+                                          << "it has zero bytes, which no text has; save it as UTF-8";
         newRow("one short") << "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0"
                             << "15 numbers found, 16 are needed";
         newRow("one number") << "7"
