@@ -41,6 +41,7 @@ const std::vector<Form> &forms()
         add(jsonForms(), Format::Json);
         add(sceneForms());
         add(printForms());
+        add(lookAtForms());
         list.push_back({.program = "DSO", .readAll = readTables});
         list.push_back({.program = "OpenCV", .readAll = readNamedParts});
         return list;

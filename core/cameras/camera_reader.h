@@ -66,6 +66,8 @@ std::span<const Form> jsonForms();
 std::span<const Form> fileForms();
 std::span<const Form> sceneForms();
 std::span<const Form> printForms();
+/// The form of a camera with an eye, a target and up, of any program.
+std::span<const Form> lookAtForms();
 
 /// K, R, t and distortion coefficients: text, JSON, the YAML and XML of cv::FileStorage, ROS's
 /// camera_info.
