@@ -14,6 +14,7 @@
 
 namespace unprojector::cameras {
 using base::isListed;
+using base::tr;
 namespace {
 
 /// Members of a matrix in cv::FileStorage and in ROS's files.
@@ -108,12 +109,17 @@ bool mayBePart(const CameraValue &value)
     return value.name.empty() || (count >= kFewest && count <= kMost) || (count > 1 && hasPartWord(value.name));
 }
 
+/// The text behind a value's name, to the end of the line.
+std::string_view behind(std::string_view text, const CameraValue &value, std::size_t longest)
+{
+    const std::string_view rest = text.substr(std::min(value.at + value.written.size(), text.size()), longest);
+    return rest.substr(0, rest.find('\n'));
+}
+
 /// Returns whether something stands behind a name and its sign, in its line.
 bool isGiven(std::string_view text, const CameraValue &value)
 {
-    constexpr std::size_t kLongest = 200;
-    std::string_view rest = text.substr(std::min(value.at + value.written.size(), text.size()), kLongest);
-    rest = base::trimmed(rest.substr(0, rest.find('\n')));
+    const std::string_view rest = base::trimmed(behind(text, value, 200));
     return (rest.starts_with('=') || rest.starts_with(':')) && rest.find_first_of("([{") != rest.npos
            && rest.find_first_not_of(":= \t\"'{") != rest.npos && !rest.ends_with('{') && !rest.ends_with('[');
 }
@@ -121,29 +127,25 @@ bool isGiven(std::string_view text, const CameraValue &value)
 /// Returns whether source code changes a part behind its name: K[0, 0] = 600, t *= 0.001, R = R.T.
 bool isChange(std::string_view text, const CameraValue &value)
 {
-    constexpr std::size_t kLongest = 40;
-    std::string_view rest = text.substr(std::min(value.at + value.written.size(), text.size()), kLongest);
-    rest = rest.substr(0, rest.find('\n'));
+    const std::string_view rest = behind(text, value, 40);
     const bool isIndexed = rest.starts_with('[') || rest.starts_with('(');
     const std::size_t close = isIndexed ? base::closingBracket(rest, 0) : 0;
     if (close == rest.npos || value.written.empty())
         return false;
-    const std::string_view behind = base::trimmed(rest.substr(isIndexed ? close + 1 : 0));
-    const bool isAssigned = behind.starts_with('=') && !behind.starts_with("==");
-    const std::string_view inside = rest.substr(0, close), given = base::trimmed(behind.substr(isAssigned ? 1 : 0));
+    const std::string_view sign = base::trimmed(rest.substr(isIndexed ? close + 1 : 0));
+    const bool isAssigned = sign.starts_with('=') && !sign.starts_with("==");
+    const std::string_view inside = rest.substr(0, close), given = base::trimmed(sign.substr(isAssigned ? 1 : 0));
     const bool isArray = !given.empty() && std::string_view("{[(").find(given.front()) != given.npos; // K[9] = {600, …
     const bool isEntry =
         isIndexed && isAssigned
         && (inside.find(':') != inside.npos
             || (!isArray && value.numbers.size() < 2 && inside.find_first_of("0123456789") != inside.npos));
-    const bool isComputed = behind.starts_with("*=") || behind.starts_with("/=") || behind.starts_with("+=")
-                            || behind.starts_with("-=")
-                            || (!isIndexed && isAssigned && value.numbers.empty()
-                                && base::trimmed(behind.substr(1)).starts_with(value.name + '.'));
-    if (!isEntry && !isComputed)
-        return false;
-    return std::ranges::any_of(std::array<std::size_t, 3>{3, 9, 16},
-                               [&](std::size_t count) { return cameras::roleOf(value.name, count).has_value(); });
+    const bool isComputed =
+        isListed(" *= /= += -= ", sign.substr(0, 2))
+        || (!isIndexed && isAssigned && value.numbers.empty() && given.starts_with(value.name + '.'));
+    return (isEntry || isComputed) && std::ranges::any_of(std::array<std::size_t, 3>{3, 9, 16}, [&](std::size_t count) {
+               return cameras::roleOf(value.name, count).has_value();
+           });
 }
 
 /// Returns whether a number of a camera has no number, or several.
@@ -178,90 +180,102 @@ std::vector<double> withoutBorder(const std::vector<double> &k)
 
 } // namespace
 
+base::Error CameraValue::error(std::string reason) const
+{
+    return {std::move(reason), name, file, static_cast<int>(line)};
+}
+
 CameraValues::CameraValues(std::span<const NamedText> texts)
 {
-    for (const NamedText &text : texts) {
-        struct Owned {
-            CameraValue value;
-            bool isTable = false;  ///< of six columns
-            bool isMatrix = false; ///< has rows and columns
-        };
-        std::vector<Owned> values;
-        struct First {
-            std::size_t line;
-            std::vector<double> numbers;
-        };
-        std::map<std::pair<std::size_t, std::string>, First> keys; // of parts: their objects and names
-        const NamedValues named(text.text);
-        m_ends.push_back(0);
-        for (const NamedValue &value : named.all())
-            m_ends.back() = value.numbers.empty() ? m_ends.back() : value.at;
-        m_files.push_back(text.name);
-        m_outlines.emplace_back(text.text);
-        m_isXml = isXml(text.text);
-        for (const NamedValue &value : named.all()) {
-            if (!values.empty() && isListed(kMembers, value.words.back())) {
-                CameraValue &owner = values.back().value;
-                if (value.isNamed("data") && !owner.numbers.empty() && owner.numbers != value.numbers)
-                    m_twice = {owner.line, valueOf(value)};
-                if (value.isNamed("data")) {
-                    owner.numbers = value.numbers;
-                    owner.arithmetic = value.arithmetic;
-                    owner.unit = value.unit;
-                } else if ((value.isNamed("rows") || value.isNamed("cols")) && value.numbers != std::vector{0.0})
-                    values.back().isMatrix = true;
-                if (value.isNamed("cols") && value.numbers.size() == 1)
-                    values.back().isTable = value.numbers[0] == 6.0;
-                continue;
-            }
-            if (const std::vector<NamedValue> columns = columnsOf(value); !columns.empty()) {
-                for (const NamedValue &column : columns)
-                    m_numbers.push_back(valueOf(column));
-                continue;
-            }
-            CameraValue added = valueOf(value);
-            if (!m_changed && isChange(text.text, added))
-                m_changed = added;
-            addNumber(added);
-            if (const auto role = added.numbers.empty() ? cameras::roleOf(added.name, 9) : std::nullopt;
-                role && isGiven(text.text, added)) {
-                m_empty.push_back(added);
-                m_empty.back().role = *role;
-            }
-            const std::size_t count = added.numbers.size();
-            const bool isAside = (count == 1 && added.numbers[0] != 1.0) // in m_numbers; but 1 may be "true"
-                                 || (count > 1 && !mayBePart(added));
-            const bool isPart = isScalar(added) || roleOf(added);
-            if (isPart && value.at > 0 && text.text[value.at - 1] == '"' && !value.numbers.empty()) {
-                const auto &[key, isNew] =
-                    keys.try_emplace({added.node, added.written}, First{added.line, added.numbers});
-                if (!isNew && key->second.numbers != added.numbers)
-                    m_twice = {key->second.line, added};
-            }
-            if (!values.empty() && values.back().value.numbers.empty() && values.back().value.word.empty()
-                && !values.back().isMatrix)
-                values.pop_back(); // a heading
-            if (isBroken(added))
-                m_broken.push_back(added);
-            if (isPart || !isAside)
-                values.emplace_back(Owned{std::move(added)});
-        }
-        addComponents(named);
-        for (Owned &owned : values) {
-            if (owned.isMatrix && owned.value.numbers.empty() && roleOf(owned.value))
-                m_broken.push_back(owned.value);
-            const bool isPoses = owned.isTable && owned.value.numbers.size() % 6 == 0;
-            if (const auto role = roleOf(owned.value); role && role->part == Part::Pose && isPoses)
-                addPoses(std::move(owned.value));
-            else if (owned.value.name.empty())
-                addUnnamed(std::move(owned.value));
-            else
-                add(std::move(owned.value));
-        }
-    }
+    for (const NamedText &text : texts)
+        addText(text);
     findCameras();
     if (m_cameras.empty())
         dropElsewhere();
+}
+
+void CameraValues::addText(const NamedText &text)
+{
+    const NamedValues named(text.text);
+    m_files.push_back(text.name);
+    m_ends.push_back(0);
+    m_outlines.emplace_back(text.text);
+    m_isXml = isXml(text.text);
+    std::vector<CameraValue> values;
+    std::map<std::pair<std::size_t, std::string>, CameraValue> keys; // of parts: their objects and names
+    for (const NamedValue &value : named.all()) {
+        if (!value.numbers.empty())
+            m_ends.back() = value.at;
+        if (!values.empty() && isListed(kMembers, value.words.back())) {
+            addMember(values.back(), value);
+            continue;
+        }
+        if (const std::vector<NamedValue> columns = columnsOf(value); !columns.empty()) {
+            for (const NamedValue &column : columns)
+                of(Part::Number).push_back(valueOf(column));
+            continue;
+        }
+        CameraValue added = valueOf(value);
+        if (!m_changed && isChange(text.text, added))
+            m_changed = added.error(tr("the text changes it here; give its final numbers at once"));
+        addNumber(added);
+        if (const auto role = added.numbers.empty() ? cameras::roleOf(added.name, 9) : std::nullopt;
+            role && isGiven(text.text, added))
+            of(Part::Empty).emplace_back(added).role = *role;
+        const std::size_t count = added.numbers.size();
+        const bool isAside = (count == 1 && added.numbers[0] != 1.0) // a Part::Number; but 1 may be "true"
+                             || (count > 1 && !mayBePart(added));
+        const bool isPart = isScalar(added) || roleOf(added);
+        if (isPart && value.at > 0 && text.text[value.at - 1] == '"' && count > 0) {
+            const auto &[first, isNew] = keys.try_emplace({added.node, added.written}, added);
+            if (!isNew && first->second.numbers != added.numbers)
+                setTwice(added, first->second.line);
+        }
+        if (!values.empty() && values.back().numbers.empty() && values.back().word.empty() && !values.back().isMatrix)
+            values.pop_back(); // a heading
+        if (isBroken(added))
+            of(Part::Broken).push_back(added);
+        if (isPart || !isAside)
+            values.push_back(std::move(added));
+    }
+    addComponents(named);
+    for (CameraValue &value : values) {
+        const std::optional<Role> role = roleOf(value);
+        if (value.isMatrix && value.numbers.empty() && role)
+            of(Part::Broken).push_back(value);
+        if (role && role->part == Part::Pose && value.isTable && value.numbers.size() % 6 == 0) {
+            value.name = "rvec"; // a table with a rotation vector and t in each row
+            addEach(Part::Rotation, value, 3, 0, 6);
+            value.name = "tvec";
+            addEach(Part::Translation, value, 3, 3, 6);
+        } else if (value.name.empty()) {
+            addUnnamed(std::move(value));
+        } else {
+            add(std::move(value));
+        }
+    }
+}
+
+/// Sets what a member of a matrix tells: "rows: 3", "data: [600, …]".
+void CameraValues::addMember(CameraValue &owner, const NamedValue &member)
+{
+    const std::string &name = member.words.back();
+    if (name == "data") {
+        if (!owner.numbers.empty() && owner.numbers != member.numbers)
+            setTwice(valueOf(member), owner.line);
+        owner.numbers = member.numbers;
+        owner.arithmetic = member.arithmetic;
+        owner.unit = member.unit;
+    }
+    owner.isMatrix = owner.isMatrix || ((name == "rows" || name == "cols") && member.numbers != std::vector{0.0});
+    if (name == "cols" && member.numbers.size() == 1)
+        owner.isTable = member.numbers[0] == 6.0;
+}
+
+void CameraValues::setTwice(const CameraValue &again, std::size_t firstLine)
+{
+    m_twice = again.error(tr("it stands in one object twice, in lines %1 and %2, with other numbers; leave one out",
+                             firstLine, again.line));
 }
 
 /// Notes a value of one number, or of one that may have a decimal comma, and an id.
@@ -273,58 +287,55 @@ void CameraValues::addNumber(const CameraValue &value)
         if (name.starts_with(prefix) && isListed(kScalars, name.substr(prefix.size())))
             own = name.substr(prefix.size());
     }
-    if ((value.numbers.size() == 1 && (own != name || mayBeOfCamera(value, name)))
-        || (!value.decimal.empty() && isScalar(value))) {
-        m_numbers.push_back(value);
+    const bool isOne = value.numbers.size() == 1;
+    if ((isOne && (own != name || mayBeOfCamera(value, name))) || (!value.decimal.empty() && isScalar(value))) {
+        CameraValue &added = of(Part::Number).emplace_back(value);
         if (own != name)
-            m_numbers.back().words = {own};
+            added.words = {own};
     }
-    if (value.node > 0 && (name == "id" || isListed(kReferences, name))
-        && (value.numbers.size() == 1 || !value.word.empty()))
+    if (value.node > 0 && (name == "id" || isListed(kReferences, name)) && (isOne || !value.word.empty()))
         (name == "id" ? m_ids : m_references)
             .try_emplace({value.text, value.node},
                          value.word.empty() ? base::shortestText(value.numbers[0]) : value.word);
 }
 
-/// The values with a focal length.
-std::vector<CameraValue> CameraValues::lenses() const
+/// Where the values with a focal length stand, each once.
+std::vector<Spot> CameraValues::lenses() const
 {
-    using enum Part;
-    std::vector<CameraValue> found;
-    for (const Part part : {Intrinsics, CameraMatrix, Focal})
-        found.insert(found.end(), all(part).begin(), all(part).end());
-    std::ranges::copy_if(m_numbers, std::back_inserter(found),
-                         [](const CameraValue &number) { return number.isNamed("fx"); });
+    std::vector<Spot> found;
+    std::set<Spot> seen;
+    for (const Part part : {Part::Intrinsics, Part::CameraMatrix, Part::Focal, Part::Number}) {
+        for (const CameraValue &value : all(part)) {
+            if ((part != Part::Number || value.isNamed("fx")) && seen.insert(value).second)
+                found.push_back(value);
+        }
+    }
     return found;
 }
 
-/// The innermost id around a value; empty if there is none.
-/// @param place  set to the part of the text that has it
-std::string CameraValues::idAround(const CameraValue &value, const std::map<Place, std::string> &ids,
-                                   Place &place) const
+/// The innermost id around a value, with the part of the text that has it; null if there is none.
+const CameraValues::Ids::value_type *CameraValues::idAround(const Spot &value, const Ids &ids) const
 {
-    for (place = {value.text, value.node}; place.second > 0;
-         place.second = m_outlines[value.text].node(place.second).parent) {
-        if (const auto found = ids.find(place); found != ids.end())
-            return found->second;
+    for (std::size_t node = value.node; node > 0; node = m_outlines[value.text].node(node).parent) {
+        if (const auto found = ids.find({value.text, node}); found != ids.end())
+            return &*found;
     }
-    return {};
+    return nullptr;
 }
 
 /// The id of a lens, or the name of its camera.
-std::string CameraValues::idOf(const CameraValue &lens) const
+std::string CameraValues::idOf(const Spot &lens) const
 {
-    Place place;
-    for (const auto *ids : {&m_ids, &m_references}) {
-        if (std::string id = idAround(lens, *ids, place); !id.empty())
-            return id;
+    for (const Ids *ids : {&m_ids, &m_references}) {
+        if (const auto *found = idAround(lens, *ids))
+            return found->second;
     }
     return cameraOf(lens);
 }
 
 /// Returns whether a value is of another camera than a lens: they stand in two items of a list, or in
 /// parts that have the names of two cameras, or the value names another one.
-bool CameraValues::isOfOtherThan(const CameraValue &lens, const CameraValue &value) const
+bool CameraValues::isOfOtherThan(const Spot &lens, const Spot &value) const
 {
     const auto differ = [](const std::string &one, const std::string &other) {
         return !one.empty() && !other.empty() && one != other;
@@ -332,17 +343,16 @@ bool CameraValues::isOfOtherThan(const CameraValue &lens, const CameraValue &val
     if (lens.text != value.text || differ(lens.camera, value.camera))
         return differ(lens.camera, value.camera);
     const Outline &outline = m_outlines[lens.text];
-    const std::vector<std::size_t> first = outline.pathTo(lens.node), second = outline.pathTo(value.node);
+    const std::vector<std::size_t> first = pathTo(lens), second = pathTo(value);
     const auto [a, b] = std::ranges::mismatch(first, second);
     if (a == first.end() || b == second.end())
         return false;
     const Outline::Node &one = outline.node(*a), &other = outline.node(*b);
     const std::string name = outline.nameOf(*a);
-    Place place;
-    const std::string reference = idAround(value, m_references, place);
+    const auto *reference = idAround(value, m_references);
     return (one.isOfSeveral && other.isOfSeveral && one.name == other.name)
            || differ(cameras::cameraOf(name), cameras::cameraOf(outline.nameOf(*b)))
-           || (differ(reference, idOf(lens)) && reference != name);
+           || (reference && differ(reference->second, idOf(lens)) && reference->second != name);
 }
 
 /// Sets apart what stands with other things than the camera ("imu", "display"), poses of other
@@ -350,38 +360,41 @@ bool CameraValues::isOfOtherThan(const CameraValue &lens, const CameraValue &val
 void CameraValues::dropElsewhere()
 {
     using enum Part;
-    const std::vector<CameraValue> lenses = this->lenses();
-    std::set<std::string> around;
-    for (const CameraValue &lens : lenses)
-        std::ranges::move(sectionsOf(lens), std::inserter(around, around.end()));
+    const std::vector<Spot> lenses = this->lenses();
+    std::set<std::pair<std::size_t, std::size_t>> nodes; // texts and nodes around the lenses
+    std::set<std::string> around;                        // their names
+    for (const Spot &lens : lenses) {
+        for (const std::size_t node : pathTo(lens)) {
+            if (nodes.emplace(lens.text, node).second)
+                around.insert(m_outlines[lens.text].nameOf(node));
+        }
+    }
     const auto isApart = [&](const CameraValue &value) {
-        const std::vector<std::string> sections = sectionsOf(value);
-        return std::ranges::any_of(
-            sections, [&](const std::string &section) { return !around.contains(section) && isElsewhere(section); });
+        return std::ranges::any_of(sectionsOf(value), [&](const std::string &section) {
+            return !around.contains(section) && isElsewhere(section);
+        });
     };
+    std::map<Spot, bool> known; // a text has many values in one place
     const auto isOfOther = [&](const CameraValue &value) {
-        return !lenses.empty()
-               && std::ranges::all_of(lenses, [&](const CameraValue &lens) { return isOfOtherThan(lens, value); });
+        const auto &[one, isNew] = known.try_emplace(value, false);
+        if (isNew && !lenses.empty())
+            one->second = std::ranges::all_of(lenses, [&](const Spot &lens) { return isOfOtherThan(lens, value); });
+        return one->second;
     };
     const auto split = [&](Part part, const auto &isOther) {
         std::vector<CameraValue> kept;
         for (CameraValue &value : of(part))
-            (isOther(value) ? m_others : kept).push_back(std::move(value));
+            (isOther(value) ? of(Other) : kept).push_back(std::move(value));
         of(part) = std::move(kept);
     };
     // A pose in the camera's own part of the text counts before one elsewhere.
     const auto depthOf = [&](const CameraValue &value) {
-        std::size_t depth = 0;
-        for (const CameraValue &lens : lenses) {
-            const std::vector<std::size_t> own = m_outlines[lens.text].pathTo(lens.node),
-                                           path = m_outlines[value.text].pathTo(value.node);
-            if (lens.text == value.text)
-                depth = std::max(depth, std::size_t(std::ranges::mismatch(own, path).in1 - own.begin()));
-        }
-        return depth;
+        return std::ranges::count_if(pathTo(value), [&](std::size_t node) {
+            return nodes.contains({value.text, node});
+        });
     };
     for (const Part part : kPoseParts) {
-        std::size_t deepest = 0;
+        std::ptrdiff_t deepest = 0;
         for (std::size_t i = 0; m_cameras.empty() && i < all(part).size(); ++i)
             deepest = std::max(deepest, depthOf(all(part)[i]));
         split(part, [&](const CameraValue &value) {
@@ -390,19 +403,17 @@ void CameraValues::dropElsewhere()
     }
     split(Size, isApart);
     const auto isToCameraBefore = [](const CameraValue &value) { return value.role.world == "camera before"; };
-    if (const auto &poses = all(Pose); !std::ranges::all_of(poses, isToCameraBefore))
+    if (!std::ranges::all_of(all(Pose), isToCameraBefore))
         split(Pose, isToCameraBefore);
     // The chip's size is in millimetres.
     const auto isOfSensor = [&](const CameraValue &value) {
         std::vector<std::string> names = sectionsOf(value);
         std::erase_if(names, [&](const std::string &section) { return around.contains(section); });
         names.push_back(value.written);
-        return std::ranges::any_of(names, [](const std::string &name) {
-            const std::vector<std::string> words = wordsOf(name);
-            return std::ranges::find(words, "sensor") != words.end();
-        });
+        return std::ranges::any_of(
+            names, [](const std::string &name) { return std::ranges::count(wordsOf(name), "sensor") > 0; });
     };
-    std::erase_if(m_numbers, [&](const CameraValue &number) {
+    std::erase_if(of(Number), [&](const CameraValue &number) {
         const bool isOfRegion = number.isNamed("xoffset") || number.isNamed("yoffset"); // see readRectification
         return !number.isNamed("fx") && !isOfRegion && (isApart(number) || isOfSensor(number));
     });
@@ -411,19 +422,19 @@ void CameraValues::dropElsewhere()
 /// A value of the last text.
 CameraValue CameraValues::valueOf(const NamedValue &named) const
 {
-    CameraValue value{named, named.written.substr(named.written.find_last_of(".>") + 1), m_files.back()};
-    value.text = m_files.size() - 1;
-    value.node = m_outlines.back().nodeAt(named.at);
-    return value;
+    const std::size_t text = m_files.size() - 1;
+    return {named,
+            {text, m_outlines[text].nodeAt(named.at)},
+            named.written.substr(named.written.find_last_of(".>") + 1),
+            m_files[text]};
 }
 
 /// The names of the parts of a text around a place, the outermost first.
-std::vector<std::string> CameraValues::sectionsOf(const CameraValue &value) const
+std::vector<std::string> CameraValues::sectionsOf(const Spot &value) const
 {
-    const Outline &outline = m_outlines[value.text];
     std::vector<std::string> names;
-    for (const std::size_t around : outline.pathTo(value.node))
-        names.push_back(outline.nameOf(around));
+    for (const std::size_t around : pathTo(value))
+        names.push_back(m_outlines[value.text].nameOf(around));
     return names;
 }
 
@@ -431,55 +442,49 @@ std::vector<std::string> CameraValues::sectionsOf(const CameraValue &value) cons
 /// of the lenses.
 void CameraValues::findCameras()
 {
-    const std::vector<CameraValue> lenses = this->lenses();
+    const std::vector<Spot> lenses = this->lenses();
     const auto setCameras = [&](std::size_t depth) {
         m_depth = depth;
-        std::set<std::string> seen;
-        m_cameras.clear();
-        for (const CameraValue &lens : lenses) {
-            if (const auto &[name, isNew] = seen.insert(cameraOf(lens)); isNew)
+        for (const Spot &lens : lenses) {
+            if (const auto &[name, isNew] = m_cameraNames.insert(cameraOf(lens)); isNew)
                 m_cameras.push_back(*name);
         }
-        if (m_cameras.size() < 2 || seen.contains({}))
+        if (m_cameras.size() < 2 || m_cameraNames.contains({})) {
             m_cameras.clear();
+            m_cameraNames.clear();
+        }
         return !m_cameras.empty();
     };
-    for (std::size_t depth = 1; !lenses.empty() && depth < sectionsOf(lenses.front()).size(); ++depth) {
+    const std::size_t deepest = lenses.empty() ? 0 : pathTo(lenses.front()).size();
+    for (std::size_t depth = 1; depth < deepest; ++depth) {
         if (setCameras(depth))
             return;
     }
     setCameras(0);
 }
 
-void CameraValues::keepCamera(const std::string &name, Place image)
+void CameraValues::keepCamera(const std::string &name, const Spot &image)
 {
     const auto isOfOther = [&](const CameraValue &value) {
-        const std::vector<std::size_t> path = m_outlines[value.text].pathTo(value.node);
         const bool isOfImage =
-            value.text == image.first && image.second > 0 && std::ranges::find(path, image.second) != path.end();
+            image.node > 0 && value.text == image.text && std::ranges::count(pathTo(value), image.node) > 0;
         return !isOfImage && cameraOf(value) != name && isOfCamera(value);
     };
-    for (std::vector<CameraValue> &values : m_parts)
-        std::erase_if(values, isOfOther);
-    for (std::optional<CameraValue> &value : m_unfit) {
-        if (value && isOfOther(*value))
-            value.reset();
-    }
-    for (std::vector<CameraValue> *values : {&m_others, &m_numbers, &m_broken})
-        std::erase_if(*values, isOfOther);
+    for (std::size_t kind = 0; kind < std::size_t(Part::Empty); ++kind)
+        std::erase_if(m_parts[kind], isOfOther);
     dropElsewhere();
 }
 
 std::vector<CameraValues::Image> CameraValues::images() const
 {
     std::vector<Image> images;
-    std::set<Place> seen;
-    Place place;
+    std::set<Spot> seen;
     for (const Part part : kPoseParts) {
         for (const CameraValue &value : all(part)) {
-            const std::string camera = idAround(value, m_references, place);
-            if (!camera.empty() && seen.insert(place).second)
-                images.push_back({m_outlines[place.first].nameOf(place.second), camera, place});
+            const auto *reference = idAround(value, m_references);
+            if (reference && seen.insert(reference->first).second)
+                images.push_back({m_outlines[reference->first.text].nameOf(reference->first.node), reference->second,
+                                  reference->first});
         }
     }
     return images;
@@ -487,39 +492,28 @@ std::vector<CameraValues::Image> CameraValues::images() const
 
 bool CameraValues::keepImage(const Image &image)
 {
-    const std::vector<CameraValue> lenses = this->lenses();
+    const std::vector<Spot> lenses = this->lenses();
     const auto lens = std::ranges::find_if(
-        lenses, [&](const CameraValue &one) { return idOf(one) == image.camera || cameraOf(one) == image.camera; });
+        lenses, [&](const Spot &one) { return idOf(one) == image.camera || cameraOf(one) == image.camera; });
     if (lens == lenses.end())
         return false;
-    const std::string name = cameraOf(*lens);
     for (const Part part : kPoseParts) {
         std::erase_if(of(part), [&](const CameraValue &value) {
-            Place place;
-            return !idAround(value, m_references, place).empty() && place != image.place;
+            const auto *reference = idAround(value, m_references);
+            return reference && reference->first != image.place;
         });
     }
-    keepCamera(name, image.place);
+    keepCamera(cameraOf(*lens), image.place);
     return true;
 }
 
-std::string CameraValues::labelOf(const CameraValue &value) const
-{
-    return m_outlines[value.text].node(value.node).label;
-}
-
 /// The name of the camera that a value may be of.
-std::string CameraValues::cameraOf(const CameraValue &value) const
+std::string CameraValues::cameraOf(const Spot &value) const
 {
     if (m_depth == 0)
         return value.camera;
-    const std::vector<std::string> sections = sectionsOf(value);
-    return m_depth < sections.size() ? sections[m_depth] : std::string();
-}
-
-bool CameraValues::isOfCamera(const CameraValue &value) const
-{
-    return std::ranges::find(m_cameras, cameraOf(value)) != m_cameras.end();
+    const std::vector<std::size_t> path = pathTo(value);
+    return m_depth < path.size() ? m_outlines[value.text].nameOf(path[m_depth]) : std::string();
 }
 
 /// ROS's messages and its calibration files have a model, K and P; R is then the rectification.
@@ -577,7 +571,7 @@ void CameraValues::add(CameraValue value)
     if (!role) {
         if (!mayBePart(value))
             return;
-        return m_others.push_back(std::move(value));
+        return of(Other).push_back(std::move(value));
     }
     value.role = *role;
     const Part part = role->part;
@@ -590,14 +584,14 @@ void CameraValues::add(CameraValue value)
     if (part == Intrinsics && (count == kOfK + 12 || count == kOfK + 16) && value.numbers[8] == 1.0) {
         CameraValue behind = value;
         behind.numbers.erase(behind.numbers.begin(), behind.numbers.begin() + kOfK);
-        behind.name = base::tr("the matrix without a name");
-        m_others.push_back(std::move(behind));
+        behind.name = tr("the matrix without a name");
+        of(Other).push_back(std::move(behind));
         value.numbers.resize(kOfK);
     }
     if (part == Intrinsics)
         value.numbers = withoutBorder(value.numbers);
     if ((part == Quaternion && count != 4) || !setDirectionAround(value))
-        return m_others.push_back(std::move(value));
+        return of(Other).push_back(std::move(value));
     if (part == Quaternion && role->w < 4) {
         if (role->w == 0)
             std::rotate(value.numbers.begin(), value.numbers.begin() + 1, value.numbers.end());
@@ -610,10 +604,8 @@ void CameraValues::add(CameraValue value)
         addEach(part, value, 3);
     } else if (fits(part, value.numbers.size())) {
         of(part).push_back(std::move(value));
-    } else if (!m_unfit[std::size_t(part)]) {
-        m_unfit[std::size_t(part)] = std::move(value);
     } else {
-        m_others.push_back(std::move(value));
+        of(unfit(part) ? Other : Unfit).push_back(std::move(value));
     }
 }
 
@@ -629,8 +621,8 @@ void CameraValues::addUnnamed(CameraValue value)
         are16 = isLastRow(i);
     const std::size_t entries = are16 ? 16 : 12;
     if (count == 7 || count == 8) { // t and a quaternion, behind a time
-        value.name = base::tr("the numbers without a name");
-        return m_others.push_back(std::move(value));
+        value.name = tr("the numbers without a name");
+        return of(Other).push_back(std::move(value));
     }
     if (count < 9 || (count != 9 && count % entries != 0))
         return;
@@ -645,26 +637,14 @@ void CameraValues::addUnnamed(CameraValue value)
 }
 
 /// Adds the parts that stand in one list.
-void CameraValues::addEach(Part part, CameraValue value, std::size_t entries)
+/// @param step  from one to the next; 0: the count
+void CameraValues::addEach(Part part, CameraValue value, std::size_t count, std::size_t first, std::size_t step)
 {
     const std::vector<double> numbers = std::move(value.numbers);
-    for (auto at = numbers.begin(); at < numbers.end(); at += std::ptrdiff_t(entries)) {
-        value.numbers.assign(at, at + std::ptrdiff_t(entries));
+    for (std::size_t i = first; i + count <= numbers.size(); i += step > 0 ? step : count) {
+        const auto at = numbers.begin() + std::ptrdiff_t(i);
+        value.numbers.assign(at, at + std::ptrdiff_t(count));
         of(part).push_back(value);
-    }
-}
-
-/// Adds the poses of a table with a rotation vector and t in each row.
-void CameraValues::addPoses(CameraValue value)
-{
-    const std::vector<double> numbers = std::move(value.numbers);
-    for (std::size_t i = 0; i + 6 <= numbers.size(); i += 6) {
-        value.numbers = {numbers[i], numbers[i + 1], numbers[i + 2]};
-        value.name = "rvec";
-        of(Part::Rotation).push_back(value);
-        value.numbers = {numbers[i + 3], numbers[i + 4], numbers[i + 5]};
-        value.name = "tvec";
-        of(Part::Translation).push_back(value);
     }
 }
 
@@ -730,7 +710,7 @@ void CameraValues::addComponents(const NamedValues &named)
                 read.insert(values[k].at);
         }
     }
-    std::erase_if(m_numbers, [&](const CameraValue &number) {
+    std::erase_if(of(Number), [&](const CameraValue &number) {
         return number.text + 1 == m_files.size() && read.contains(number.at);
     });
     const auto isTurn = [](const CameraValue &value) {
@@ -744,60 +724,65 @@ void CameraValues::addComponents(const NamedValues &named)
         const bool isRead =
             isTurn(value)
             || (value.numbers.size() == 3 && (value.role.part == Translation || value.role.part == Center));
-        (isRead && setDirectionAround(value) ? of(value.role.part) : m_others).push_back(std::move(value));
+        (isRead && setDirectionAround(value) ? of(value.role.part) : of(Other)).push_back(std::move(value));
     }
 }
 
-std::optional<double> CameraValues::number(std::string_view names) const
+const CameraValue *CameraValues::unfit(Part part) const
 {
-    const CameraValue *value = find(names);
-    return value ? std::optional(value->number()) : std::nullopt;
+    const auto found = std::ranges::find(all(Part::Unfit), part, [](const CameraValue &one) { return one.role.part; });
+    return found == all(Part::Unfit).end() ? nullptr : &*found;
 }
 
 const CameraValue *CameraValues::find(std::string_view names) const
 {
     base::TextScanner scanner(names);
     for (std::string_view name = scanner.nextWord(); !name.empty(); name = scanner.nextWord()) {
-        const auto found =
-            std::ranges::find_if(m_numbers, [name](const CameraValue &number) { return number.isNamed(name); });
-        if (found != m_numbers.end())
-            return &*found;
+        for (const CameraValue &number : all(Part::Number)) {
+            if (number.isNamed(name))
+                return &number;
+        }
     }
     return nullptr;
 }
 
 const CameraValue *CameraValues::coefficient(std::string_view name) const
 {
-    const auto isIt = [&](const CameraValue &number) { return coefficientOf(number.name) == name; };
     const CameraValue *exact = find(name);
-    const auto found = std::ranges::find_if(m_numbers, isIt);
-    return exact || found == m_numbers.end() ? exact : &*found;
+    for (const CameraValue &number : all(Part::Number)) {
+        if (!exact && coefficientOf(number.name) == name)
+            return &number;
+    }
+    return exact;
 }
 
 const CameraValue *CameraValues::lastPart(std::size_t text) const
 {
-    const auto isLast = [&](const CameraValue &value) { return value.text == text && value.at == m_ends[text]; };
-    for (const std::vector<CameraValue> &values : m_parts) {
-        if (const auto found = std::ranges::find_if(values, isLast); found != values.end())
-            return &*found;
+    for (std::size_t kind = 0; kind <= std::size_t(Part::Number); ++kind) {
+        for (const CameraValue &value : m_parts[kind]) {
+            if (value.text == text && value.at == m_ends[text])
+                return kind < kParts || isScalar(value) ? &value : nullptr;
+        }
     }
-    const auto found = std::ranges::find_if(m_numbers, isLast);
-    return found != m_numbers.end() && isScalar(*found) ? &*found : nullptr;
+    return nullptr;
 }
 
 bool CameraValues::differs(const CameraValue &value) const
 {
-    return std::ranges::any_of(m_numbers, [&](const CameraValue &number) {
+    return std::ranges::any_of(all(Part::Number), [&](const CameraValue &number) {
         return number.words == value.words && number.numbers != value.numbers;
     });
 }
 
 bool CameraValues::hasAny(const std::string &file) const
 {
-    const auto isOfFile = [&file](const CameraValue &value) { return value.file == file; };
-    return std::ranges::any_of(m_parts, [&](const auto &values) { return std::ranges::any_of(values, isOfFile); })
-           || std::ranges::any_of(m_numbers,
-                                  [&](const CameraValue &number) { return isOfFile(number) && isScalar(number); });
+    for (std::size_t kind = 0; kind <= std::size_t(Part::Number); ++kind) {
+        if (std::ranges::any_of(m_parts[kind], [&](const CameraValue &value) {
+                return value.file == file && (kind < kParts || isScalar(value));
+            }))
+            return true;
+    }
+    return false;
 }
 
 } // namespace unprojector::cameras

@@ -1,28 +1,38 @@
 #pragma once
 
+#include "core/base/error.h"
 #include "core/cameras/named_values.h"
 #include "core/cameras/outline.h"
 #include "core/cameras/roles.h"
 
 #include <array>
+#include <compare>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <set>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace unprojector::cameras {
 
+/// Where a value stands.
+struct Spot {
+    std::size_t text = 0, node = 0; ///< its text, and its place in the outline of that
+    std::string camera{};           ///< which of several cameras its name says
+    friend auto operator<=>(const Spot &, const Spot &) = default;
+};
+
 /// A part as a text gives it.
-struct CameraValue : NamedValue {
+struct CameraValue : NamedValue, Spot {
     std::string name{}; ///< as in the text, without its object's: "cameraMatrix" of "calib.cameraMatrix"
     std::string file{};
     Role role{};
-    std::size_t text = 0, node = 0; ///< its text, and its place in the outline of that
-    std::string camera{};           ///< which of several cameras its name says
+    bool isMatrix = false; ///< has rows and columns, as those of cv::FileStorage and of ROS
+    bool isTable = false;  ///< has six columns
+    base::Error error(std::string reason) const;
 };
 
 /// The parts that some texts have: printed text, JSON, and the YAML and XML of cv::FileStorage and
@@ -31,14 +41,10 @@ class CameraValues {
 public:
     explicit CameraValues(std::span<const NamedText> texts);
 
-    /// All values of a part whose count of numbers fits it.
+    /// All values of a kind; those of a part have a count of numbers that fits it.
     const std::vector<CameraValue> &all(Part part) const { return m_parts[std::size_t(part)]; }
-    /// A value of the part whose count of numbers does not fit it.
-    const std::optional<CameraValue> &unfit(Part part) const { return m_unfit[std::size_t(part)]; }
-    /// The number under the first of some names: "znear nearplane".
-    std::optional<double> number(std::string_view names) const;
-    /// All values of one number.
-    const std::vector<CameraValue> &numbers() const { return m_numbers; }
+    /// A value of the part whose count of numbers does not fit it; null if there is none.
+    const CameraValue *unfit(Part part) const;
     /// The first value of one number under the first of some names, "fx focallengthx"; null if there is
     /// none.
     const CameraValue *find(std::string_view names) const;
@@ -49,78 +55,64 @@ public:
     bool differs(const CameraValue &value) const;
     /// Returns whether a text is ROS's camera_info: its R is the rectification.
     bool isCameraInfo() const;
-    /// The values that look like a camera's, but whose name says no part.
-    const std::vector<CameraValue> &others() const { return m_others; }
     /// Returns whether a file has any part, or a number with a name.
     bool hasAny(const std::string &file) const;
     /// The names of the parts of a text that have a lens each: "cam0", "cam1". Empty: one camera, or
     /// several that no names tell apart.
     const std::vector<std::string> &cameras() const { return m_cameras; }
+    /// Returns whether a value is of one of cameras().
+    bool isOfCamera(const Spot &value) const { return m_cameraNames.contains(cameraOf(value)); }
     /// Drops the values of all cameras but one of cameras().
     /// @param image  a part of the text that stays, whatever its name
-    void keepCamera(const std::string &name, std::pair<std::size_t, std::size_t> image = {});
+    void keepCamera(const std::string &name, const Spot &image = {});
     /// An image with a pose that names its camera: "camera_id: 2".
     struct Image {
         std::string name, camera;
-        std::pair<std::size_t, std::size_t> place; ///< its text, and its node in the outline of that
+        Spot place;
     };
     /// The images that name one of cameras(), in their order.
     std::vector<Image> images() const;
     /// Drops the values of other images and of other cameras than the one that an image names.
     /// @return false if there is no such camera
     bool keepImage(const Image &image);
-    /// What the part of the text around a value calls itself; empty: nothing.
-    std::string labelOf(const CameraValue &value) const;
-    /// A part that stands twice in one object, with other numbers, and the line of the first.
-    const std::optional<std::pair<std::size_t, CameraValue>> &twice() const { return m_twice; }
-    /// Returns whether a text ends inside of a bracket.
-    bool isUnclosed(std::size_t text) const { return m_outlines[text].isUnclosed(); }
+    const Outline &outline(std::size_t text) const { return m_outlines[text]; }
     /// The last value of a text if it is a camera's; else null.
     const CameraValue *lastPart(std::size_t text) const;
-    /// Returns whether a text closes a bracket that is not open.
-    bool isOverclosed(std::size_t text) const { return m_outlines[text].isOverclosed(); }
-    /// A number of a camera whose name has another count of numbers, or a matrix without data.
-    const std::vector<CameraValue> &broken() const { return m_broken; }
-    /// Names of a pose's parts that have something else than numbers.
-    const std::vector<CameraValue> &empty() const { return m_empty; }
-    /// A part that source code changes behind its name.
-    const std::optional<CameraValue> &changed() const { return m_changed; }
-    /// Returns whether a value is of one of cameras().
-    bool isOfCamera(const CameraValue &value) const;
+    /// The error of a part that stands twice in one object with other numbers, or that source code changes.
+    const std::optional<base::Error> &fault() const { return m_twice ? m_twice : m_changed; }
 
 private:
+    void addText(const NamedText &text);
+    void addMember(CameraValue &owner, const NamedValue &member);
     void add(CameraValue value);
     void addUnnamed(CameraValue value);
-    void addPoses(CameraValue value);
+    void addEach(Part part, CameraValue value, std::size_t count, std::size_t first = 0, std::size_t step = 0);
     void addNumber(const CameraValue &value);
     void addComponents(const NamedValues &named);
-    void addEach(Part part, CameraValue value, std::size_t entries);
-    CameraValue valueOf(const NamedValue &value) const;
-    std::vector<std::string> sectionsOf(const CameraValue &value) const;
-    std::string cameraOf(const CameraValue &value) const;
+    void setTwice(const CameraValue &again, std::size_t firstLine);
     bool setDirectionAround(CameraValue &value) const;
-    void dropElsewhere();
-    std::vector<CameraValue> lenses() const;
-    bool isOfOtherThan(const CameraValue &lens, const CameraValue &value) const;
-    std::string idOf(const CameraValue &lens) const;
+    CameraValue valueOf(const NamedValue &value) const;
     std::vector<CameraValue> &of(Part part) { return m_parts[std::size_t(part)]; }
 
-    std::array<std::vector<CameraValue>, kParts> m_parts;
-    std::array<std::optional<CameraValue>, kParts> m_unfit;
-    std::vector<CameraValue> m_others;
     void findCameras();
+    void dropElsewhere();
+    std::vector<Spot> lenses() const;
+    bool isOfOtherThan(const Spot &lens, const Spot &value) const;
+    std::vector<std::size_t> pathTo(const Spot &spot) const { return m_outlines[spot.text].pathTo(spot.node); }
+    std::vector<std::string> sectionsOf(const Spot &value) const;
+    std::string cameraOf(const Spot &value) const;
+    std::string idOf(const Spot &lens) const;
+    using Ids = std::map<Spot, std::string>; ///< of parts of a text
+    const Ids::value_type *idAround(const Spot &value, const Ids &ids) const;
 
-    std::vector<CameraValue> m_numbers;                ///< values of one number
-    using Place = std::pair<std::size_t, std::size_t>; ///< a text and a node of its outline
-    std::string idAround(const CameraValue &value, const std::map<Place, std::string> &ids, Place &place) const;
-    std::map<Place, std::string> m_ids, m_references; ///< of parts of a text, and those of the cameras they name
-    std::optional<std::pair<std::size_t, CameraValue>> m_twice;
-    std::vector<CameraValue> m_broken, m_empty;
-    std::optional<CameraValue> m_changed;
+    std::array<std::vector<CameraValue>, kKinds> m_parts;
+    Ids m_ids, m_references; ///< of parts of a text, and those of the cameras they name
+    std::optional<base::Error> m_twice, m_changed;
     std::vector<std::string> m_cameras;
-    std::size_t m_depth = 0;          ///< of their sections in the outline; 0: the ends of names tell them apart
-    std::vector<std::string> m_files; ///< of the texts
-    std::vector<std::size_t> m_ends;  ///< where their last names with numbers stand
+    std::set<std::string> m_cameraNames; ///< the same
+    std::size_t m_depth = 0;             ///< of their sections in the outline; 0: the ends of names tell them apart
+    std::vector<std::string> m_files;    ///< of the texts
+    std::vector<std::size_t> m_ends;     ///< where their last names with numbers stand
     std::vector<Outline> m_outlines;
     bool m_isXml = false; ///< the last text
 };

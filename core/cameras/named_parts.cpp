@@ -32,7 +32,7 @@ namespace {
 
 [[noreturn]] void fail(const CameraValue &value, std::string reason)
 {
-    throw base::Error{std::move(reason), value.name, value.file, static_cast<int>(value.line)};
+    throw value.error(std::move(reason));
 }
 
 /// Fails for parts of one camera beside several lenses.
@@ -112,7 +112,7 @@ public:
     {
         const bool hasFocal = (m_values.find(kFx) && m_values.find(kFy)) || hasFocalAndPrincipal() || hasOneFocal();
         // In other texts, a letter K may stand before a number.
-        const auto &unfit = m_values.unfit(Intrinsics);
+        const CameraValue *unfit = m_values.unfit(Intrinsics);
         const bool isUnfit =
             unfit && unfit->numbers.size() >= 3 && base::isListed(" k cameramatrix ", plain(unfit->name));
         const bool hasVectors = has(Rotation) && plain(all(Rotation).front().name).starts_with("rvec");
@@ -123,7 +123,7 @@ public:
     /// The only matrix of 3 x 4 in a text, if it is K [R t] by its numbers; else null.
     const CameraValue *loneP() const
     {
-        const std::vector<CameraValue> &poses = all(Pose), &others = m_values.others();
+        const std::vector<CameraValue> &poses = all(Pose), &others = all(Other);
         if (poses.size() + others.size() != 1)
             return nullptr;
         const CameraValue &value = poses.empty() ? others.front() : poses.front();
@@ -146,8 +146,8 @@ public:
         m_reading.begin(m_values.isCameraInfo() ? "ROS camera_info" : "OpenCV", {});
         refuseBroken();
         countImages();
-        if (!m_values.broken().empty()) {
-            const CameraValue &broken = m_values.broken().front();
+        if (has(Broken)) {
+            const CameraValue &broken = all(Broken).front();
             fail(broken, broken.numbers.empty() ? tr("it has no number; give it, or leave the name out")
                                                 : tr("it has %1 numbers; give one", broken.numbers.size()));
         }
@@ -196,12 +196,8 @@ private:
     /// Fails for a part that stands twice in one object, and for JSON that was cut off.
     void refuseBroken()
     {
-        if (const auto &twice = m_values.twice())
-            fail(twice->second,
-                 tr("it stands in one object twice, in lines %1 and %2, with other numbers; leave one out",
-                    twice->first, twice->second.line));
-        if (const auto &changed = m_values.changed())
-            fail(*changed, tr("the text changes it here; give its final numbers at once"));
+        if (m_values.fault())
+            throw *m_values.fault();
         for (std::size_t i = 0; i < m_texts.size(); ++i) {
             if (m_texts[i].text.find("PerspectiveCameras(") != std::string::npos) // x left, y up, row vectors
                 throw base::Error{.text = tr("PyTorch3D's cameras are not read; convert them by its "
@@ -211,13 +207,13 @@ private:
             if (text.starts_with("<?xml") || text.starts_with("<opencv_storage"))
                 parsedXml(m_texts[i]); // throws
             const bool isJson = text.starts_with('{') || text.starts_with("[{");
-            if (m_values.isOverclosed(i)) {
+            if (m_values.outline(i).isOverclosed()) {
                 if (isJson)
                     throw base::Error{.text = tr("a bracket closes that was not opened; one may be missing before it"),
                                       .file = m_texts[i].name};
                 say(tr("A bracket closes that was not opened."));
             }
-            if (!m_values.isUnclosed(i))
+            if (!m_values.outline(i).isUnclosed())
                 continue;
             const bool isList = std::string_view(")]}").find(text.back()) != std::string_view::npos; // that ends
             if (const CameraValue *last = isList ? nullptr : m_values.lastPart(i); last || isJson)
@@ -266,11 +262,11 @@ private:
         for (std::size_t i = 0; i < kParts; ++i) {
             for (const CameraValue &value : all(Part(i)))
                 report(value);
-            if (const auto &unfit = m_values.unfit(Part(i)))
+            if (const CameraValue *unfit = m_values.unfit(Part(i)))
                 report(*unfit);
         }
-        for (const auto *values : {&m_values.others(), &m_values.numbers()})
-            std::ranges::for_each(*values, report);
+        for (const Part part : {Other, Number})
+            std::ranges::for_each(all(part), report);
         std::string list;
         for (std::size_t i = 0; i < names.size(); ++i)
             list += (i > 0 ? ", " : "") + (i < kMost ? names[i] : "…");
@@ -299,7 +295,7 @@ private:
     /// Fails if the only values of a part have another count of numbers.
     void refuseUnfit(Part part, const std::string &wanted)
     {
-        const auto &unfit = m_values.unfit(part);
+        const CameraValue *unfit = m_values.unfit(part);
         if (!unfit || has(part))
             return;
         refuseComputed(part, *unfit);
@@ -374,7 +370,7 @@ private:
         std::vector<std::string> names, labels;
         for (const CameraValue &value : all(part)) {
             names.push_back(value.name);
-            labels.push_back(m_values.labelOf(value));
+            labels.push_back(m_values.outline(value.text).node(value.node).label);
         }
         for (std::vector<std::string> *all : {&names, &labels}) {
             const std::set<std::string> different(all->begin(), all->end());
@@ -557,7 +553,7 @@ private:
     const CameraValue *angle(std::string_view axis) const
     {
         const bool isX = axis == "x";
-        for (const CameraValue &value : m_values.numbers()) {
+        for (const CameraValue &value : all(Number)) {
             std::string name = plain(value.name);
             for (const std::string_view ending : {"degrees", "degree", "deg", "radians", "radian", "rad"}) {
                 if (name.ends_with(ending))
@@ -659,7 +655,7 @@ private:
     void readOther()
     {
         const CameraValue *found = nullptr;
-        for (const CameraValue &value : m_values.others()) {
+        for (const CameraValue &value : all(Other)) {
             const auto pose = value.numbers.size() == 9 ? std::nullopt : matrixByRows(value.numbers);
             const bool isRigid = pose && (*pose)[0][3] == 0.0 && (*pose)[1][3] == 0.0 && (*pose)[2][3] == 0.0
                                  && areOrthonormal(glm::dmat3(*pose));
@@ -783,7 +779,7 @@ private:
         const CameraValue *rotation = m_values.isCameraInfo() ? nullptr : valueOf(Rotation),
                           *translation = valueOf(Translation), *quaternion = rotation ? nullptr : valueOf(Quaternion),
                           *center = translation || !(rotation || quaternion) ? nullptr : valueOf(Center);
-        if (const auto &list = m_values.unfit(Quaternion); list && !rotation && !quaternion)
+        if (const CameraValue *list = m_values.unfit(Quaternion); list && !rotation && !quaternion)
             fail(*list, tr("the order of a quaternion's four numbers is not known; name them, {x: 0, y: 0, z: 0, w: "
                            "1}, or give R"));
         if (!rotation && !quaternion) {
@@ -860,13 +856,13 @@ private:
     /// Takes 0, unless three numbers may be the translation.
     void takeNoTranslation(const CameraValue &rotation)
     {
-        for (const CameraValue &value : m_values.others()) {
+        for (const CameraValue &value : all(Other)) {
             if (value.numbers.size() == 3 && hasPartWord(value.name))
                 fail(value, tr("it may be the translation beside %1, but its name says more; name it t, in the world's "
                                "unit, or leave it out",
                                rotation.name));
         }
-        for (const CameraValue &value : m_values.numbers()) {
+        for (const CameraValue &value : all(Number)) {
             if (base::isListed(" x y z tx ty tz ", plain(value.name)) && value.node == rotation.node
                 && value.text == rotation.text && value.numbers[0] != 0.0)
                 fail(value,
@@ -880,7 +876,7 @@ private:
     /// Fails for a name of a part that has something else than numbers: "R = f(x)", "R: [3x3 double]".
     void refuseEmpty(std::initializer_list<Part> parts) const
     {
-        for (const CameraValue &value : m_values.empty()) {
+        for (const CameraValue &value : all(Empty)) {
             if (std::ranges::find(parts, value.role.part) != parts.end())
                 fail(value, tr("it has no number; give it, or leave the name out"));
         }
@@ -904,8 +900,8 @@ private:
     {
         constexpr std::size_t kMost = 4; // numbers of a rotation
         const bool hasPosition = has(Translation) || has(Center);
-        for (const auto *values : {&m_values.others(), &m_values.numbers()}) {
-            for (const CameraValue &value : *values) {
+        for (const Part part : {Other, Number}) {
+            for (const CameraValue &value : all(part)) {
                 const std::vector<double> &numbers = value.numbers;
                 const std::vector<std::string> words = wordsOf(value.name);
                 const auto hasAny = [&words](std::string_view list) {
@@ -943,9 +939,12 @@ private:
     void readRectification(const CameraValue &p)
     {
         const std::optional<CameraParts> parts = partsOf(p.numbers);
-        const std::optional<double> binning = m_values.number("binningx"), left = m_values.number("xoffset"),
-                                    top = m_values.number("yoffset");
-        if (binning.value_or(0.0) > 1.0 || left.value_or(0.0) != 0.0 || top.value_or(0.0) != 0.0)
+        const auto number = [this](const char *name) {
+            const CameraValue *value = m_values.find(name);
+            return value ? value->number() : 0.0;
+        };
+        const double binning = number("binningx"), left = number("xoffset"), top = number("yoffset");
+        if (binning > 1.0 || left != 0.0 || top != 0.0)
             say(tr("Binning and region of interest are not applied: pixels are those of the full "
                    "image."));
         setUsed({Rotation, CameraMatrix});
@@ -1025,7 +1024,7 @@ private:
             if (!isKnown(model, list))
                 return model;
         }
-        for (const CameraValue &value : m_values.numbers()) {
+        for (const CameraValue &value : all(Number)) {
             if (value.numbers[0] == 0.0 || m_used.contains(&value) || coefficientOf(value.name).empty())
                 continue;
             // The list's own, once more.

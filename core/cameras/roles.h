@@ -25,9 +25,15 @@ enum class Part {
     Radial,       ///< k1, k2 and perhaps k3
     Tangential,   ///< p1, p2
     Size,         ///< width, height
-    Model         ///< the name of a distortion model
+    Model,        ///< the name of a distortion model
+    // Beside them, CameraValues has:
+    Number, ///< one number with a name: "fx", "k1"
+    Other,  ///< what looks like a part, but whose name says none
+    Unfit,  ///< the first values of each part whose count of numbers does not fit it
+    Broken, ///< a number of a camera whose name has another count of numbers, or a matrix without data
+    Empty   ///< a name of a pose's part that has something else than numbers
 };
-inline constexpr std::size_t kParts = 14;
+inline constexpr std::size_t kParts = 14, kKinds = 19; ///< without and with those of CameraValues
 
 constexpr bool isOfPose(Part part)
 {
