@@ -98,11 +98,8 @@ bool readForm(Reading &reading, const Form &form)
             reading.camera.images.push_back(one.name);
         ids.push_back(one.id);
     }
-    if (reading.camera.images.empty() && !reading.choices.image.empty() && reading.choices.image != "0")
-        reading.fail(tr("there is one camera without a name; leave --image out"));
     reading.begin(form.program, form.frame);
-    if (!reading.camera.images.empty())
-        reading.chooseImage(ids);
+    reading.chooseImage(ids);
     static_cast<Found &>(reading) = found[reading.camera.image];
     readParts(reading, form);
     return true;

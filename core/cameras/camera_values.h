@@ -18,6 +18,8 @@
 
 namespace unprojector::cameras {
 
+class Reading;
+
 /// Where a value stands.
 struct Spot {
     std::size_t text = 0, node = 0; ///< its text, and its place in the outline of that
@@ -116,5 +118,8 @@ private:
     std::vector<Outline> m_outlines;
     bool m_isXml = false; ///< the last text
 };
+
+/// Sets the images of a text with several cameras or poses, and drops the values of those that are not read.
+void chooseCamera(Reading &reading, CameraValues &values);
 
 } // namespace unprojector::cameras

@@ -39,8 +39,6 @@ glm::dvec2 pixelOf(const Intrinsics &k, const glm::dvec2 &position)
             k.fy * position.y + k.cy + cornerToCentre(k.centres)};
 }
 
-constexpr std::array kNames{"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6", "s1", "s2", "s3", "s4", "tx", "ty"};
-
 } // namespace
 
 glm::dvec2 distorted(const Distortion &d, const glm::dvec2 &position)
@@ -106,12 +104,12 @@ geometry::Result<Distortion, std::string> distortionOf(std::span<const double> c
         return Distortion{};
     if (c.size() == 1)
         return tr("there is 1 distortion coefficient; give four or five: k1, k2, p1, p2, k3");
-    if (c.size() < 4 || c.size() > kNames.size())
+    if (c.size() < 4 || c.size() > kCoefficients.size())
         return tr("there are %1 distortion coefficients; give four or five: k1, k2, p1, p2, k3", c.size());
     std::string others;
     for (std::size_t i = 5; i < c.size(); ++i) {
         if (c[i] != 0.0)
-            others += (others.empty() ? "" : ", ") + std::string(kNames[i]) + " = " + shortestText(c[i]);
+            others += (others.empty() ? "" : ", ") + std::string(kCoefficients[i]) + " = " + shortestText(c[i]);
     }
     if (!others.empty())
         return tr("the distortion has %1; only k1, k2, p1, p2 and k3 are known. Undistort the image with its own "
@@ -126,7 +124,7 @@ std::string coefficientsText(const Distortion &lens)
     const std::array values{lens.k1, lens.k2, lens.p1, lens.p2, lens.k3};
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (values[i] != 0.0)
-            text += (text.empty() ? "" : ", ") + std::string(kNames[i]) + " = " + shortestText(values[i]);
+            text += (text.empty() ? "" : ", ") + std::string(kCoefficients[i]) + " = " + shortestText(values[i]);
     }
     return text;
 }

@@ -4,6 +4,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,6 +31,10 @@ std::optional<glm::dvec2> undistorted(const Distortion &lens, const glm::dvec2 &
 /// @param k  centres at whole numbers or at halves, as they say
 glm::dvec2 distortedPixel(const Distortion &lens, const Intrinsics &k, const glm::dvec2 &pixel);
 std::optional<glm::dvec2> undistortedPixel(const Distortion &lens, const Intrinsics &k, const glm::dvec2 &pixel);
+
+/// The names of the coefficients in OpenCV's order.
+inline constexpr std::array kCoefficients{"k1", "k2", "p1", "p2", "k3", "k4", "k5",
+                                          "k6", "s1", "s2", "s3", "s4", "tx", "ty"};
 
 /// The coefficients of a list in OpenCV's order: k1, k2, p1, p2, k3; four, five or more, of which
 /// those after k3 must be 0.

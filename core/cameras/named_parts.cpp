@@ -30,17 +30,6 @@ using base::tr;
 using geometry::Result;
 namespace {
 
-[[noreturn]] void fail(const CameraValue &value, std::string reason)
-{
-    throw value.error(std::move(reason));
-}
-
-/// Fails for parts of one camera beside several lenses.
-[[noreturn]] void failCount(const CameraValue &value, std::size_t lenses, std::size_t count)
-{
-    fail(value, tr("the text has %1 camera matrices, but %2 of this. Give the text of one camera", lenses, count));
-}
-
 bool isNear(double value, double wanted, double scale)
 {
     return std::abs(value - wanted) <= 1e-9 * scale;
@@ -53,7 +42,7 @@ Intrinsics intrinsicsOf(const CameraValue &value, std::vector<std::string> &assu
     std::vector<double> k = value.numbers;
     if (k.size() == 4) {
         assumed.push_back(tr("The four numbers of %1 are read as fx, fy, cx, cy.", value.name));
-        return {k[0], k[1], k[2], k[3], 0.0, PixelCentres::AtIntegers};
+        return {k[0], k[1], k[2], k[3]};
     }
     const double scale = std::max(std::abs(k[0]), std::abs(k[4]));
     isTransposed = (k[6] != 0.0 || k[7] != 0.0) && k[2] == 0.0 && k[5] == 0.0;
@@ -65,14 +54,14 @@ Intrinsics intrinsicsOf(const CameraValue &value, std::vector<std::string> &assu
             tr("%1 is transposed, as MATLAB's IntrinsicMatrix is: its columns are read as rows.", value.name));
     }
     if (!isNear(k[3], 0.0, scale) || !isNear(k[6], 0.0, scale) || !isNear(k[7], 0.0, scale) || k[8] == 0.0)
-        fail(value, tr("this is no camera matrix; it must have the rows fx skew cx, 0 fy cy, 0 0 1"));
+        throw value.error(tr("this is no camera matrix; it must have the rows fx skew cx, 0 fy cy, 0 0 1"));
     if (k[8] != 1.0) {
         assumed.push_back(tr("The last number of %1 is %2 instead of 1; all its numbers are divided by it.", value.name,
                              shortestText(k[8])));
         for (double &number : k)
             number /= k[8];
     }
-    return {k[0], k[4], k[2], k[5], k[1], PixelCentres::AtIntegers};
+    return {k[0], k[4], k[2], k[5], k[1]};
 }
 
 /// The rows of a P whose numbers are by columns.
@@ -93,19 +82,28 @@ bool isTurned(const std::optional<CameraParts> &asWritten, const CameraParts &tu
     return slant(turned.intrinsics) < 1e-3 && (!asWritten || slant(asWritten->intrinsics) > 1e-2);
 }
 
+/// Returns whether a camera is turned against the world.
+bool isTurnedAway(const CameraParts &parts)
+{
+    return pipeline::largestDifference(glm::dmat3(parts.cameraFromWorld), glm::dmat3(1.0)) > 1e-9;
+}
+
 /// Names of one focal length for both axes.
 constexpr std::string_view kFocal = "f focal focallength focallengthpx focallengthpixels";
 
 constexpr std::string_view kFx = "fx focallengthx focalx", kFy = "fy focallengthy focaly",
                            kCx = "cx ppx principalpointx", kCy = "cy ppy principalpointy";
 
-class Reader {
+constexpr const char *kNoNumber = base::marked("it has no number; give it, or leave the name out");
+
+class Reader : Reading {
     using enum Part;
 
 public:
-    Reader(std::span<const NamedText> texts, const CameraChoices &choices)
-        : m_texts(texts), m_values(texts), m_reading(texts.front(), choices)
+    Reader(std::span<const NamedText> texts, const CameraChoices &chosen)
+        : Reading(texts.front(), chosen), m_values(texts)
     {
+        Reading::all = texts;
     }
 
     bool isRecognised() const
@@ -116,8 +114,8 @@ public:
         const bool isUnfit =
             unfit && unfit->numbers.size() >= 3 && base::isListed(" k cameramatrix ", plain(unfit->name));
         const bool hasVectors = has(Rotation) && plain(all(Rotation).front().name).starts_with("rvec");
-        const bool hasAngle = (angle("x") || angle("y")) && (has(Pose) || has(Rotation) || has(Quaternion));
-        return has(Intrinsics) || has(CameraMatrix) || hasFocal || hasVectors || isUnfit || hasAngle || loneP();
+        const bool hasAngles = hasAngle() && (has(Pose) || has(Rotation) || has(Quaternion));
+        return has(Intrinsics) || has(CameraMatrix) || hasFocal || hasVectors || isUnfit || hasAngles || loneP();
     }
 
     /// The only matrix of 3 x 4 in a text, if it is K [R t] by its numbers; else null.
@@ -139,37 +137,36 @@ public:
 
     ForeignCamera read()
     {
-        for (const NamedText &text : m_texts) {
-            if (m_values.hasAny(text.name))
-                m_camera.files.push_back(text.name);
+        for (const NamedText &one : Reading::all) {
+            if (m_values.hasAny(one.name))
+                camera.files.push_back(one.name);
         }
-        m_reading.begin(m_values.isCameraInfo() ? "ROS camera_info" : "OpenCV", {});
+        begin(m_values.isCameraInfo() ? "ROS camera_info" : "OpenCV", {});
         refuseBroken();
-        countImages();
+        chooseCamera(*this, m_values);
         if (has(Broken)) {
             const CameraValue &broken = all(Broken).front();
-            fail(broken, broken.numbers.empty() ? tr("it has no number; give it, or leave the name out")
-                                                : tr("it has %1 numbers; give one", broken.numbers.size()));
+            throw broken.error(broken.numbers.empty() ? tr(kNoNumber)
+                                                      : tr("it has %1 numbers; give one", broken.numbers.size()));
         }
         readIntrinsics();
         readSize();
-        if (!m_camera.intrinsics && !has(CameraMatrix) && !loneP())
+        if (!camera.intrinsics && !has(CameraMatrix) && !loneP())
             readAngles();
         readPose();
         readDistortion();
         readClipDistances();
         reportUnused();
         for (const CameraValue *value : m_used) {
-            if (std::ranges::find(m_camera.files, value->file) == m_camera.files.end())
-                m_camera.files.push_back(value->file);
+            if (std::ranges::find(camera.files, value->file) == camera.files.end())
+                camera.files.push_back(value->file);
         }
-        return std::move(m_camera);
+        return std::move(camera);
     }
 
 private:
     const std::vector<CameraValue> &all(Part part) const { return m_values.all(part); }
     bool has(Part part) const { return !all(part).empty(); }
-    void say(std::string sentence) { m_camera.assumed.push_back(std::move(sentence)); }
 
     /// The value of the chosen image, or the one that all images share; null if there is none. It
     /// counts as used, and so do those of the other images.
@@ -178,14 +175,14 @@ private:
         const std::vector<CameraValue> &values = all(part);
         if (values.empty())
             return nullptr;
-        const std::size_t images = m_values.cameras().empty() ? m_camera.images.size() : 0;
+        const std::size_t images = m_values.cameras().empty() ? camera.images.size() : 0;
         const bool isOfImage = images > 1 && values.size() == images;
         if (isOfPose(part) && images > 1 && values.size() > 1 && !isOfImage)
-            fail(values.front(),
-                 tr("the text has %1 of this, but %2 images; nothing tells which belong together. Give the text of one "
-                    "camera",
-                    values.size(), images));
-        const CameraValue &value = values[isOfImage ? m_camera.image : 0];
+            throw values.front().error(
+                tr("the text has %1 of this, but %2 images; nothing tells which belong together. Give the text of one "
+                   "camera",
+                   values.size(), images));
+        const CameraValue &value = values[isOfImage ? camera.image : 0];
         refuseComputed(part, value);
         note(part, value);
         if (isOfImage)
@@ -198,29 +195,31 @@ private:
     {
         if (m_values.fault())
             throw *m_values.fault();
-        for (std::size_t i = 0; i < m_texts.size(); ++i) {
-            if (m_texts[i].text.find("PerspectiveCameras(") != std::string::npos) // x left, y up, row vectors
-                throw base::Error{.text = tr("PyTorch3D's cameras are not read; convert them by its "
-                                             "opencv_from_cameras_projection, and give R, t and K"),
-                                  .file = m_texts[i].name};
-            const std::string_view text = base::trimmed(m_texts[i].text);
-            if (text.starts_with("<?xml") || text.starts_with("<opencv_storage"))
-                parsedXml(m_texts[i]); // throws
-            const bool isJson = text.starts_with('{') || text.starts_with("[{");
-            if (m_values.outline(i).isOverclosed()) {
-                if (isJson)
-                    throw base::Error{.text = tr("a bracket closes that was not opened; one may be missing before it"),
-                                      .file = m_texts[i].name};
+        for (std::size_t i = 0; i < Reading::all.size(); ++i) {
+            const NamedText &one = Reading::all[i];
+            const auto failHere = [&one](std::string reason, const CameraValue *at = nullptr) {
+                throw base::Error{std::move(reason), at ? at->name : std::string(), one.name,
+                                  at ? static_cast<int>(at->line) : 0};
+            };
+            if (one.text.find("PerspectiveCameras(") != std::string::npos) // x left, y up, row vectors
+                failHere(tr("PyTorch3D's cameras are not read; convert them by its opencv_from_cameras_projection, "
+                            "and give R, t and K"));
+            const std::string_view whole = base::trimmed(one.text);
+            if (whole.starts_with("<?xml") || whole.starts_with("<opencv_storage"))
+                parsedXml(one); // throws
+            const bool isJson = whole.starts_with('{') || whole.starts_with("[{");
+            const Outline &outline = m_values.outline(i);
+            if (outline.isOverclosed() && isJson)
+                failHere(tr("a bracket closes that was not opened; one may be missing before it"));
+            if (outline.isOverclosed())
                 say(tr("A bracket closes that was not opened."));
-            }
-            if (!m_values.outline(i).isUnclosed())
+            if (!outline.isUnclosed())
                 continue;
-            const bool isList = std::string_view(")]}").find(text.back()) != std::string_view::npos; // that ends
+            const bool isList = std::string_view(")]}").find(whole.back()) != whole.npos; // that ends
             if (const CameraValue *last = isList ? nullptr : m_values.lastPart(i); last || isJson)
-                throw base::Error{tr("the text ends before its brackets are closed; its last number may be cut off. "
-                                     "Give the whole text"),
-                                  last ? last->name : std::string(), m_texts[i].name,
-                                  last ? static_cast<int>(last->line) : 0};
+                failHere(tr("the text ends before its brackets are closed; its last number may be cut off. Give the "
+                            "whole text"),
+                         last);
             say(tr("The text ends before its brackets are closed."));
         }
     }
@@ -233,7 +232,7 @@ private:
                                                                Pose,       Pose,       Pose,  Lens,      Distortion,
                                                                Distortion, Distortion, Image, Distortion};
         if (m_used.insert(&value).second)
-            m_camera.read.push_back({kOf[std::size_t(part)], value.name, value.line});
+            camera.read.push_back({kOf[std::size_t(part)], value.name, value.line});
     }
 
     void setUsed(std::initializer_list<Part> parts)
@@ -254,10 +253,10 @@ private:
             if (value.numbers.empty() || m_used.contains(&value)
                 || (isOne && (value.numbers[0] == 0.0 || !isScalarOfPart(value.name))))
                 return;
-            std::string name = isOne ? value.name + " = " + shortestText(value.numbers[0])
+            std::string said = isOne ? value.name + " = " + shortestText(value.numbers[0])
                                      : tr("%1 (%2 numbers)", value.name, value.numbers.size());
-            if (std::ranges::find(names, name) == names.end() && names.size() <= kMost)
-                names.push_back(std::move(name));
+            if (std::ranges::count(names, said) == 0 && names.size() <= kMost)
+                names.push_back(std::move(said));
         };
         for (std::size_t i = 0; i < kParts; ++i) {
             for (const CameraValue &value : all(Part(i)))
@@ -278,18 +277,39 @@ private:
     /// not finite, or they have another unit.
     void refuseComputed(Part part, const CameraValue &value)
     {
-        const bool isAngle = value.unit.starts_with("deg") || value.unit.starts_with("rad"),
-                   isOfWorld = part >= Translation && part <= Pose
-                               && base::isListed(" mm cm m km inch inches ft um ", value.unit);
-        if (!value.unit.empty() && !isOfWorld && !(isAngle && part == Rotation))
-            fail(value, tr("its unit is %1, which is not known here; give numbers without a unit", value.unit));
-        if (!value.unit.empty() && isOfWorld && value.unit != "m")
-            say(tr("%1 is in %2: this is the scene's unit.", value.name, value.unit));
+        const bool isOfWorld =
+            part >= Translation && part <= Pose && base::isListed(" mm cm m km inch inches ft um ", value.unit);
+        if (!isOfWorld && !(part == Rotation && isInAngles(value)))
+            refuseUnit(value);
+        if (isOfWorld)
+            sayUnit(value);
         const bool isVector = part == Distortion || part == Size || value.numbers.size() == 3;
         if (!value.arithmetic.empty() && !(isVector && value.arithmetic == ".T"))
-            fail(value, value.computedError().text);
-        if (!std::ranges::all_of(value.numbers, [](double number) { return std::isfinite(number); }))
-            fail(value, tr("a number is not finite"));
+            throw value.error(value.computedError().text);
+        refuseNotFinite(value, value.numbers);
+    }
+
+    static void refuseNotFinite(const CameraValue &value, const std::vector<double> &numbers)
+    {
+        if (!std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); }))
+            throw value.error(tr("a number is not finite"));
+    }
+
+    static bool isInAngles(const CameraValue &value)
+    {
+        return value.unit.starts_with("deg") || value.unit.starts_with("rad");
+    }
+
+    static void refuseUnit(const CameraValue &value)
+    {
+        if (!value.unit.empty())
+            throw value.error(tr("its unit is %1, which is not known here; give numbers without a unit", value.unit));
+    }
+
+    void sayUnit(const CameraValue &value)
+    {
+        if (!value.unit.empty() && value.unit != "m")
+            say(tr("%1 is in %2: this is the scene's unit.", value.name, value.unit));
     }
 
     /// Fails if the only values of a part have another count of numbers.
@@ -301,204 +321,76 @@ private:
         refuseComputed(part, *unfit);
         if (!unfit->decimal.empty())
             use(*unfit, false);
-        fail(*unfit, tr("it has %1 numbers; %2", unfit->numbers.size(), wanted));
-    }
-
-    void countImages()
-    {
-        if (m_values.cameras().size() > 1) {
-            if (chooseImageOfCamera())
-                return;
-            m_camera.images = m_values.cameras();
-            std::vector<std::string> lenses;
-            for (const Part part : {Intrinsics, CameraMatrix}) {
-                if (lenses.empty() && all(part).size() == m_camera.images.size())
-                    lenses = namesOf(part);
-            }
-            m_reading.chooseImage(lenses);
-            if (!isStereo())
-                refuseShared(m_reading.choices.image.empty());
-            m_values.keepCamera(m_camera.images[m_camera.image]);
-            return;
-        }
-        std::size_t count = 1;
-        Part most = Pose;
-        const auto look = [&](Part part) {
-            if (all(part).size() > count) {
-                count = all(part).size();
-                most = part;
-            }
-        };
-        for (const Part part : {Rotation, Quaternion, Translation, Pose, CameraMatrix})
-            look(part);
-        if (hasSeveralLenses())
-            look(Intrinsics);
-        if (m_values.isCameraInfo()) {
-            most = Intrinsics;
-            count = all(most).size();
-        }
-        m_camera.images = count > 1 ? namesOf(most) : std::vector<std::string>();
-        if (hasSeveralLenses())
-            refuseMixed();
-        if (count == 1 && (m_reading.choices.image.empty() || m_reading.choices.image == "0"))
-            return;
-        if (count == 1)
-            m_reading.fail(tr("there is one camera without a name; leave --image out"));
-        m_reading.chooseImage();
-    }
-
-    /// Chooses one of the images that name their cameras. Returns whether there are any.
-    bool chooseImageOfCamera()
-    {
-        const std::vector<CameraValues::Image> images = m_values.images();
-        const std::vector<std::string> &cameras = m_values.cameras();
-        if (images.empty() || std::ranges::find(cameras, m_reading.choices.image) != cameras.end())
-            return false;
-        for (const CameraValues::Image &image : images)
-            m_camera.images.push_back(image.name);
-        m_reading.chooseImage();
-        const CameraValues::Image &image = images[m_camera.image];
-        if (!m_values.keepImage(image))
-            m_reading.fail(tr("the image %1 is of the camera %2, but no camera has this id", image.name, image.camera));
-        return true;
-    }
-
-    /// The names of the values of a part; where two have the same name, those of the parts of the text
-    /// around them, else their indexes.
-    std::vector<std::string> namesOf(Part part) const
-    {
-        std::vector<std::string> names, labels;
-        for (const CameraValue &value : all(part)) {
-            names.push_back(value.name);
-            labels.push_back(m_values.outline(value.text).node(value.node).label);
-        }
-        for (std::vector<std::string> *all : {&names, &labels}) {
-            const std::set<std::string> different(all->begin(), all->end());
-            if (different.size() == all->size() && !different.contains({}))
-                return *all;
-        }
-        for (std::size_t i = 0; i < names.size(); ++i)
-            names[i] = std::to_string(i);
-        return names;
-    }
-
-    /// Fails for R or t that no camera of several has for its own, which may lead from one camera to the
-    /// other, and for several such poses where no camera is chosen.
-    void refuseShared(bool isOpen) const
-    {
-        for (const Part part : {Rotation, Translation, Pose}) {
-            if (!isOpen && (part == Pose || !has(Translation)))
-                continue;
-            const auto count =
-                std::ranges::count_if(all(part), [this](const CameraValue &one) { return !m_values.isOfCamera(one); });
-            if (count > (part == Pose ? 1 : 0))
-                failCount(all(part).front(), m_values.cameras().size(), all(part).size());
-        }
-    }
-
-    /// Returns whether the second of two cameras is chosen, beside OpenCV's stereo R and T from the first.
-    bool isStereo()
-    {
-        const auto isShared = [this](const CameraValue &value) { return !m_values.isOfCamera(value); };
-        const auto &lenses = all(Intrinsics);
-        const auto turn = std::ranges::find_if(all(Rotation), isShared),
-                   shift = std::ranges::find_if(all(Translation), isShared);
-        const bool isOpenCv = m_camera.images == std::vector<std::string>{"1", "2"} && lenses.size() == 2
-                              && (lenses[0].name == "M1" || lenses[0].name == "cameraMatrix1");
-        if (!isOpenCv || m_camera.image != 1 || turn == all(Rotation).end() || shift == all(Translation).end()
-            || turn->name != "R" || shift->name != "T")
-            return false;
-        say(tr("R and T are OpenCV's of two cameras: the world is the camera %1's.", lenses[0].name));
-        return true;
-    }
-
-    /// Returns whether the text has several K that differ.
-    bool hasSeveralLenses() const
-    {
-        const std::vector<CameraValue> &lenses = all(Intrinsics);
-        return std::ranges::any_of(lenses,
-                                   [&lenses](const CameraValue &k) { return k.numbers != lenses.front().numbers; });
-    }
-
-    /// Fails if several K stand beside fewer or more parts of another kind: nothing tells which
-    /// belong together, unless the user chooses a K by its name.
-    void refuseMixed() const
-    {
-        const std::size_t count = all(Intrinsics).size();
-        const std::vector<std::string> names = namesOf(Intrinsics);
-        if (std::ranges::find(names, m_reading.choices.image) != names.end() && names[0] != "0")
-            return;
-        for (const Part part : {Rotation, Quaternion, Translation, Pose, Distortion}) {
-            const std::vector<CameraValue> &values = all(part);
-            if (!values.empty() && values.size() != count)
-                failCount(values.front(), count, values.size());
-        }
+        throw unfit->error(tr("it has %1 numbers; %2", unfit->numbers.size(), wanted));
     }
 
     void readSize()
     {
         const CameraValue *given = valueOf(Size);
-        if (!given) {
-            const auto width = scalar("imagewidth imgwidth imgw width w", false),
-                       height = scalar("imageheight imgheight imgh height h", false);
-            m_camera.size = sizeOf(width, height);
-            if (width && height && !m_camera.size && !m_reading.choices.size)
-                m_reading.fail(tr("%1 and %2 are no size of an image; they must be whole numbers from 1 to 1000000",
-                                  shortestText(*width), shortestText(*height)));
-            if (width.has_value() != height.has_value())
-                say(tr("The text gives only one side of the image, %1.", shortestText(width ? *width : *height)));
-            return;
+        std::optional<double> first, second;
+        if (given) {
+            first = given->numbers[0];
+            second = given->numbers[1];
+        } else {
+            first = scalar("imagewidth imgwidth imgw width w", false);
+            second = scalar("imageheight imgheight imgh height h", false);
         }
-        const double first = given->numbers[0], second = given->numbers[1];
-        bool areRowsFirst = given->role.areRowsFirst;
-        if (m_camera.intrinsics && !m_camera.intrinsics->isCentreComputed) {
-            // Twice the principal point tells the order where it is clear.
-            const auto miss = [&](double width, double height) {
-                return std::abs(2.0 * m_camera.intrinsics->cx / width - 1.0)
-                       + std::abs(2.0 * m_camera.intrinsics->cy / height - 1.0);
-            };
-            constexpr double kClear = 3.0;
-            if (kClear * miss(first, second) < miss(second, first))
-                areRowsFirst = false;
-            else if (kClear * miss(second, first) < miss(first, second))
-                areRowsFirst = true;
+        const bool isHeightFirst = given && isHeightBefore(*given, *first, *second);
+        camera.size = isHeightFirst ? sizeOf(second, first) : sizeOf(first, second);
+        if (first && second && !camera.size && !choices.size) {
+            std::string reason = tr("%1 and %2 are no size of an image; they must be whole numbers from 1 to 1000000",
+                                    shortestText(*first), shortestText(*second));
+            given ? throw given->error(std::move(reason)) : fail(std::move(reason));
         }
-        m_camera.size = areRowsFirst ? sizeOf(second, first) : sizeOf(first, second);
-        if (!m_camera.size && !m_reading.choices.size)
-            fail(*given, tr("%1 and %2 are no size of an image; they must be whole numbers from 1 to 1000000",
-                            shortestText(first), shortestText(second)));
-        if (areRowsFirst && m_camera.size && first != second)
-            say(tr("%1 is read as height, width: the image is %2.", given->name, sizeText(*m_camera.size)));
+        if (first.has_value() != second.has_value())
+            say(tr("The text gives only one side of the image, %1.", shortestText(first ? *first : *second)));
+        if (isHeightFirst && camera.size && *first != *second)
+            say(tr("%1 is read as height, width: the image is %2.", given->name, sizeText(*camera.size)));
+    }
+
+    /// Returns whether two sides are height, width: as twice the principal point tells where it is clear,
+    /// else as the name tells.
+    bool isHeightBefore(const CameraValue &value, double first, double second) const
+    {
+        if (!camera.intrinsics || camera.intrinsics->isCentreComputed)
+            return value.role.areRowsFirst;
+        const auto miss = [this](double width, double height) {
+            return std::abs(2.0 * camera.intrinsics->cx / width - 1.0)
+                   + std::abs(2.0 * camera.intrinsics->cy / height - 1.0);
+        };
+        constexpr double kClear = 3.0;
+        const double asWritten = miss(first, second), turned = miss(second, first);
+        return kClear * turned < asWritten || (value.role.areRowsFirst && !(kClear * asWritten < turned));
     }
 
     void readIntrinsics()
     {
         refuseUnfit(Intrinsics, tr("a camera matrix has nine, by rows"));
         if (const CameraValue *k = valueOf(Intrinsics)) {
-            m_camera.intrinsics = intrinsicsOf(*k, m_camera.assumed, m_isTransposed);
+            camera.intrinsics = intrinsicsOf(*k, camera.assumed, m_isTransposed);
             const CameraValue *fx = m_values.find("fx");
-            if (fx && std::abs(fx->numbers[0] - m_camera.intrinsics->fx) > 1e-3)
+            if (fx && std::abs(fx->numbers[0] - camera.intrinsics->fx) > 1e-3)
                 say(tr("%1 counts; fx, fy, cx and cy beside it are ignored.", k->name));
             countFromOne(k->name);
         } else if (const auto fx = scalar(kFx), fy = scalar(kFy); fx && fy) {
             const auto cx = scalar(kCx), cy = scalar(kCy);
             if (!cx || !cy)
-                m_reading.fail(tr("fx and fy are given without cx and cy; give all four"));
-            m_camera.intrinsics = cameras::Intrinsics{*fx, *fy, *cx, *cy, skewBeside(*fx), PixelCentres::AtIntegers};
+                fail(tr("fx and fy are given without cx and cy; give all four"));
+            setPinhole(*fx, *fy, *cx, *cy);
         } else if (hasFocalAndPrincipal()) {
             const CameraValue *focal = valueOf(Focal), *principal = valueOf(Principal);
-            m_camera.intrinsics = cameras::Intrinsics{focal->numbers[0],
-                                                      focal->numbers[1],
-                                                      principal->numbers[0],
-                                                      principal->numbers[1],
-                                                      skewBeside(focal->numbers[0]),
-                                                      PixelCentres::AtIntegers};
+            setPinhole(focal->numbers[0], focal->numbers[1], principal->numbers[0], principal->numbers[1]);
             countFromOne(principal->name);
         } else if (hasOneFocal()) {
             readOneFocal();
-        } else if (!has(CameraMatrix) && !angle("x") && !angle("y") && !loneP()) {
-            m_reading.fail(tr("there is a pose, but no camera matrix; give K, nine numbers by rows"));
+        } else if (!has(CameraMatrix) && !hasAngle() && !loneP()) {
+            fail(tr("there is a pose, but no camera matrix; give K, nine numbers by rows"));
         }
+    }
+
+    void setPinhole(double fx, double fy, double cx, double cy)
+    {
+        camera.intrinsics = cameras::Intrinsics{fx, fy, cx, cy, skewBeside(fx)};
     }
 
     /// Words before a name in source code.
@@ -508,8 +400,8 @@ private:
     double skewBeside(double fx)
     {
         constexpr double kMost = 0.1; // of fx
-        for (const char *name : {"skew", "alphac", "gamma", "s"}) {
-            const CameraValue *value = m_values.find(name);
+        for (const char *known : {"skew", "alphac", "gamma", "s"}) {
+            const CameraValue *value = m_values.find(known);
             const bool isOwn = value && (value->words.size() == 1 || base::isListed(kTypes, value->words.front()));
             if (!isOwn)
                 continue;
@@ -542,26 +434,28 @@ private:
                      cy = principal ? principal->numbers[1] : *scalar(kCy);
         constexpr double kShort = 0.2; // of the image's half; in millimetres, it would be less
         if (!(focal > kShort * std::max(cx, cy)))
-            fail(value,
-                 tr("%1 is no focal length in pixels beside a principal point (%2, %3); give fx and fy in pixels",
-                    shortestText(focal), shortestText(cx), shortestText(cy)));
+            throw value.error(
+                tr("%1 is no focal length in pixels beside a principal point (%2, %3); give fx and fy in pixels",
+                   shortestText(focal), shortestText(cx), shortestText(cy)));
         say(tr("%1 is read as fx and fy, in pixels.", value.name));
-        m_camera.intrinsics = cameras::Intrinsics{focal, focal, cx, cy, skewBeside(focal), PixelCentres::AtIntegers};
+        setPinhole(focal, focal, cx, cy);
     }
+
+    bool hasAngle() const { return angle("x") || angle("y"); }
 
     /// The angle of view along an axis of the image, "fov_x", "vfov_deg"; null if there is none.
     const CameraValue *angle(std::string_view axis) const
     {
         const bool isX = axis == "x";
         for (const CameraValue &value : all(Number)) {
-            std::string name = plain(value.name);
+            std::string axisName = plain(value.name);
             for (const std::string_view ending : {"degrees", "degree", "deg", "radians", "radian", "rad"}) {
-                if (name.ends_with(ending))
-                    name.resize(name.size() - ending.size());
+                if (axisName.ends_with(ending))
+                    axisName.resize(axisName.size() - ending.size());
             }
             if (base::isListed(isX ? " fovx xfov hfov fovh horizontalfov fovhorizontal horizontalfieldofview "
                                    : " fovy yfov vfov fovv verticalfov fovvertical verticalfieldofview ",
-                               name))
+                               axisName))
                 return &value;
         }
         return nullptr;
@@ -570,16 +464,16 @@ private:
     /// An angle in radians: in the unit that its name or the text tells, else by its size.
     double radians(const CameraValue &value)
     {
-        const std::string name = plain(value.name) + value.unit;
-        if (!value.unit.empty() && !value.unit.starts_with("deg") && !value.unit.starts_with("rad"))
-            fail(value, tr("its unit is %1, which is not known here; give numbers without a unit", value.unit));
+        const std::string told = plain(value.name) + value.unit;
+        if (!isInAngles(value))
+            refuseUnit(value);
         const double number = use(value, true, true);
         if (!(number > 0.0))
-            fail(value, tr("it is %1; an angle of view is greater than 0", shortestText(number)));
-        m_camera.read.push_back({ReadValue::Of::Lens, value.name, value.line});
-        if (name.find("rad") != name.npos)
+            throw value.error(tr("it is %1; an angle of view is greater than 0", shortestText(number)));
+        camera.read.push_back({ReadValue::Of::Lens, value.name, value.line});
+        if (told.find("rad") != told.npos)
             return number;
-        const bool isInDegrees = name.find("deg") != name.npos;
+        const bool isInDegrees = told.find("deg") != told.npos;
         const bool areDegrees = isInDegrees || number > geometry::kPi;
         if (!isInDegrees)
             say(tr(areDegrees ? "%1 is read in degrees." : "%1 is read in radians.", value.name));
@@ -591,23 +485,23 @@ private:
         const CameraValue *across = angle("x"), *down = angle("y");
         if (across && down) {
             const double x = radians(*across), y = radians(*down);
-            m_reading.setVerticalAngle(y, std::tan(x / 2.0) / std::tan(y / 2.0));
+            setVerticalAngle(y, std::tan(x / 2.0) / std::tan(y / 2.0));
         } else if (across) {
-            m_reading.setHorizontalAngle(radians(*across));
+            setHorizontalAngle(radians(*across));
         } else {
-            m_reading.setVerticalAngle(radians(*down));
+            setVerticalAngle(radians(*down));
         }
     }
 
     /// MATLAB's pixels count from 1.
-    void countFromOne(std::string_view name)
+    void countFromOne(const std::string &given)
     {
-        if (name != "IntrinsicMatrix" && name != "PrincipalPoint")
+        if (given != "IntrinsicMatrix" && given != "PrincipalPoint")
             return;
-        m_camera.intrinsics->cx -= 1.0;
-        m_camera.intrinsics->cy -= 1.0;
-        say(tr("%1 is MATLAB's, whose pixels count from 1: here the principal point is (%2, %3).", name,
-               shortestText(m_camera.intrinsics->cx), shortestText(m_camera.intrinsics->cy)));
+        camera.intrinsics->cx -= 1.0;
+        camera.intrinsics->cy -= 1.0;
+        say(tr("%1 is MATLAB's, whose pixels count from 1: here the principal point is (%2, %3).", given,
+               shortestText(camera.intrinsics->cx), shortestText(camera.intrinsics->cy)));
     }
 
     /// A value's one number. Fails where the text computes with it, has others under a name, or gives it in
@@ -616,12 +510,11 @@ private:
     double use(const CameraValue &value, bool isOfOne = true, bool hasUnit = false)
     {
         if (!value.unit.empty() && !hasUnit)
-            fail(value, tr("it is in %1; give pixels", value.unit));
+            throw value.error(tr("it is in %1; give pixels", value.unit));
         const double number = value.number();
-        if (!std::isfinite(number))
-            fail(value, tr("a number is not finite"));
+        refuseNotFinite(value, {number});
         if (isOfOne && m_values.differs(value))
-            m_reading.fail(tr("%1 has several values. Give the text of one camera", value.words.back()), value.line);
+            fail(tr("%1 has several values. Give the text of one camera", value.words.back()), value.line);
         m_used.insert(&value);
         return number;
     }
@@ -636,7 +529,7 @@ private:
     void readPose()
     {
         const CameraValue *matrix = valueOf(CameraMatrix);
-        if (!matrix && !m_camera.intrinsics && (matrix = loneP())) {
+        if (!matrix && !camera.intrinsics && (matrix = loneP())) {
             note(CameraMatrix, *matrix);
             say(tr("The 12 numbers are read as P = K [R t]: they have the form of one."));
         }
@@ -646,7 +539,7 @@ private:
             readCameraMatrix(*matrix);
         else
             readPoseOrParts();
-        if (!m_camera.pose)
+        if (!camera.pose)
             readOther();
     }
 
@@ -656,21 +549,21 @@ private:
     {
         const CameraValue *found = nullptr;
         for (const CameraValue &value : all(Other)) {
-            const auto pose = value.numbers.size() == 9 ? std::nullopt : matrixByRows(value.numbers);
-            const bool isRigid = pose && (*pose)[0][3] == 0.0 && (*pose)[1][3] == 0.0 && (*pose)[2][3] == 0.0
-                                 && areOrthonormal(glm::dmat3(*pose));
+            const auto matrix = value.numbers.size() == 9 ? std::nullopt : matrixByRows(value.numbers);
+            const bool isRigid = matrix && (*matrix)[0][3] == 0.0 && (*matrix)[1][3] == 0.0 && (*matrix)[2][3] == 0.0
+                                 && areOrthonormal(glm::dmat3(*matrix));
             if (!isRigid || hasPartWord(value.name))
                 continue;
             if (found)
-                fail(value,
-                     tr("it may be the pose, and so may %1; name the pose \"pose\" or \"extrinsic\"", found->name));
+                throw value.error(
+                    tr("it may be the pose, and so may %1; name the pose \"pose\" or \"extrinsic\"", found->name));
             found = &value;
         }
         if (!found)
             return;
         refuseComputed(Pose, *found);
         readPoseMatrix(*found);
-        m_camera.isDirectionOpen = true;
+        camera.isDirectionOpen = true;
         note(Part::Pose, *found);
     }
 
@@ -690,13 +583,11 @@ private:
     bool isOfRectified(const CameraValue &value)
     {
         const std::optional<CameraParts> parts = partsOf(value.numbers);
-        if (!m_camera.intrinsics || !parts
-            || pipeline::largestDifference(glm::dmat3(parts->cameraFromWorld), glm::dmat3(1.0)) > 1e-9)
+        if (!camera.intrinsics || !parts || isTurnedAway(*parts))
             return false;
-        const auto &own = *m_camera.intrinsics, &other = parts->intrinsics;
-        const auto isSame = [&](double a, double b) { return std::abs(a - b) <= 1e-3 * own.fx; };
-        if (isSame(own.fx, other.fx) && isSame(own.fy, other.fy) && isSame(own.cx, other.cx)
-            && isSame(own.cy, other.cy))
+        const auto &k = *camera.intrinsics, &other = parts->intrinsics;
+        const auto isSame = [&](double a, double b) { return std::abs(a - b) <= 1e-3 * k.fx; };
+        if (isSame(k.fx, other.fx) && isSame(k.fy, other.fy) && isSame(k.cx, other.cx) && isSame(k.cy, other.cy))
             return false;
         say(tr("%1 has no rotation and another lens than K: it is of the rectified image, and K counts.", value.name));
         return true;
@@ -711,20 +602,19 @@ private:
             say(tr("%1 is transposed, as MATLAB's cameraMatrix is: its columns are read as rows.", value.name));
         }
         if (!parts)
-            fail(value, tr("its first three columns have no inverse; a camera's P has one"));
+            throw value.error(tr("its first three columns have no inverse; a camera's P has one"));
         const bool hasPose = (has(Pose) && &value != all(Pose).data()) || has(Rotation) || has(Quaternion);
-        const bool isRectified =
-            hasPose && pipeline::largestDifference(glm::dmat3(parts->cameraFromWorld), glm::dmat3(1.0)) < 1e-9;
-        if ((m_camera.intrinsics || hasPose) && !isRectified) {
+        const bool isRectified = hasPose && !isTurnedAway(*parts);
+        if ((camera.intrinsics || hasPose) && !isRectified) {
             say(tr("%1 is K [R t]: it counts, and K, R and t beside it are ignored.", value.name));
             setUsed({Rotation, Translation, Pose});
         }
-        m_camera.intrinsics = parts->intrinsics;
-        m_camera.pose = parts->cameraFromWorld;
+        camera.intrinsics = parts->intrinsics;
+        camera.pose = parts->cameraFromWorld;
         // Rounding leaves a skew that no camera has.
-        double &skew = m_camera.intrinsics->skew;
-        if (skew != 0.0 && std::abs(skew) <= 1e-6 * m_camera.intrinsics->fx) {
-            if (std::abs(skew) > 1e-12 * m_camera.intrinsics->fx)
+        double &skew = camera.intrinsics->skew;
+        if (skew != 0.0 && std::abs(skew) <= 1e-6 * camera.intrinsics->fx) {
+            if (std::abs(skew) > 1e-12 * camera.intrinsics->fx)
                 say(tr("%1 has a skew of %2 pixels, as rounded numbers make it; it is taken as 0.", value.name,
                        significantText(skew, 2)));
             skew = 0.0;
@@ -736,7 +626,7 @@ private:
     /// Takes K from a P = K [1 t], and the pose from the values beside it.
     void readPoseBeside(const CameraValue &value, const glm::dvec3 &shift)
     {
-        m_camera.pose.reset();
+        camera.pose.reset();
         readPoseOrParts();
         say(tr("%1 has no rotation: it gives K, and the pose beside it counts.", value.name));
         if (glm::length(shift) > 1e-9)
@@ -746,12 +636,12 @@ private:
 
     void readPoseMatrix(const CameraValue &value)
     {
-        m_camera.pose = *matrixByRows(value.numbers);
+        camera.pose = *matrixByRows(value.numbers);
         setDirection(value, value.role);
-        m_camera.isDirectionOpen = !value.role.direction;
-        m_camera.areAxesCertain = value.role.areAxesStated;
+        camera.isDirectionOpen = !value.role.direction;
+        camera.areAxesCertain = value.role.areAxesStated;
         if (value.role.axes)
-            m_camera.axes = *value.role.axes;
+            camera.axes = *value.role.axes;
         if (has(Rotation)) {
             say(tr("%1 counts; R and t beside it are ignored.", value.name));
             setUsed({Rotation, Translation});
@@ -761,12 +651,12 @@ private:
     /// Sets the pose's direction as a name tells or suggests it.
     void setDirection(const CameraValue &value, const Role &role)
     {
-        m_camera.direction = role.direction.value_or(m_camera.direction);
-        m_camera.isDirectionCertain = role.isDirectionStated;
+        camera.direction = role.direction.value_or(camera.direction);
+        camera.isDirectionCertain = role.isDirectionStated;
         if (role.direction)
-            m_camera.poseName = value.name;
+            camera.poseName = value.name;
         else
-            m_camera.poseName.clear();
+            camera.poseName.clear();
         if (!role.world.empty())
             say(tr("The scene's world is the frame \"%1\" of %2.", role.world, value.name));
     }
@@ -780,8 +670,9 @@ private:
                           *translation = valueOf(Translation), *quaternion = rotation ? nullptr : valueOf(Quaternion),
                           *center = translation || !(rotation || quaternion) ? nullptr : valueOf(Center);
         if (const CameraValue *list = m_values.unfit(Quaternion); list && !rotation && !quaternion)
-            fail(*list, tr("the order of a quaternion's four numbers is not known; name them, {x: 0, y: 0, z: 0, w: "
-                           "1}, or give R"));
+            throw list->error(
+                tr("the order of a quaternion's four numbers is not known; name them, {x: 0, y: 0, z: 0, w: "
+                   "1}, or give R"));
         if (!rotation && !quaternion) {
             refuseAngles();
             refuseEmpty({Rotation, Quaternion});
@@ -796,12 +687,12 @@ private:
             const std::vector<double> &q = quaternion->numbers;
             const auto turned = rotationOf(q[3], q[0], q[1], q[2]);
             if (!turned)
-                fail(*quaternion, tr("x, y, z and w are 0; give a quaternion"));
+                throw quaternion->error(tr("x, y, z and w are 0; give a quaternion"));
             turn = *turned;
             // A pose is the camera's in its parent; a transform may be either.
-            m_camera.program = "ROS";
-            m_camera.direction = PoseDirection::CameraToWorld;
-            m_camera.isDirectionCertain = false;
+            camera.program = "ROS";
+            camera.direction = PoseDirection::CameraToWorld;
+            camera.isDirectionCertain = false;
             rotation = quaternion;
         } else if (!rotation) {
             say(tr("There is no rotation beside %1: none is assumed.", translation->name));
@@ -810,8 +701,8 @@ private:
             const glm::dvec3 axis = unit * glm::dvec3(rotation->numbers[0], rotation->numbers[1], rotation->numbers[2]);
             constexpr double kMostTurn = 6.2832; // 2 pi
             if (glm::length(axis) > kMostTurn)
-                fail(*rotation, tr("its length is %1; a rotation vector in radians has at most 2 pi. Give R",
-                                   significantText(glm::length(axis), 4)));
+                throw rotation->error(tr("its length is %1; a rotation vector in radians has at most 2 pi. Give R",
+                                         significantText(glm::length(axis), 4)));
             if (rotation->name.find("vec") == std::string::npos)
                 say(tr("The three numbers of %1 are read as a rotation vector, in radians.", rotation->name));
             turn = rotationOf(axis);
@@ -824,21 +715,18 @@ private:
             const bool isSplatting = across && down && (down->name == "FovY" || down->name == "FoVy")
                                      && (across->name == "FovX" || across->name == "FoVx") && translation
                                      && translation->name == "T"; // CameraInfo, Camera
-            if (isRealSense) {
+            if (isRealSense || isSplatting || m_isTransposed) {
                 turn = glm::transpose(turn);
-                say(tr("%1 is read by columns, as RealSense's rs2_extrinsics has it.", rotation->name));
-            } else if (isSplatting) {
-                turn = glm::transpose(turn);
-                say(tr("%1 is read by columns, as the cameras of 3-D Gaussian splatting have it.", rotation->name));
-            } else if (m_isTransposed) {
-                turn = glm::transpose(turn);
-                say(tr("%1 is read by columns, too.", rotation->name));
+                say(tr(isRealSense   ? "%1 is read by columns, as RealSense's rs2_extrinsics has it."
+                       : isSplatting ? "%1 is read by columns, as the cameras of 3-D Gaussian splatting have it."
+                                     : "%1 is read by columns, too.",
+                       rotation->name));
             }
             if (glm::determinant(turn) < 0.0)
-                fail(*rotation, tr("its determinant is %1: it mirrors. Check the sign of a row or a column",
-                                   significantText(glm::determinant(turn), 3)));
+                throw rotation->error(tr("its determinant is %1: it mirrors. Check the sign of a row or a column",
+                                         significantText(glm::determinant(turn), 3)));
             // solvePnP's vectors go from the world to the camera; R and t may be either.
-            m_camera.isDirectionCertain = isSplatting;
+            camera.isDirectionCertain = isSplatting;
         }
         setDirectionOfParts(rotation, translation ? translation : center);
         glm::dvec3 shift(0.0);
@@ -846,9 +734,9 @@ private:
             shift = {given->numbers[0], given->numbers[1], given->numbers[2]};
         else
             takeNoTranslation(*rotation);
-        m_camera.pose = rigid(turn, translation ? shift : glm::dvec3(0.0));
+        camera.pose = rigid(turn, translation ? shift : glm::dvec3(0.0));
         if (center && !translation) {
-            m_camera.center = shift;
+            camera.center = shift;
             say(tr("%1 is the camera's position in the world.", center->name));
         }
     }
@@ -858,16 +746,17 @@ private:
     {
         for (const CameraValue &value : all(Other)) {
             if (value.numbers.size() == 3 && hasPartWord(value.name))
-                fail(value, tr("it may be the translation beside %1, but its name says more; name it t, in the world's "
-                               "unit, or leave it out",
-                               rotation.name));
+                throw value.error(
+                    tr("it may be the translation beside %1, but its name says more; name it t, in the world's "
+                       "unit, or leave it out",
+                       rotation.name));
         }
         for (const CameraValue &value : all(Number)) {
             if (base::isListed(" x y z tx ty tz ", plain(value.name)) && value.node == rotation.node
                 && value.text == rotation.text && value.numbers[0] != 0.0)
-                fail(value,
-                     tr("it may belong to the translation beside %1; give t or the camera's position C by its name",
-                        rotation.name));
+                throw value.error(
+                    tr("it may belong to the translation beside %1; give t or the camera's position C by its name",
+                       rotation.name));
         }
         refuseEmpty({Translation, Center});
         say(tr("There is no translation beside %1: it is taken as 0.", rotation.name));
@@ -878,7 +767,7 @@ private:
     {
         for (const CameraValue &value : all(Empty)) {
             if (std::ranges::find(parts, value.role.part) != parts.end())
-                fail(value, tr("it has no number; give it, or leave the name out"));
+                throw value.error(tr(kNoNumber));
         }
     }
 
@@ -889,9 +778,9 @@ private:
 
     [[noreturn]] static void failAngles(const CameraValue &value)
     {
-        fail(value,
-             tr("the rotation is given as angles, whose order and axes programs write differently; give a matrix "
-                "or a quaternion"));
+        throw value.error(
+            tr("the rotation is given as angles, whose order and axes programs write differently; give a matrix "
+               "or a quaternion"));
     }
 
     /// Fails for a position beside angles: without them, it would be the pose of a camera that is not
@@ -913,8 +802,7 @@ private:
                 const bool isOfPose = hasPosition || hasAny(" pitch yaw roll rpy ypr euler eulers ");
                 if (isOfPose && isAngle(value.name) && numbers.size() <= kMost
                     && std::ranges::any_of(numbers, [](double angle) { return angle != 0.0; }))
-                    fail(value, tr("the rotation is given as angles, whose order and axes programs write differently; "
-                                   "give a matrix or a quaternion"));
+                    failAngles(value);
             }
         }
     }
@@ -926,21 +814,22 @@ private:
             return value && value->role.isDirectionStated && value->role.part != Center;
         };
         if (stated(rotation) && stated(shift) && rotation->role.direction != shift->role.direction)
-            fail(*shift, tr("its direction is not that of %1 beside it; give both in one direction", rotation->name));
+            throw shift->error(
+                tr("its direction is not that of %1 beside it; give both in one direction", rotation->name));
         if (stated(rotation) || stated(shift))
             setDirection(stated(rotation) ? *rotation : *shift, stated(rotation) ? rotation->role : shift->role);
         else if (rotation && rotation->role.direction)
             setDirection(*rotation, rotation->role);
         else if (shift && shift->role.part == Center)
-            m_camera.direction = shift->role.direction.value_or(m_camera.direction);
+            camera.direction = shift->role.direction.value_or(camera.direction);
     }
 
     /// ROS: the raw image is K's, with D; the rectified one is P's, turned by R.
     void readRectification(const CameraValue &p)
     {
         const std::optional<CameraParts> parts = partsOf(p.numbers);
-        const auto number = [this](const char *name) {
-            const CameraValue *value = m_values.find(name);
+        const auto number = [this](const char *of) {
+            const CameraValue *value = m_values.find(of);
             return value ? value->number() : 0.0;
         };
         const double binning = number("binningx"), left = number("xoffset"), top = number("yoffset");
@@ -948,46 +837,41 @@ private:
             say(tr("Binning and region of interest are not applied: pixels are those of the full "
                    "image."));
         setUsed({Rotation, CameraMatrix});
-        if (const CameraValue *pose = valueOf(Pose))
-            readPoseMatrix(*pose);
+        if (const CameraValue *matrix = valueOf(Pose))
+            readPoseMatrix(*matrix);
         else if (has(Quaternion))
             readParts();
-        if (!m_reading.choices.isUndistorted) {
+        if (!choices.isUndistorted) {
             say(tr("Pixels are those of the raw image, so K counts; --undistorted takes P, for "
                    "the rectified one."));
             return;
         }
-        if (!parts || m_camera.pose) {
+        if (!parts || camera.pose) {
             say(tr("P cannot be used here: K counts for the rectified image."));
             return;
         }
         say(tr("Pixels are those of the rectified image, so P and R count; K is ignored."));
-        m_camera.intrinsics = parts->intrinsics;
-        m_camera.intrinsics->skew = 0.0;
+        camera.intrinsics = parts->intrinsics;
+        camera.intrinsics->skew = 0.0;
         const CameraValue *rectification = valueOf(Rotation);
         const bool hasTurn = rectification && rectification->numbers.size() == 9;
-        m_camera.pose = parts->cameraFromWorld * (hasTurn ? *matrixByRows(rectification->numbers) : glm::dmat4(1.0));
+        camera.pose = parts->cameraFromWorld * (hasTurn ? *matrixByRows(rectification->numbers) : glm::dmat4(1.0));
     }
 
     void readDistortion()
     {
-        const std::optional<CameraValue> list = coefficients();
-        if (const auto model = unknownModel(list)) {
-            if (!m_reading.choices.isUndistorted)
-                fail(*model, unknownDistortionText(model->word));
-            say(tr("The distortion %1 is dropped: pixels are those of the undistorted image.", model->word));
+        const std::optional<CameraValue> list = coefficients(), model = unknownModel(list);
+        if (!model && !list)
             return;
-        }
-        if (!list)
-            return;
-        const Result<cameras::Distortion, std::string> lens = distortionOf(list->numbers);
-        if (lens)
-            m_camera.distortion = *lens;
-        else if (!m_reading.choices.isUndistorted)
-            fail(*list, lens.error());
+        const Result<cameras::Distortion, std::string> known =
+            model ? unknownDistortionText(model->word) : distortionOf(list->numbers);
+        if (known)
+            camera.distortion = *known;
+        else if (!choices.isUndistorted)
+            throw(model ? *model : *list).error(known.error());
         else
-            say(tr("The distortion coefficients are dropped: pixels are those of the "
-                   "undistorted image."));
+            say(model ? tr("The distortion %1 is dropped: pixels are those of the undistorted image.", model->word)
+                      : tr("The distortion coefficients are dropped: pixels are those of the undistorted image."));
     }
 
     /// The coefficients in OpenCV's order: a list, or numbers with their names.
@@ -996,7 +880,7 @@ private:
         if (const CameraValue *list = valueOf(Distortion))
             return *list;
         CameraValue named;
-        named.file = m_reading.text.name;
+        named.file = text.name;
         const CameraValue *radial = valueOf(Radial), *tangential = valueOf(Tangential);
         if (const CameraValue *given = radial ? radial : tangential) { // MATLAB's
             const std::vector<double> none(3, 0.0);
@@ -1006,11 +890,11 @@ private:
             named.numbers = {k[0], k[1], p[0], p[1], k.size() > 2 ? k[2] : 0.0};
             return named;
         }
-        for (const char *name : {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"}) {
-            const CameraValue *value = m_values.coefficient(name);
+        for (const char *one : std::span(kCoefficients).first(8)) {
+            const CameraValue *value = m_values.coefficient(one);
             named.numbers.push_back(value ? use(*value) : 0.0);
             if (value && (named.line == 0 || value->numbers[0] != 0.0)) {
-                named.name = name;
+                named.name = one;
                 named.line = value->line;
             }
         }
@@ -1028,10 +912,10 @@ private:
             if (value.numbers[0] == 0.0 || m_used.contains(&value) || coefficientOf(value.name).empty())
                 continue;
             // The list's own, once more.
-            constexpr std::array kOrder{"k1", "k2", "p1", "p2", "k3"};
+            const auto known = std::span(kCoefficients).first(5);
             const auto place = std::size_t(
-                std::ranges::find_if(kOrder, [&](const char *name) { return value.isNamed(name); }) - kOrder.begin());
-            if (list && place < std::min(kOrder.size(), list->numbers.size())
+                std::ranges::find_if(known, [&](const char *one) { return value.isNamed(one); }) - known.begin());
+            if (list && place < std::min(known.size(), list->numbers.size())
                 && list->numbers[place] == value.numbers[0])
                 continue;
             CameraValue named = value;
@@ -1058,14 +942,13 @@ private:
     void readClipDistances()
     {
         for (const auto &[names, distance] :
-             {std::pair("znear near nearplane nearclip nearclipplane", &m_camera.nearDistance),
-              std::pair("zfar far farplane farclip farclipplane", &m_camera.farDistance)}) {
+             {std::pair("znear near nearplane nearclip nearclipplane", &camera.nearDistance),
+              std::pair("zfar far farplane farclip farclipplane", &camera.farDistance)}) {
             const CameraValue *value = m_values.find(names);
             if (!value)
                 continue;
             *distance = value->number();
-            if (!value->unit.empty() && value->unit != "m")
-                say(tr("%1 is in %2: this is the scene's unit.", value->name, value->unit));
+            sayUnit(*value);
         }
     }
 
@@ -1074,10 +957,7 @@ private:
         " pinhole perspective pinholeradtan simplepinhole opencv opencv4 opencv5 fullopencv none plumbbob radtan "
         "radialtangential brownconrady brown rationalpolynomial ";
 
-    std::span<const NamedText> m_texts;
     CameraValues m_values;
-    Reading m_reading;
-    ForeignCamera &m_camera = m_reading.camera;
     bool m_isTransposed = false; ///< K is MATLAB's, so R is
     std::set<const CameraValue *> m_used;
 };

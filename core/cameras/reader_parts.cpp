@@ -54,7 +54,7 @@ std::vector<std::size_t> imageIndexes(const std::vector<std::string> &images, co
         }
         return !found.empty();
     };
-    if (choice.empty() && !images.empty())
+    if (choice.empty())
         return {0};
     if (has([&](const std::string &image) { return image == choice; })
         || has([&](const std::string &image) { return image.ends_with('/' + choice); }))
@@ -94,6 +94,11 @@ void Reading::fail(std::string reason, std::size_t line) const
 
 void Reading::chooseImage(std::span<const std::string> ids)
 {
+    if (camera.images.empty()) {
+        if (!choices.image.empty() && choices.image != "0")
+            fail(tr("there is one camera without a name; leave --image out"));
+        return;
+    }
     std::vector<std::size_t> found;
     if (std::ranges::find(camera.images, choices.image) == camera.images.end()) {
         for (std::size_t i = 0; i < ids.size(); ++i) {

@@ -63,8 +63,8 @@ public:
     [[noreturn]] void fail(std::string reason, std::size_t line = 0) const;
     void say(std::string assumed) { camera.assumed.push_back(std::move(assumed)); }
 
-    /// Sets the image of a camera whose `images` are set. Adds a sentence where the first of several
-    /// is taken. A wrong choice fails with a list of the first images.
+    /// Sets the image of a camera whose `images` are set; without any, no choice fits but "0". Adds a sentence
+    /// where the first of several is taken. A wrong choice fails with a list of the first images.
     /// @param ids  other names of the images, in their order; empty: none. They count where no image has the name.
     void chooseImage(std::span<const std::string> ids = {});
 
