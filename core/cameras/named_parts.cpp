@@ -667,78 +667,89 @@ private:
         refuseUnfit(Translation, tr("a translation has three"));
         refuseUnfit(Pose, tr("a pose has twelve or sixteen, by rows"));
         const CameraValue *rotation = m_values.isCameraInfo() ? nullptr : valueOf(Rotation),
-                          *translation = valueOf(Translation), *quaternion = rotation ? nullptr : valueOf(Quaternion),
-                          *center = translation || !(rotation || quaternion) ? nullptr : valueOf(Center);
-        if (const CameraValue *list = m_values.unfit(Quaternion); list && !rotation && !quaternion)
-            throw list->error(
-                tr("the order of a quaternion's four numbers is not known; name them, {x: 0, y: 0, z: 0, w: "
-                   "1}, or give R"));
-        if (!rotation && !quaternion) {
+                          *translation = valueOf(Translation);
+        if (!rotation)
+            rotation = valueOf(Quaternion);
+        const CameraValue *center = translation || !rotation ? nullptr : valueOf(Center),
+                          *shift = translation ? translation : center;
+        if (!rotation) {
+            if (const CameraValue *list = m_values.unfit(Quaternion))
+                throw list->error(tr("the order of a quaternion's four numbers is not known; name them, {x: 0, y: 0, "
+                                     "z: 0, w: 1}, or give R"));
             refuseAngles();
             refuseEmpty({Rotation, Quaternion});
-        }
-        if (rotation && rotation->numbers.size() == 3 && areDegrees(*rotation)
-            && plain(rotation->name).find("vec") == std::string::npos)
-            failAngles(*rotation);
-        if (!rotation && !quaternion && !translation)
-            return;
-        glm::dmat3 turn(1.0);
-        if (quaternion) {
-            const std::vector<double> &q = quaternion->numbers;
-            const auto turned = rotationOf(q[3], q[0], q[1], q[2]);
-            if (!turned)
-                throw quaternion->error(tr("x, y, z and w are 0; give a quaternion"));
-            turn = *turned;
-            // A pose is the camera's in its parent; a transform may be either.
-            camera.program = "ROS";
-            camera.direction = PoseDirection::CameraToWorld;
-            camera.isDirectionCertain = false;
-            rotation = quaternion;
-        } else if (!rotation) {
+            if (!translation)
+                return;
             say(tr("There is no rotation beside %1: none is assumed.", translation->name));
-        } else if (rotation->numbers.size() == 3) {
-            const double unit = areDegrees(*rotation) ? geometry::radiansFromDegrees(1.0) : 1.0;
-            const glm::dvec3 axis = unit * glm::dvec3(rotation->numbers[0], rotation->numbers[1], rotation->numbers[2]);
-            constexpr double kMostTurn = 6.2832; // 2 pi
-            if (glm::length(axis) > kMostTurn)
-                throw rotation->error(tr("its length is %1; a rotation vector in radians has at most 2 pi. Give R",
-                                         significantText(glm::length(axis), 4)));
-            if (rotation->name.find("vec") == std::string::npos)
-                say(tr("The three numbers of %1 are read as a rotation vector, in radians.", rotation->name));
-            turn = rotationOf(axis);
-        } else {
-            turn = glm::dmat3(*matrixByRows(rotation->numbers));
-            const bool isPrint = has(Principal) && all(Principal).front().name == "p";
-            const bool isRealSense =
-                (isPrint || m_values.find("ppx")) && plain(rotation->name) == "rotation"; // rs2_extrinsics
-            const CameraValue *across = angle("x"), *down = angle("y");
-            const bool isSplatting = across && down && (down->name == "FovY" || down->name == "FoVy")
-                                     && (across->name == "FovX" || across->name == "FoVx") && translation
-                                     && translation->name == "T"; // CameraInfo, Camera
-            if (isRealSense || isSplatting || m_isTransposed) {
-                turn = glm::transpose(turn);
-                say(tr(isRealSense   ? "%1 is read by columns, as RealSense's rs2_extrinsics has it."
-                       : isSplatting ? "%1 is read by columns, as the cameras of 3-D Gaussian splatting have it."
-                                     : "%1 is read by columns, too.",
-                       rotation->name));
-            }
-            if (glm::determinant(turn) < 0.0)
-                throw rotation->error(tr("its determinant is %1: it mirrors. Check the sign of a row or a column",
-                                         significantText(glm::determinant(turn), 3)));
-            // solvePnP's vectors go from the world to the camera; R and t may be either.
-            camera.isDirectionCertain = isSplatting;
         }
-        setDirectionOfParts(rotation, translation ? translation : center);
-        glm::dvec3 shift(0.0);
-        if (const CameraValue *given = translation ? translation : center)
-            shift = {given->numbers[0], given->numbers[1], given->numbers[2]};
-        else
+        const glm::dmat3 turn = rotation ? turnOf(*rotation, translation) : glm::dmat3(1.0);
+        setDirectionOfParts(rotation, shift);
+        if (!shift)
             takeNoTranslation(*rotation);
-        camera.pose = rigid(turn, translation ? shift : glm::dvec3(0.0));
-        if (center && !translation) {
-            camera.center = shift;
+        const glm::dvec3 at = shift ? vectorOf(shift->numbers) : glm::dvec3(0.0);
+        camera.pose = rigid(turn, translation ? at : glm::dvec3(0.0));
+        if (center) {
+            camera.center = at;
             say(tr("%1 is the camera's position in the world.", center->name));
         }
+    }
+
+    glm::dmat3 turnOf(const CameraValue &rotation, const CameraValue *translation)
+    {
+        if (rotation.role.part == Quaternion)
+            return turnOfQuaternion(rotation);
+        if (rotation.numbers.size() == 3)
+            return turnOfVector(rotation);
+        auto turn = glm::dmat3(*matrixByRows(rotation.numbers));
+        const bool isPrint = has(Principal) && all(Principal).front().name == "p";
+        const bool isRealSense =
+            (isPrint || m_values.find("ppx")) && plain(rotation.name) == "rotation"; // rs2_extrinsics
+        const CameraValue *across = angle("x"), *down = angle("y");
+        const bool isSplatting = across && down && (down->name == "FovY" || down->name == "FoVy")
+                                 && (across->name == "FovX" || across->name == "FoVx") && translation
+                                 && translation->name == "T"; // CameraInfo, Camera
+        if (isRealSense || isSplatting || m_isTransposed) {
+            turn = glm::transpose(turn);
+            say(tr(isRealSense   ? "%1 is read by columns, as RealSense's rs2_extrinsics has it."
+                   : isSplatting ? "%1 is read by columns, as the cameras of 3-D Gaussian splatting have it."
+                                 : "%1 is read by columns, too.",
+                   rotation.name));
+        }
+        if (glm::determinant(turn) < 0.0)
+            throw rotation.error(tr("its determinant is %1: it mirrors. Check the sign of a row or a column",
+                                    significantText(glm::determinant(turn), 3)));
+        // solvePnP's vectors go from the world to the camera; R and t may be either.
+        camera.isDirectionCertain = isSplatting;
+        return turn;
+    }
+
+    glm::dmat3 turnOfQuaternion(const CameraValue &quaternion)
+    {
+        const auto turn = rotationOfXyzw(quaternion.numbers);
+        if (!turn)
+            throw quaternion.error(tr("x, y, z and w are 0; give a quaternion"));
+        // A pose is the camera's in its parent; a transform may be either.
+        camera.program = "ROS";
+        camera.direction = PoseDirection::CameraToWorld;
+        camera.isDirectionCertain = false;
+        return *turn;
+    }
+
+    glm::dmat3 turnOfVector(const CameraValue &rotation)
+    {
+        const bool isVector = rotation.name.find("vec") != std::string::npos;
+        const bool areDegrees =
+            rotation.unit.starts_with("deg") || plain(rotation.name).find("deg") != std::string::npos;
+        if (areDegrees && plain(rotation.name).find("vec") == std::string::npos)
+            failAngles(rotation);
+        const glm::dvec3 axis = (areDegrees ? geometry::radiansFromDegrees(1.0) : 1.0) * vectorOf(rotation.numbers);
+        constexpr double kMostTurn = 6.2832; // 2 pi
+        if (glm::length(axis) > kMostTurn)
+            throw rotation.error(tr("its length is %1; a rotation vector in radians has at most 2 pi. Give R",
+                                    significantText(glm::length(axis), 4)));
+        if (!isVector)
+            say(tr("The three numbers of %1 are read as a rotation vector, in radians.", rotation.name));
+        return rotationOf(axis);
     }
 
     /// Takes 0, unless three numbers may be the translation.
@@ -769,11 +780,6 @@ private:
             if (std::ranges::find(parts, value.role.part) != parts.end())
                 throw value.error(tr(kNoNumber));
         }
-    }
-
-    static bool areDegrees(const CameraValue &rotation)
-    {
-        return rotation.unit.starts_with("deg") || plain(rotation.name).find("deg") != std::string::npos;
     }
 
     [[noreturn]] static void failAngles(const CameraValue &value)
@@ -879,26 +885,27 @@ private:
     {
         if (const CameraValue *list = valueOf(Distortion))
             return *list;
-        CameraValue named;
-        named.file = text.name;
         const CameraValue *radial = valueOf(Radial), *tangential = valueOf(Tangential);
-        if (const CameraValue *given = radial ? radial : tangential) { // MATLAB's
-            const std::vector<double> none(3, 0.0);
-            const std::vector<double> &k = radial ? radial->numbers : none,
-                                      &p = tangential ? tangential->numbers : none;
-            named = *given;
-            named.numbers = {k[0], k[1], p[0], p[1], k.size() > 2 ? k[2] : 0.0};
-            return named;
+        if (radial || tangential) { // MATLAB's
+            CameraValue list = radial ? *radial : *tangential;
+            std::vector<double> k = radial ? radial->numbers : std::vector<double>(),
+                                p = tangential ? tangential->numbers : std::vector<double>();
+            k.resize(3);
+            p.resize(2);
+            list.numbers = {k[0], k[1], p[0], p[1], k[2]};
+            return list;
         }
+        CameraValue list;
+        list.file = text.name;
         for (const char *one : std::span(kCoefficients).first(8)) {
             const CameraValue *value = m_values.coefficient(one);
-            named.numbers.push_back(value ? use(*value) : 0.0);
-            if (value && (named.line == 0 || value->numbers[0] != 0.0)) {
-                named.name = one;
-                named.line = value->line;
+            list.numbers.push_back(value ? use(*value) : 0.0);
+            if (value && (list.line == 0 || value->numbers[0] != 0.0)) {
+                list.name = one;
+                list.line = value->line;
             }
         }
-        return named.line > 0 ? std::optional(named) : std::nullopt;
+        return list.line > 0 ? std::optional(list) : std::nullopt;
     }
 
     /// The first model whose coefficients are not read, or such a coefficient; nothing if there is none.

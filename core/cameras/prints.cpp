@@ -419,7 +419,7 @@ void readUnityPose(Reading &reading, const Node &text)
     if (at.size() != 3)
         text.fail(tr("the camera's position is missing; give its x, y and z"), "position");
     const auto rotation =
-        q.size() == 4 ? rotationOf(q[3], q[0], q[1], q[2])
+        q.size() == 4 ? rotationOfXyzw(q)
         : angles.size() == 3
             ? std::optional(aboutByDegrees(1, angles[1]) * aboutByDegrees(0, angles[0]) * aboutByDegrees(2, angles[2]))
             : std::nullopt;
@@ -471,7 +471,7 @@ void readUnityScene(Reading &reading)
     for (;;) {
         const Numbers at = one.numbers("mlocalposition", 3), q = one.numbers("mlocalrotation", 4),
                       scale = one.numbers("mlocalscale", 3);
-        const auto own = q.size() == 4 ? rotationOf(q[3], q[0], q[1], q[2]) : std::nullopt;
+        const auto own = q.size() == 4 ? rotationOfXyzw(q) : std::nullopt;
         if (at.size() != 3 || scale.size() != 3 || !own || !one.text().starts_with("--- !u!4 ")
             || std::min({scale[0], scale[1], scale[2]}) <= 0.0)
             reading.fail(

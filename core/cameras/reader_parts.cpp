@@ -201,7 +201,7 @@ void Reading::setPose(const Node &node, std::string_view keys, std::size_t count
     if (count == 3) {
         camera.pose = rotationOf(vectorOf(n));
     } else if (count == 4 || count == 7) {
-        const auto turn = count == 4 ? rotationOf(n[0], n[1], n[2], n[3]) : rotationOf(n[3], n[0], n[1], n[2]);
+        const auto turn = count == 4 ? rotationOf(n[0], n[1], n[2], n[3]) : rotationOfXyzw(n);
         if (!turn)
             node.fail(tr("the image's quaternion is 0; a rotation has the length 1"), keys);
         camera.pose = count == 4 ? glm::dmat4(*turn) : rigid(*turn, vectorOf(n, 4));
@@ -362,6 +362,11 @@ std::optional<glm::dmat3> rotationOf(double w, double x, double y, double z)
     return glm::dmat3(1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y), 2.0 * (x * y - w * z),
                       1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x), 2.0 * (x * z + w * y), 2.0 * (y * z - w * x),
                       1.0 - 2.0 * (x * x + y * y));
+}
+
+std::optional<glm::dmat3> rotationOfXyzw(const Numbers &q)
+{
+    return rotationOf(q[3], q[0], q[1], q[2]);
 }
 
 glm::dmat3 about(int axis, double radians)

@@ -147,6 +147,7 @@ std::optional<glm::dmat4> matrixByColumns(std::span<const double> numbers);
 
 /// The rotation of a quaternion of any length; nothing for 0.
 std::optional<glm::dmat3> rotationOf(double w, double x, double y, double z);
+std::optional<glm::dmat3> rotationOfXyzw(const Numbers &xyzw);
 
 /// A rotation about an axis, 0 to 2, counter-clockwise as seen against it.
 glm::dmat3 about(int axis, double radians);
