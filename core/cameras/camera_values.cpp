@@ -168,14 +168,17 @@ std::string stemOf(const std::string &path)
 /// The nine numbers of K in a matrix of 3 x 4 or 4 x 4; other numbers unchanged.
 std::vector<double> withoutBorder(const std::vector<double> &k)
 {
-    const auto isLikeOne = [&](std::size_t i) { return k[i] == (i % 5 == 0 ? 1.0 : 0.0); };
-    if ((k.size() != 12 && k.size() != 16) || !isLikeOne(3) || !isLikeOne(7) || !isLikeOne(11))
+    if (k.size() != 12 && k.size() != 16)
         return k;
-    for (std::size_t i = 12; i < k.size(); ++i) {
-        if (!isLikeOne(i))
+    std::vector<double> inner;
+    for (std::size_t i = 0; i < k.size(); ++i) {
+        const std::size_t row = i / 4, column = i % 4;
+        if (row < 3 && column < 3)
+            inner.push_back(k[i]);
+        else if (k[i] != (row == column ? 1.0 : 0.0))
             return k;
     }
-    return {k[0], k[1], k[2], k[4], k[5], k[6], k[8], k[9], k[10]};
+    return inner;
 }
 
 } // namespace
@@ -395,11 +398,10 @@ void CameraValues::dropElsewhere()
     };
     for (const Part part : kPoseParts) {
         std::ptrdiff_t deepest = 0;
-        for (std::size_t i = 0; m_cameras.empty() && i < all(part).size(); ++i)
-            deepest = std::max(deepest, depthOf(all(part)[i]));
-        split(part, [&](const CameraValue &value) {
-            return isOfOther(value) || isApart(value) || (m_cameras.empty() && depthOf(value) < deepest);
-        });
+        for (const CameraValue &value : all(part))
+            deepest = m_cameras.empty() ? std::max(deepest, depthOf(value)) : 0;
+        split(part,
+              [&](const CameraValue &value) { return isOfOther(value) || isApart(value) || depthOf(value) < deepest; });
     }
     split(Size, isApart);
     const auto isToCameraBefore = [](const CameraValue &value) { return value.role.world == "camera before"; };
@@ -615,10 +617,9 @@ void CameraValues::addUnnamed(CameraValue value)
 {
     using enum Part;
     const std::size_t count = value.numbers.size();
-    const auto isLastRow = [&](std::size_t i) { return i % 16 < 12 || value.numbers[i] == (i % 16 == 15 ? 1.0 : 0.0); };
-    bool are16 = count % 16 == 0;
+    bool are16 = count % 16 == 0; // several have the last row 0 0 0 1
     for (std::size_t i = 0; i < count && are16 && count > 16; ++i)
-        are16 = isLastRow(i);
+        are16 = i % 16 < 12 || value.numbers[i] == (i % 16 == 15 ? 1.0 : 0.0);
     const std::size_t entries = are16 ? 16 : 12;
     if (count == 7 || count == 8) { // t and a quaternion, behind a time
         value.name = tr("the numbers without a name");
@@ -653,56 +654,66 @@ void CameraValues::addEach(Part part, CameraValue value, std::size_t count, std:
 void CameraValues::addComponents(const NamedValues &named)
 {
     using enum Part;
-    constexpr std::string_view kXyzw = "xyzw";
     const std::vector<NamedValue> &values = named.all();
-    const auto prefixOf = [&](std::size_t i) { // "q" of qx
-        const std::string &word = values[i].words.back();
-        return word.substr(0, word.size() == 2 && (word[0] == 'q' || word[0] == 't') ? 1 : 0);
+    struct Component {
+        std::string prefix, parent; ///< "q" of qx, or "orientation" above x
+        std::size_t node, axis;     ///< the axis 0 to 3: x, y, z, w
+        bool isBeside(const Component &other) const
+        {
+            return prefix == other.prefix && parent == other.parent && node == other.node;
+        }
     };
-    const auto nodeOf = [&](std::size_t i) {
-        const std::size_t node = m_outlines.back().nodeAt(values[i].at);
-        return m_isXml ? m_outlines.back().node(node).parent : node;
+    const auto componentOf = [&](const NamedValue &value) -> std::optional<Component> {
+        const std::string &word = value.words.back();
+        const bool hasPrefix = word.size() == 2 && (word[0] == 'q' || word[0] == 't');
+        const std::size_t axis = word.size() == (hasPrefix ? 2 : 1) ? std::string_view("xyzw").find(word.back()) : 4;
+        if (value.numbers.size() != 1 || axis > 3)
+            return std::nullopt;
+        const Outline &outline = m_outlines.back();
+        const std::size_t node = outline.nodeAt(value.at);
+        return Component{word.substr(0, hasPrefix ? 1 : 0), hasPrefix ? "" : value.parent,
+                         m_isXml ? outline.node(node).parent : node, axis};
     };
-    const auto isComponent = [&](std::size_t i) {
-        return i < values.size() && values[i].numbers.size() == 1
-               && values[i].words.back().size() == prefixOf(i).size() + 1
-               && kXyzw.find(values[i].words.back().back()) != kXyzw.npos;
-    };
+    std::vector<std::optional<Component>> components;
+    std::ranges::transform(values, std::back_inserter(components), componentOf);
     // Alone, tx, ty and tz may be another thing's.
     const bool hasTurn = std::ranges::any_of(values, [](const NamedValue &value) {
         const auto role = cameras::roleOf(value.written, value.numbers.size());
         return value.words.back() == "qw" || (role && (role->part == Rotation || role->part == Quaternion));
     });
     std::vector<CameraValue> found;
-    std::set<std::size_t> taken, read; ///< indexes, and places in the text
+    std::vector<bool> isTaken(values.size());
+    std::set<std::size_t> read; // places in the text
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const std::string prefix = isComponent(i) ? prefixOf(i) : std::string();
+        if (!components[i])
+            continue;
+        const std::string &prefix = components[i]->prefix;
         constexpr std::size_t kMost = 16; // lines between qx and qw
         std::vector<std::size_t> places;
-        std::set<std::string> components;
+        std::set<std::size_t> axes;
         for (std::size_t k = i; k < std::min(i + kMost, values.size()); ++k) {
-            const bool isNext = isComponent(k) && !taken.contains(k) && prefixOf(k) == prefix && nodeOf(k) == nodeOf(i)
-                                && (!prefix.empty() || values[k].parent == values[i].parent)
-                                && components.insert(values[k].words.back()).second;
+            const auto &next = components[k];
+            const bool isNext = next && !isTaken[k] && next->isBeside(*components[i]) && axes.insert(next->axis).second;
             if (isNext)
                 places.push_back(k);
             else if (prefix.empty())
                 break;
         }
         const std::size_t count = places.size();
-        if (count < 3 || components.contains(prefix + 'w') != (count == 4) || (prefix == "t" && !hasTurn))
+        if (count < 3 || axes.contains(3) != (count == 4) || (prefix == "t" && !hasTurn))
             continue;
         const auto role = prefix.empty() ? cameras::roleOf(values[i].parent, count)
                                          : std::optional(Role{count == 4 ? Quaternion : Translation});
-        taken.insert(places.begin(), places.end());
-        if (!role || (prefix == "q") > (count == 4))
+        for (const std::size_t k : places)
+            isTaken[k] = true;
+        if (!role || (prefix == "q" && count == 3))
             continue;
         CameraValue &added = found.emplace_back(valueOf(values[i]));
         added.name = prefix.empty() ? values[i].parent : values[i].written;
         added.role = *role;
         added.numbers.assign(count, 0.0);
         for (const std::size_t k : places) {
-            added.numbers[kXyzw.find(values[k].words.back().back())] = values[k].numbers[0];
+            added.numbers[components[k]->axis] = values[k].numbers[0];
             added.arithmetic += values[k].arithmetic;
             if (!isListed(' ' + added.unit + ' ', values[k].unit))
                 added.unit += (added.unit.empty() ? "" : " ") + values[k].unit;
@@ -721,10 +732,9 @@ void CameraValues::addComponents(const NamedValues &named)
     for (CameraValue &value : found) {
         if (isPose && value.role.part == Center)
             value.role = {Translation};
-        const bool isRead =
-            isTurn(value)
-            || (value.numbers.size() == 3 && (value.role.part == Translation || value.role.part == Center));
-        (isRead && setDirectionAround(value) ? of(value.role.part) : of(Other)).push_back(std::move(value));
+        const bool isShift = value.numbers.size() == 3 && (value.role.part == Translation || value.role.part == Center);
+        const bool isRead = (isTurn(value) || isShift) && setDirectionAround(value);
+        of(isRead ? value.role.part : Other).push_back(std::move(value));
     }
 }
 
