@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <unordered_map>
 #include <utility>
 
@@ -225,14 +226,21 @@ struct Name {
         }
     }
 
-    bool has(Word kind) const { return std::ranges::find(kinds, kind) != kinds.end(); }
-    bool hasWord(std::string_view word) const { return std::ranges::find(words, word) != words.end(); }
+    /// Returns whether the name has a word of any of these kinds.
+    bool has(std::same_as<Word> auto... some) const
+    {
+        return std::ranges::any_of(kinds, [&](Word kind) { return ((kind == some) || ...); });
+    }
+    /// Returns whether the name has a word of a list.
+    bool hasWord(std::string_view list) const
+    {
+        return std::ranges::any_of(words, [&](const std::string &word) { return isListed(list, word); });
+    }
     /// Returns whether the name has none but these kinds and those that say nothing.
-    bool isOnly(std::initializer_list<Word> some) const
+    bool isOnly(std::same_as<Word> auto... some) const
     {
         return std::ranges::all_of(kinds, [&](Word kind) {
-            return kind == Word::Filler || kind == Word::Camera || kind == Word::Side
-                   || std::ranges::find(some, kind) != some.end();
+            return kind == Word::Filler || kind == Word::Camera || kind == Word::Side || ((kind == some) || ...);
         });
     }
 
@@ -310,50 +318,43 @@ constexpr std::array kNamesOfPrograms{
 std::optional<Part> partOf(const Name &name, std::size_t count)
 {
     using enum Word;
-    const bool isMatrix = name.has(Matrix), isTransform = name.has(Transform);
+    const auto partIf = [](bool isIt, Part part) { return isIt ? std::optional(part) : std::nullopt; };
+    const bool isMatrix = name.has(Matrix), isTransform = name.has(Transform), isRotation = name.has(Rotation);
     const bool hasFrames = framesOf(name).from || framesOf(name).to;
+    const std::string alone = name.words.size() == 1 ? name.words[0] : std::string();
     if (name.has(Model) && !name.has(View))
-        return name.isOnly({Model, Distortion}) ? std::optional(Part::Model) : std::nullopt;
-    if (name.hasWord("sensor") && name.has(Size)) // millimetres
-        return std::nullopt;
-    if (name.has(Size) || name.has(Shape))
-        return name.isOnly({Size, Shape, Image}) ? std::optional(Part::Size) : std::nullopt;
+        return partIf(name.isOnly(Model, Distortion), Part::Model);
+    if (name.has(Size, Shape)) // a sensor's is in millimetres
+        return partIf(name.isOnly(Size, Shape, Image) && !(name.hasWord("sensor") && name.has(Size)), Part::Size);
     for (const auto &[kind, part] : {std::pair(Radial, Part::Radial), std::pair(Tangential, Part::Tangential)}) {
-        if (name.has(kind) && name.isOnly({kind, Distortion, Coefficients}))
+        if (name.has(kind) && name.isOnly(kind, Distortion, Coefficients))
             return part;
     }
-    if ((name.has(Distortion) || name.has(Coefficients)) && name.isOnly({Distortion, Coefficients, Image}))
+    if (name.has(Distortion, Coefficients) && name.isOnly(Distortion, Coefficients, Image))
         return Part::Distortion;
-    const bool isOne = name.words.size() == 1 && count == 2; // "f: [600, 610]", RealSense's "p[320 240]"
-    if (name.has(Focal) || name.has(Principal) || (isOne && isListed(" f c p ", name.words[0])))
-        return name.has(Focal) || (isOne && name.words[0] == "f") ? Part::Focal : Part::Principal;
-    if (name.has(Rotation) && name.hasWord("rect")) // KITTI's R_rect
+    if (name.has(Focal) || (alone == "f" && count == 2)) // "f: [600, 610]"
+        return Part::Focal;
+    if (name.has(Principal) || (isListed(" c p ", alone) && count == 2)) // RealSense's "p[320 240]"
+        return Part::Principal;
+    if (isRotation && (name.hasWord("rect") || (isMatrix && count < 9))) // KITTI's R_rect
         return std::nullopt;
-    if (name.has(Rotation) && isMatrix && count < 9)
-        return std::nullopt;
-    if (name.has(Rotation) || name.has(Quaternion))
+    if (isRotation || name.has(Quaternion))
         return count == 4 || name.has(Quaternion) ? Part::Quaternion : Part::Rotation;
     if (name.has(Translation))
         return Part::Translation;
     if (name.has(Center))
         return count == 12 || count == 16 ? Part::Pose : Part::Center;
-    if (count == 3 && !name.words.empty() && (name.words.back() == "c" || name.words.back() == "eye")
-        && name.isOnly({}))
+    if (count == 3 && !name.words.empty() && isListed(" c eye ", name.words.back()) && name.isOnly())
         return Part::Center;
-    const bool isM = count == 9 && name.words.size() == 1 && name.words[0] == "m"; // OpenCV's stereo_calib
-    if ((name.has(Intrinsics) && !hasFrames) || isM)
+    if ((name.has(Intrinsics) && !hasFrames) || (count == 9 && alone == "m")) // OpenCV's stereo_calib
         return Part::Intrinsics;
     if (name.hasWord("p") && hasFrames && count == 3) // Drake's p_WC
         return Part::Translation;
-    if (name.has(Projection) && name.isOnly({Projection, Matrix}))
+    if (name.has(Projection) && name.isOnly(Projection, Matrix))
         return Part::CameraMatrix;
-    const bool isPose = name.has(Pose) || name.has(Extrinsics) || name.has(View) || isTransform || hasFrames
-                        || (isMatrix && name.has(World));
-    if (isPose)
+    if (name.has(Pose, Extrinsics, View) || isTransform || hasFrames || (isMatrix && name.has(World)))
         return isTransform && count <= 6 ? Part::Translation : Part::Pose; // t, or its vectors
-    if (isMatrix && name.isOnly({Matrix}))
-        return name.has(Camera) || name.hasWord("mtx") ? std::optional(Part::Intrinsics) : std::nullopt;
-    return std::nullopt;
+    return partIf(isMatrix && name.isOnly(Matrix) && (name.has(Camera) || name.hasWord("mtx")), Part::Intrinsics);
 }
 
 /// Returns whether unknown words may stand beside a part's: its count of numbers is rare.
@@ -366,19 +367,18 @@ bool allowsUnknown(Part part, std::size_t count)
 void setCustom(const Name &name, Role &role)
 {
     using enum Word;
-    if (name.has(OpenGl) || name.has(View))
+    if (name.has(OpenGl, View))
         role.axes = RightUpBack;
     else if (name.has(OpenCv) || name.hasWord("rt"))
         role.axes = RightDownAhead;
-    role.areAxesStated = name.has(OpenGl) || name.has(OpenCv) || name.hasWord("rt");
+    role.areAxesStated = name.has(OpenGl, OpenCv) || name.hasWord("rt");
     if (role.direction)
         return;
     const bool isOfObject = name.has(Matrix) && name.has(World); // Blender's matrix_world
     const bool isCameras = name.has(Camera) && name.has(Transform);
-    if (name.has(Extrinsics) || name.has(View) || name.hasWord("qvec")) // COLMAP's qvec
+    if (name.has(Extrinsics, View) || name.hasWord("qvec")) // COLMAP's qvec
         role.direction = WorldToCamera;
-    else if (name.has(Pose) || isOfObject || isCameras || name.hasWord("position") || name.hasWord("pos")
-             || name.hasWord("location")) // an object's in the world
+    else if (name.has(Pose) || isOfObject || isCameras || name.hasWord("position pos location")) // an object's
         role.direction = CameraToWorld;
 }
 
@@ -388,14 +388,13 @@ bool isOfOther(const Name &name)
     constexpr std::string_view kOthers =
         " imu lidar marker markers object objects obj robot projector display window screen monitor crop roi thumbnail "
         "checkerboard bbox box tag light board velodyne ";
-    return !name.has(Pose) && !name.has(Extrinsics) && !name.has(Transform)
-           && std::ranges::any_of(name.words, [&](const std::string &word) { return isListed(kOthers, word); });
+    return !name.has(Pose, Extrinsics, Transform) && name.hasWord(kOthers);
 }
 
 bool areAngles(const Name &name)
 {
     using enum Word;
-    return (name.has(Angles) || name.has(Rotation) || name.has(Quaternion)) && !name.has(Other) && !isOfOther(name);
+    return name.has(Angles, Rotation, Quaternion) && !name.has(Other) && !isOfOther(name);
 }
 
 } // namespace
@@ -404,8 +403,8 @@ std::optional<Role> roleOf(std::string_view text, std::size_t count)
 {
     using enum Word;
     const Name name(text);
-    const bool isOfPipeline = name.has(View) && (name.has(Model) || name.has(Projection));
-    if (name.words.empty() || name.has(Other) || name.has(Angles) || isOfPipeline || text.size() > kLongestName)
+    const bool isOfPipeline = name.has(View) && name.has(Model, Projection);
+    if (name.words.empty() || name.has(Other, Angles) || isOfPipeline || text.size() > kLongestName)
         return std::nullopt;
     const std::optional<Part> part = partOf(name, count);
     const bool isF = part == Part::Focal && name.words.size() == 1;
@@ -493,9 +492,7 @@ bool isScalarOfPart(std::string_view text)
     using enum Word;
     constexpr std::string_view kOthers = " skew gamma s alphac tx ty tz qx qy qz qw ";
     const Name name(text);
-    const bool isOfLens = std::ranges::any_of(name.kinds, [](Word kind) {
-        return kind == Distortion || kind == Radial || kind == Tangential || kind == Focal || kind == Principal;
-    });
+    const bool isOfLens = name.has(Distortion, Radial, Tangential, Focal, Principal);
     return isOfLens || !coefficientOf(text).empty() || isListed(kOthers, plain(text))
            || (areAngles(name) && !name.has(Unknown));
 }
