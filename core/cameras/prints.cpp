@@ -61,7 +61,7 @@ void readVtk(Reading &reading)
         reading.fail(tr("the camera's position is missing; give its x, y and z"));
     const dvec3 eye = vectorOf(n), back = eye - vectorOf(n, 3);
     reading.setLooking(eye, back, vectorOf(n, 6));
-    reading.setSize(view, "viewsize|windowsize");
+    reading.setSize(view, "viewsize|windowsize|size");
     reading.setPlanes(view, "clippingrange|cameraclippingrange");
     const auto scale = view.number("cameraparallelscale|parallelscale");
     const Keys parallel = "cameraparallelprojection|parallelprojection";

@@ -263,10 +263,18 @@ private:
                 const std::string_view argument = call.arguments[i];
                 auto &[length, text] = m_changes[std::size_t(argument.data() - m_bare.data())];
                 if (length == 0)
-                    text = argument;
+                    text = argument; // else its value
                 length = argument.size();
                 text.insert(0, std::string(parameters[i]) + '=');
             }
+        }
+        // camera->SetPosition(1, 2, 3), as Position=(1, 2, 3)
+        constexpr std::string_view kSet = "Set";
+        const std::size_t end = call.at + call.written.size();
+        if (call.name.starts_with(kSet) && call.name.size() > kSet.size() && m_bare[end] == '('
+            && std::ranges::all_of(call.arguments, [&](auto text) { return bool(m_constants.numberOf(text)); })) {
+            m_changes[end - call.name.size()] = {kSet.size(), ""};
+            m_changes[end] = {0, "="};
         }
     }
 
