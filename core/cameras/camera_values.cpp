@@ -21,8 +21,9 @@ namespace {
 constexpr std::string_view kMembers = " typeid rows cols dt data dims ";
 
 /// Numbers that are read one by one.
-constexpr std::string_view kScalars = " fx fy cx cy ppx ppy focallengthx focallengthy principalpointx principalpointy "
-                                      "width height w h k1 k2 k3 p1 p2 skew znear zfar ";
+constexpr std::string_view kScalars =
+    " fx fy cx cy x0 y0 u0 v0 ppx ppy focallengthx focallengthy principalpointx principalpointy "
+    "width height w h k1 k2 k3 p1 p2 skew znear zfar ";
 
 /// Other names of such numbers.
 constexpr std::string_view kOtherScalars =
@@ -219,7 +220,10 @@ void CameraValues::addText(const NamedText &text)
             continue;
         }
         CameraValue added = valueOf(value);
-        if (!m_changed && isChange(text.text, added))
+        const bool isGivenBefore = !added.numbers.empty() || std::ranges::any_of(values, [&](const CameraValue &one) {
+            return one.name == added.name;
+        });
+        if (!m_changed && isGivenBefore && isChange(text.text, added))
             m_changed = added.error(tr("the text changes it here; give its final numbers at once"));
         addNumber(added);
         if (const auto role = added.numbers.empty() ? cameras::roleOf(added.name, 9) : std::nullopt;

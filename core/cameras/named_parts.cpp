@@ -92,7 +92,7 @@ bool isTurnedAway(const CameraParts &parts)
 constexpr std::string_view kFocal = "f focal focallength focallengthpx focallengthpixels";
 
 constexpr std::string_view kFx = "fx focallengthx focalx", kFy = "fy focallengthy focaly",
-                           kCx = "cx ppx principalpointx", kCy = "cy ppy principalpointy";
+                           kCx = "cx ppx principalpointx x0 u0", kCy = "cy ppy principalpointy y0 v0";
 
 constexpr const char *kNoNumber = base::marked("it has no number; give it, or leave the name out");
 
@@ -826,6 +826,8 @@ private:
             setDirection(stated(rotation) ? *rotation : *shift, stated(rotation) ? rotation->role : shift->role);
         else if (rotation && rotation->role.direction)
             setDirection(*rotation, rotation->role);
+        else if (rotation && std::ranges::count(wordsOf(rotation->name), "ext") > 0) // camera_ext_R
+            camera.isDirectionOpen = true;
         else if (shift && shift->role.part == Center)
             camera.direction = shift->role.direction.value_or(camera.direction);
     }

@@ -94,7 +94,7 @@ constexpr std::string_view kVocabulary[]{
     " trans translation tvec tvecs ",                                     // Translation
     " center centre position pos origin location ",                       // Center
     " pose poses ",                                                       // Pose
-    " extrinsic extrinsics extr extri rt ",                               // Extrinsics
+    " extrinsic extrinsics extr extri ext rt ",                           // Extrinsics
     " view ",                                                             // View
     " p projection proj ",                                                // Projection
     " d dist distortion distort distorsion kc ",                          // Distortion
@@ -376,7 +376,8 @@ void setCustom(const Name &name, Role &role)
         return;
     const bool isOfObject = name.has(Matrix) && name.has(World); // Blender's matrix_world
     const bool isCameras = name.has(Camera) && name.has(Transform);
-    if (name.has(Extrinsics, View) || name.hasWord("qvec")) // COLMAP's qvec
+    const bool isOpen = name.hasWord("ext");                             // of a camera to an IMU, or the other way
+    if ((name.has(Extrinsics, View) && !isOpen) || name.hasWord("qvec")) // COLMAP's qvec
         role.direction = WorldToCamera;
     else if (name.has(Pose) || isOfObject || isCameras || name.hasWord("position pos location")) // an object's
         role.direction = CameraToWorld;

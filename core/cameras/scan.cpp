@@ -891,7 +891,8 @@ std::vector<std::string> wordsOf(std::string_view names)
             continue;
         const bool isHump = here == 'A' && (before == 'a' || (before == 'A' && next == 'a' && i + 2 < names.size()));
         const bool isTo = names[i] == '2' && isAmong(before, "aA") && isAmong(next, "aA");
-        if (before == ' ' || (here == '9') != (before == '9') || isHump)
+        const bool isWordTo = before == 'A' && names.substr(i).starts_with("to") && kind(i + 2) == 'A'; // ItoC
+        if (before == ' ' || (here == '9') != (before == '9') || isHump || isWordTo)
             words.emplace_back(isTo ? "to" : "");
         if (isTo)
             continue;
