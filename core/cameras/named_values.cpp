@@ -167,52 +167,38 @@ NamedValues::NamedValues(std::string_view text)
     finish();
 }
 
-const NamedValue *NamedValues::find(Names names, std::size_t fewest) const
+const NamedValue *NamedValues::find(std::string_view name, std::size_t fewest) const
 {
-    for (const std::string_view name : names) {
-        for (const NamedValue &value : m_values) {
-            if (!value.isNamed(name) || value.numbers.size() < fewest)
-                continue;
-            return &value;
-        }
-    }
-    return nullptr;
-}
-
-std::optional<double> NamedValues::number(Names names) const
-{
-    const NamedValue *value = find(names, 1);
-    return value ? std::optional(value->number()) : std::nullopt;
+    const auto found = std::ranges::find_if(
+        m_values, [&](const NamedValue &value) { return value.isNamed(name) && value.numbers.size() >= fewest; });
+    return found == m_values.end() ? nullptr : &*found;
 }
 
 bool NamedValues::isTrue(std::string_view name) const
 {
-    const NamedValue *value = find({name});
+    const NamedValue *value = find(name);
     return value && (plain(value->word) == "true" || (!value->numbers.empty() && value->numbers.front() != 0.0));
 }
 
-std::vector<double> NamedValues::numbers(Names names, std::size_t count, Names components) const
+std::vector<double> NamedValues::numbers(std::string_view name, std::size_t count,
+                                         std::initializer_list<std::string_view> components) const
 {
-    for (const std::string_view name : names) {
-        if (const NamedValue *value = find({name}, count)) {
-            if (value->numbers.size() == 1 || (count == 1 && !value->decimal.empty()))
-                return {value->number()};
-            if (!value->arithmetic.empty())
-                throw value->computedError();
-            return value->numbers;
-        }
-        std::vector<double> found;
-        for (const std::string_view component : components) {
-            const auto one = std::ranges::find_if(m_values, [&](const NamedValue &value) {
-                return value.parent.ends_with(name) && value.isNamed(component) && value.numbers.size() == 1;
-            });
-            if (one != m_values.end())
-                found.push_back(one->numbers.front());
-        }
-        if (!found.empty() && found.size() == components.size() && found.size() >= count)
-            return found;
+    if (const NamedValue *value = find(name, count)) {
+        if (value->numbers.size() == 1 || (count == 1 && !value->decimal.empty()))
+            return {value->number()};
+        if (!value->arithmetic.empty())
+            throw value->computedError();
+        return value->numbers;
     }
-    return {};
+    std::vector<double> found;
+    for (const std::string_view component : components) {
+        const auto one = std::ranges::find_if(m_values, [&](const NamedValue &value) {
+            return value.parent.ends_with(name) && value.isNamed(component) && value.numbers.size() == 1;
+        });
+        if (one != m_values.end())
+            found.push_back(one->numbers.front());
+    }
+    return found.size() == components.size() && found.size() >= count ? found : std::vector<double>();
 }
 
 } // namespace unprojector::cameras

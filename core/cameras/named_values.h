@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <initializer_list>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,20 +37,18 @@ struct NamedValue {
 /// position.
 class NamedValues {
 public:
-    using Names = std::initializer_list<std::string_view>;
     explicit NamedValues(std::string_view text);
 
-    /// The first value under a name, the names tried in order; null if there is none. Names are
-    /// letters and digits in lower case: "nearclipplane" finds near_clip_plane too.
+    /// The first value under a name; null if there is none. Names are letters and digits in lower
+    /// case: "nearclipplane" finds near_clip_plane too.
     /// @param fewest  numbers that the value has
-    const NamedValue *find(Names names, std::size_t fewest = 0) const;
-    bool has(Names names) const { return find(names) != nullptr; }
-    /// NamedValue::number() of a value.
-    std::optional<double> number(Names names) const;
+    const NamedValue *find(std::string_view name, std::size_t fewest = 0) const;
+    bool has(std::string_view name) const { return find(name) != nullptr; }
     /// A value of at least `count` numbers under a name, or one number under each component of the
     /// name: "position: {x: 1, y: 2, z: 3}". Empty if there is neither.
     /// Throws a base::Error for numbers that the text computes with.
-    std::vector<double> numbers(Names names, std::size_t count, Names components = {}) const;
+    std::vector<double> numbers(std::string_view name, std::size_t count,
+                                std::initializer_list<std::string_view> components = {}) const;
 
     /// Returns whether the first value under a name is True, true or a number other than 0.
     bool isTrue(std::string_view name) const;

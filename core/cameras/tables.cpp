@@ -239,7 +239,9 @@ NamedLens lensBeside(const NamedText &text)
     if (text.text.find("P0:") == text.text.npos && text.text.find("P2:") == text.text.npos)
         return {};
     const NamedValues values(text.text);
-    const Numbers p = values.numbers({"p0", "p2", "p1", "p3"}, 12);
+    Numbers p;
+    for (const char *name : {"p0", "p2", "p1", "p3"})
+        p = p.empty() ? values.numbers(name, 12) : p;
     const auto parts = p.size() == 12 ? partsOf(p) : std::nullopt;
     if (!parts)
         return {};

@@ -975,18 +975,18 @@ private slots:
                                  "rotation:\n  x: 0.1\n  w: 0.9\ncam.data.lens = 35.0 mm\nfit = 'AUTO'\n"
                                  "m = np.array([[1., 2.],\n [3e1, 4]], dtype=float32)\nyfov=np.pi / 3.0, n=2\n"
                                  "angle = math.radians(90)\n# fov = 12\npose\n[[1 2]\n [3 4]]\n");
-        QCOMPARE(values.number({"nearclipplane"}).value_or(0), 0.3);
-        QCOMPARE(values.number({"clipplane"}).value_or(0), 0.3);
-        QCOMPARE(values.number({"far"}).value_or(0), 50.0);
+        QCOMPARE(values.numbers("nearclipplane", 1).at(0), 0.3);
+        QCOMPARE(values.numbers("clipplane", 1).at(0), 0.3);
+        QCOMPARE(values.numbers("far", 1).at(0), 50.0);
         QCOMPARE(values.numbers({"size"}, 2), (std::vector<double>{800, 600}));
         QCOMPARE(values.numbers({"location"}, 3, {"x", "y", "z"}), (std::vector<double>{1, -2.5, 3}));
         QCOMPARE(values.numbers({"rotation"}, 2, {"x", "w"}), (std::vector<double>{0.1, 0.9}));
-        QCOMPARE(values.number({"lens"}).value_or(0), 35.0);
+        QCOMPARE(values.numbers("lens", 1).at(0), 35.0);
         QCOMPARE(QByteArray::fromStdString(values.find({"fit"})->word), QByteArray("AUTO"));
         QCOMPARE(values.numbers({"m"}, 4), (std::vector<double>{1, 2, 30, 4}));
-        QCOMPARE(values.number({"yfov"}).value_or(0), std::acos(-1.0) / 3.0);
-        QCOMPARE(values.number({"n"}).value_or(0), 2.0);
-        QCOMPARE(values.number({"angle"}).value_or(0), std::acos(-1.0) / 2.0);
+        QCOMPARE(values.numbers("yfov", 1).at(0), std::acos(-1.0) / 3.0);
+        QCOMPARE(values.numbers("n", 1).at(0), 2.0);
+        QCOMPARE(values.numbers("angle", 1).at(0), std::acos(-1.0) / 2.0);
         QVERIFY(!values.has({"fov"}));
         QCOMPARE(values.numbers({"pose"}, 4), (std::vector<double>{1, 2, 3, 4}));
         QCOMPARE(values.find({"lens"})->line, std::size_t(8));
