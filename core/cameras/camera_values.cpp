@@ -221,7 +221,7 @@ void CameraValues::addText(const NamedText &text)
         }
         CameraValue added = valueOf(value);
         const bool isGivenBefore = !added.numbers.empty() || std::ranges::any_of(values, [&](const CameraValue &one) {
-            return one.name == added.name;
+            return one.name == added.name && !one.numbers.empty();
         });
         if (!m_changed && isGivenBefore && isChange(text.text, added))
             m_changed = added.error(tr("the text changes it here; give its final numbers at once"));

@@ -13,7 +13,9 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 
 namespace unprojector::cameras {
 using base::shortestText;
@@ -42,26 +44,26 @@ std::string firstNames(const std::vector<std::string> &images)
     return images.size() > kMost ? list + ", …" : list;
 }
 
-/// The indexes of the images that the user names: by the whole name, by the end of the path, by the
-/// file's name with or without suffix, or by an index from 0. The first if no image is named.
-std::vector<std::size_t> imageIndexes(const std::vector<std::string> &images, const std::string &choice)
+/// The indexes of the images that the user names: by the whole name, by an id, by the end of the path,
+/// by the file's name with or without suffix, or by an index from 0.
+std::vector<std::size_t> imageIndexes(std::span<const std::string> images, std::span<const std::string> ids,
+                                      const std::string &choice)
 {
-    std::vector<std::size_t> found;
-    const auto has = [&](const auto &isIt) {
+    const auto isFile = [&](std::size_t i, bool withSuffix) {
+        return fileName(images[i], withSuffix) == fileName(choice, withSuffix);
+    };
+    const std::array<std::function<bool(std::size_t)>, 5> ways{
+        [&](std::size_t i) { return images[i] == choice; },
+        [&](std::size_t i) { return i < ids.size() && ids[i] == choice; },
+        [&](std::size_t i) { return images[i].ends_with('/' + choice); },
+        [&](std::size_t i) { return isFile(i, true); }, [&](std::size_t i) { return isFile(i, false); }};
+    for (const auto &isIt : ways) {
+        std::vector<std::size_t> found;
         for (std::size_t i = 0; i < images.size(); ++i) {
-            if (isIt(images[i]))
+            if (isIt(i))
                 found.push_back(i);
         }
-        return !found.empty();
-    };
-    if (choice.empty())
-        return {0};
-    if (has([&](const std::string &image) { return image == choice; })
-        || has([&](const std::string &image) { return image.ends_with('/' + choice); }))
-        return found;
-    for (const bool withSuffix : {true, false}) {
-        const std::string_view wanted = fileName(choice, withSuffix);
-        if (has([&](std::string_view image) { return fileName(image, withSuffix) == wanted; }))
+        if (!found.empty())
             return found;
     }
     const auto number = base::integerFromWord(choice);
@@ -99,30 +101,22 @@ void Reading::chooseImage(std::span<const std::string> ids)
             fail(tr("there is one camera without a name; leave --image out"));
         return;
     }
-    std::vector<std::size_t> found;
-    if (std::ranges::find(camera.images, choices.image) == camera.images.end()) {
-        for (std::size_t i = 0; i < ids.size(); ++i) {
-            if (!choices.image.empty() && ids[i] == choices.image)
-                found.push_back(i);
-        }
-    }
+    const std::vector<std::size_t> found =
+        choices.image.empty() ? std::vector<std::size_t>{0} : imageIndexes(camera.images, ids, choices.image);
     if (found.empty())
-        found = imageIndexes(camera.images, choices.image);
+        fail(tr("there is no image %1 among %2 (%3); give one of their names or an index from 0 with --image",
+                base::quoted(choices.image), camera.images.size(), firstNames(camera.images)));
     if (found.size() > 1) {
         std::vector<std::string> names;
-        names.reserve(found.size());
         for (const std::size_t index : found)
             names.push_back(camera.images[index]);
         fail(tr("%1 fits %2 images (%3); give more of its path, or its index from 0, with --image",
                 base::quoted(choices.image), names.size(), firstNames(names)));
     }
-    if (found.empty())
-        fail(tr("there is no image %1 among %2 (%3); give one of their names or an index from 0 with --image",
-                base::quoted(choices.image), camera.images.size(), firstNames(camera.images)));
     camera.image = found.front();
     if (choices.image.empty() && camera.images.size() > 1)
-        camera.assumed.push_back(tr("The first of %1 images is read, %2; --image NAME reads another.",
-                                    camera.images.size(), camera.images.front()));
+        say(tr("The first of %1 images is read, %2; --image NAME reads another.", camera.images.size(),
+               camera.images.front()));
 }
 
 ImageSize Reading::neededSize() const
@@ -154,9 +148,9 @@ void Reading::setVerticalAngle(double radians, const std::optional<double> &aspe
     constexpr double kSame = 1e-3; // a printed aspect has few digits
     if (std::abs(*aspect * height / width - 1.0) > kSame) {
         camera.intrinsics->fx = camera.intrinsics->fy * width / (height * *aspect);
-        camera.assumed.push_back(tr("The aspect ratio is %1, but the image is %2: pixels are not square. Check the "
-                                    "size; --size says another.",
-                                    shortestText(*aspect), sizeText(image)));
+        say(tr("The aspect ratio is %1, but the image is %2: pixels are not square. Check the "
+               "size; --size says another.",
+               shortestText(*aspect), sizeText(image)));
     }
 }
 
