@@ -1,16 +1,25 @@
-// Which of several cameras and images of a text is read.
+// The cameras of a text, which value is of which, and which one is read.
 
 #include "core/base/translation.h"
 #include "core/cameras/camera_values.h"
 #include "core/cameras/reader_parts.h"
+#include "core/cameras/scan.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace unprojector::cameras {
 using base::tr;
 using enum Part;
 namespace {
+
+constexpr std::array kPoseParts{Part::Rotation, Part::Quaternion, Part::Translation, Part::Center, Part::Pose};
 
 /// Fails for parts of one camera beside several lenses.
 void refuseCount(const std::vector<CameraValue> &values, std::size_t lenses)
@@ -98,6 +107,212 @@ void refuseMixed(const Reading &reading, const CameraValues &values)
 }
 
 } // namespace
+
+/// Where the values with a focal length stand, each once.
+std::vector<Spot> CameraValues::lenses() const
+{
+    std::vector<Spot> found;
+    std::set<Spot> seen;
+    for (const Part part : {Part::Intrinsics, Part::CameraMatrix, Part::Focal, Part::Number}) {
+        for (const CameraValue &value : all(part)) {
+            if ((part != Part::Number || value.isNamed("fx")) && seen.insert(value).second)
+                found.push_back(value);
+        }
+    }
+    return found;
+}
+
+/// The innermost id around a value, with the part of the text that has it; null if there is none.
+const CameraValues::Ids::value_type *CameraValues::idAround(const Spot &value, const Ids &ids) const
+{
+    for (std::size_t node = value.node; node > 0; node = m_outlines[value.text].node(node).parent) {
+        if (const auto found = ids.find({value.text, node}); found != ids.end())
+            return &*found;
+    }
+    return nullptr;
+}
+
+/// The id of a lens, or the name of its camera.
+std::string CameraValues::idOf(const Spot &lens) const
+{
+    for (const Ids *ids : {&m_ids, &m_references}) {
+        if (const auto *found = idAround(lens, *ids))
+            return found->second;
+    }
+    return cameraOf(lens);
+}
+
+/// Returns whether a value is of another camera than a lens: they stand in two items of a list, or in
+/// parts that have the names of two cameras, or the value names another one.
+bool CameraValues::isOfOtherThan(const Spot &lens, const Spot &value) const
+{
+    const auto differ = [](const std::string &one, const std::string &other) {
+        return !one.empty() && !other.empty() && one != other;
+    };
+    if (lens.text != value.text || differ(lens.camera, value.camera))
+        return differ(lens.camera, value.camera);
+    const Outline &outline = m_outlines[lens.text];
+    const std::vector<std::size_t> first = pathTo(lens), second = pathTo(value);
+    const auto [a, b] = std::ranges::mismatch(first, second);
+    if (a == first.end() || b == second.end())
+        return false;
+    const Outline::Node &one = outline.node(*a), &other = outline.node(*b);
+    const std::string name = outline.nameOf(*a);
+    const auto *reference = idAround(value, m_references);
+    return (one.isOfSeveral && other.isOfSeveral && one.name == other.name)
+           || differ(cameras::cameraOf(name), cameras::cameraOf(outline.nameOf(*b)))
+           || (reference && differ(reference->second, idOf(lens)) && reference->second != name);
+}
+
+/// Sets apart what stands with other things than the camera ("imu", "display"), poses of other
+/// cameras, and the transform to the camera before.
+void CameraValues::dropElsewhere()
+{
+    using enum Part;
+    const std::vector<Spot> lenses = this->lenses();
+    std::set<std::pair<std::size_t, std::size_t>> nodes; // texts and nodes around the lenses
+    std::set<std::string> around;                        // their names
+    for (const Spot &lens : lenses) {
+        for (const std::size_t node : pathTo(lens)) {
+            if (nodes.emplace(lens.text, node).second)
+                around.insert(m_outlines[lens.text].nameOf(node));
+        }
+    }
+    const auto isApart = [&](const CameraValue &value) {
+        return std::ranges::any_of(sectionsOf(value), [&](const std::string &section) {
+            return !around.contains(section) && isElsewhere(section);
+        });
+    };
+    std::map<Spot, bool> known; // a text has many values in one place
+    const auto isOfOther = [&](const CameraValue &value) {
+        const auto &[one, isNew] = known.try_emplace(value, false);
+        if (isNew && !lenses.empty())
+            one->second = std::ranges::all_of(lenses, [&](const Spot &lens) { return isOfOtherThan(lens, value); });
+        return one->second;
+    };
+    const auto split = [&](Part part, const auto &isOther) {
+        std::vector<CameraValue> kept;
+        for (CameraValue &value : of(part))
+            (isOther(value) ? of(Other) : kept).push_back(std::move(value));
+        of(part) = std::move(kept);
+    };
+    // A pose in the camera's own part of the text counts before one elsewhere.
+    const auto depthOf = [&](const CameraValue &value) {
+        return std::ranges::count_if(pathTo(value), [&](std::size_t node) {
+            return nodes.contains({value.text, node});
+        });
+    };
+    for (const Part part : kPoseParts) {
+        std::ptrdiff_t deepest = 0;
+        for (const CameraValue &value : all(part))
+            deepest = m_cameras.empty() ? std::max(deepest, depthOf(value)) : 0;
+        split(part,
+              [&](const CameraValue &value) { return isOfOther(value) || isApart(value) || depthOf(value) < deepest; });
+    }
+    split(Size, isApart);
+    const auto isToCameraBefore = [](const CameraValue &value) { return value.role.world == "camera before"; };
+    if (!std::ranges::all_of(all(Pose), isToCameraBefore))
+        split(Pose, isToCameraBefore);
+    // The chip's size is in millimetres.
+    const auto isOfSensor = [&](const CameraValue &value) {
+        std::vector<std::string> names = sectionsOf(value);
+        std::erase_if(names, [&](const std::string &section) { return around.contains(section); });
+        names.push_back(value.written);
+        return std::ranges::any_of(
+            names, [](const std::string &name) { return std::ranges::count(wordsOf(name), "sensor") > 0; });
+    };
+    std::erase_if(of(Number), [&](const CameraValue &number) {
+        const bool isOfRegion = number.isNamed("xoffset") || number.isNamed("yoffset"); // see readRectification
+        return !number.isNamed("fx") && !isOfRegion && (isApart(number) || isOfSensor(number));
+    });
+}
+
+/// The names of the parts of a text around a place, the outermost first.
+std::vector<std::string> CameraValues::sectionsOf(const Spot &value) const
+{
+    std::vector<std::string> names;
+    for (const std::size_t around : pathTo(value))
+        names.push_back(m_outlines[value.text].nameOf(around));
+    return names;
+}
+
+/// Finds the cameras of the text: where the sections of the lenses part, else the ends of the names
+/// of the lenses.
+void CameraValues::findCameras()
+{
+    const std::vector<Spot> lenses = this->lenses();
+    const auto setCameras = [&](std::size_t depth) {
+        m_depth = depth;
+        for (const Spot &lens : lenses) {
+            if (const auto &[name, isNew] = m_cameraNames.insert(cameraOf(lens)); isNew)
+                m_cameras.push_back(*name);
+        }
+        if (m_cameras.size() < 2 || m_cameraNames.contains({})) {
+            m_cameras.clear();
+            m_cameraNames.clear();
+        }
+        return !m_cameras.empty();
+    };
+    const std::size_t deepest = lenses.empty() ? 0 : pathTo(lenses.front()).size();
+    for (std::size_t depth = 1; depth < deepest; ++depth) {
+        if (setCameras(depth))
+            return;
+    }
+    setCameras(0);
+}
+
+void CameraValues::keepCamera(const std::string &name, const Spot &image)
+{
+    const auto isOfOther = [&](const CameraValue &value) {
+        const bool isOfImage =
+            image.node > 0 && value.text == image.text && std::ranges::count(pathTo(value), image.node) > 0;
+        return !isOfImage && cameraOf(value) != name && isOfCamera(value);
+    };
+    for (std::size_t kind = 0; kind < std::size_t(Part::Empty); ++kind)
+        std::erase_if(m_parts[kind], isOfOther);
+    dropElsewhere();
+}
+
+std::vector<CameraValues::Image> CameraValues::images() const
+{
+    std::vector<Image> images;
+    std::set<Spot> seen;
+    for (const Part part : kPoseParts) {
+        for (const CameraValue &value : all(part)) {
+            const auto *reference = idAround(value, m_references);
+            if (reference && seen.insert(reference->first).second)
+                images.push_back({m_outlines[reference->first.text].nameOf(reference->first.node), reference->second,
+                                  reference->first});
+        }
+    }
+    return images;
+}
+
+bool CameraValues::keepImage(const Image &image)
+{
+    const std::vector<Spot> lenses = this->lenses();
+    const auto lens = std::ranges::find_if(
+        lenses, [&](const Spot &one) { return idOf(one) == image.camera || cameraOf(one) == image.camera; });
+    if (lens == lenses.end())
+        return false;
+    for (const Part part : kPoseParts) {
+        std::erase_if(of(part), [&](const CameraValue &value) {
+            const auto *reference = idAround(value, m_references);
+            return reference && reference->first != image.place;
+        });
+    }
+    keepCamera(cameraOf(*lens), image.place);
+    return true;
+}
+
+/// The name of the camera that a value may be of.
+std::string CameraValues::cameraOf(const Spot &value) const
+{
+    if (m_depth == 0)
+        return value.camera;
+    const std::vector<std::size_t> path = pathTo(value);
+    return m_depth < path.size() ? m_outlines[value.text].nameOf(path[m_depth]) : std::string();
+}
 
 void chooseCamera(Reading &reading, CameraValues &values)
 {
