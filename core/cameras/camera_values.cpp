@@ -22,7 +22,7 @@ constexpr std::string_view kMembers = " typeid rows cols dt data dims ";
 
 /// Numbers that are read one by one.
 constexpr std::string_view kScalars =
-    " fx fy cx cy x0 y0 u0 v0 ppx ppy focallengthx focallengthy principalpointx principalpointy "
+    " fx fy flx fly cx cy x0 y0 u0 v0 ppx ppy focallengthx focallengthy principalpointx principalpointy "
     "width height w h k1 k2 k3 p1 p2 skew znear zfar ";
 
 /// Other names of such numbers.
@@ -191,6 +191,7 @@ CameraValues::CameraValues(std::span<const NamedText> texts)
 {
     for (const NamedText &text : texts)
         addText(text);
+    takeLensByForm();
     findCameras();
     if (m_cameras.empty())
         dropElsewhere();
@@ -203,6 +204,7 @@ void CameraValues::addText(const NamedText &text)
     m_ends.push_back(0);
     m_outlines.emplace_back(text.text);
     m_isXml = isXml(text.text);
+    m_isOst = m_isOst || text.text.starts_with("# oST version");
     std::vector<CameraValue> values;
     std::map<std::pair<std::size_t, std::string>, CameraValue> keys; // of parts: their objects and names
     for (const NamedValue &value : named.all()) {
@@ -314,6 +316,25 @@ CameraValue CameraValues::valueOf(const NamedValue &named) const
             m_files[text]};
 }
 
+/// Takes the only matrix with the form of a K as one, where no name says another: "matrix" beside "distortion".
+void CameraValues::takeLensByForm()
+{
+    using enum Part;
+    std::vector<CameraValue> &others = of(Other);
+    const auto isLens = [](const CameraValue &value) {
+        constexpr double kLeast = 10.0; // of a focal length, in pixels
+        const std::vector<double> &k = value.numbers;
+        return k.size() == 9 && k[0] > kLeast && k[4] > kLeast && k[2] > 0.0 && k[5] > 0.0 && k[3] == 0.0 && k[6] == 0.0
+               && k[7] == 0.0 && k[8] == 1.0;
+    };
+    if (all(Intrinsics).empty() && all(CameraMatrix).empty() && std::ranges::count_if(others, isLens) == 1) {
+        const auto found = std::ranges::find_if(others, isLens);
+        of(Intrinsics).push_back(*found);
+        of(Intrinsics).back().role.part = Intrinsics;
+        others.erase(found);
+    }
+}
+
 /// ROS's messages and its calibration files have a model, K and P; R is then the rectification.
 /// Without the model, P = K' [1 t'] and R without t are the same.
 bool CameraValues::isCameraInfo() const
@@ -323,7 +344,7 @@ bool CameraValues::isCameraInfo() const
         return false;
     const std::vector<double> &p = all(CameraMatrix).front().numbers;
     const bool isUpper = p[1] == 0.0 && p[4] == 0.0 && p[8] == 0.0 && p[9] == 0.0;
-    return !all(Model).empty()
+    return !all(Model).empty() || m_isOst
            || (isUpper && !all(Rotation).empty() && all(Translation).empty() && all(Center).empty());
 }
 

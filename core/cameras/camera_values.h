@@ -96,6 +96,7 @@ private:
     CameraValue valueOf(const NamedValue &value) const;
     std::vector<CameraValue> &of(Part part) { return m_parts[std::size_t(part)]; }
 
+    void takeLensByForm();
     void findCameras();
     void dropElsewhere();
     std::vector<Spot> lenses() const;
@@ -117,6 +118,7 @@ private:
     std::vector<std::size_t> m_ends;     ///< where their last names with numbers stand
     std::vector<Outline> m_outlines;
     bool m_isXml = false; ///< the last text
+    bool m_isOst = false; ///< a text of ROS's calibrator
 };
 
 /// Sets the images of a text with several cameras or poses, and drops the values of those that are not read.

@@ -91,7 +91,7 @@ bool isTurnedAway(const CameraParts &parts)
 /// Names of one focal length for both axes.
 constexpr std::string_view kFocal = "f focal focallength focallengthpx focallengthpixels";
 
-constexpr std::string_view kFx = "fx focallengthx focalx", kFy = "fy focallengthy focaly",
+constexpr std::string_view kFx = "fx flx focallengthx focalx", kFy = "fy fly focallengthy focaly",
                            kCx = "cx ppx principalpointx x0 u0", kCy = "cy ppy principalpointy y0 v0";
 
 constexpr const char *kNoNumber = base::marked("it has no number; give it, or leave the name out");

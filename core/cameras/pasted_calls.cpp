@@ -87,8 +87,8 @@ glm::dmat4 clipFromEye(const Ortho &v, const KnownCall &known, const SourceCall 
 
 class Reader {
 public:
-    explicit Reader(std::string_view text)
-        : m_program(text), m_text(withoutComments(text)), m_calls(sourceCalls(m_text)), m_rest(m_text)
+    Reader(std::string_view text, const std::optional<double> &aspect)
+        : m_aspect(aspect), m_program(text), m_text(withoutComments(text)), m_calls(sourceCalls(m_text)), m_rest(m_text)
     {
     }
 
@@ -111,8 +111,10 @@ public:
         }
         if (!m_parts.viewport && m_window)
             m_parts.viewport = m_window;
-        else if (!m_parts.viewport && m_viewportError)
+        else if (!m_parts.viewport && m_viewportError && !m_aspect)
             throw *m_viewportError;
+        if (m_parts.projection && m_program.find("[1][1] *= -1") != m_program.npos)
+            m_parts.projection->call += tr(". %1 is ignored: the picture is the same", "[1][1] *= -1");
         if (!m_three.name.empty())
             setView({m_three.name}, {{CallKind::View, {}}, {}},
                     {WorldPoint(m_three.position), WorldPoint(m_three.position + m_three.direction),
@@ -236,14 +238,24 @@ private:
         m_wholeQuotient = {};
         // gluOrtho2D has no clip distances.
         Values values{{"near", glm::dvec3(-1.0)}, {"far", glm::dvec3(1.0)}};
-        for (const CallArgument &one : callArguments(call, known))
-            values[one.parameter] = one.isVector ? vector(call, one.text) : glm::dvec3(number(call, one.text));
-        if (call.name.ends_with("Camera"))
+        std::string said;
+        for (const CallArgument &one : callArguments(call, known)) {
+            const bool isOfSize = one.parameter == "aspect" && m_aspect && !number(one.text);
+            if (isOfSize)
+                said = tr(". The aspect %1 is that of the size", one.text);
+            values[one.parameter] = isOfSize       ? glm::dvec3(*m_aspect)
+                                    : one.isVector ? vector(call, one.text)
+                                                   : glm::dvec3(number(call, one.text));
+        }
+        if (call.name.ends_with("Camera")) {
             m_camera = call.variable;
+            if (!m_parts.projection)
+                m_lens = Lens{call, known, values};
+        }
         if (known.kind == CallKind::View)
             return readView(call, known, values);
         if (known.kind == CallKind::Perspective || known.kind == CallKind::Orthographic)
-            return readProjection(call, known, values);
+            return readProjection(call, known, values, said);
         const Viewport viewport{values["x"].x, values["y"].x, values["width"].x, values["height"].x};
         if (const Check valid = check(viewport); !valid && !m_parts.viewport)
             fail(call, valid.error());
@@ -251,10 +263,12 @@ private:
         taken = taken.value_or(viewport);
     }
 
-    void readProjection(const SourceCall &call, const KnownCall &known, Values &v)
+    /// @param more  what to say behind the arguments
+    void readProjection(const SourceCall &call, const KnownCall &known, Values &v, const std::string &more)
     {
         std::string said;
         const glm::dmat4 matrix = clipFromEye(volumeOf(call, known, v, said), known, call);
+        said += more;
         if (m_parts.projection) {
             m_parts.projection->call += tr(". %1 follows and is ignored: one projection is read", call.written);
             return;
@@ -383,10 +397,16 @@ private:
         }
     }
 
-    /// Reports camera.fov = and the like of three.js, which are not read.
+    /// Takes camera.fov = 50 and the like of three.js. Those without a number are reported.
     void readLens(const SourceCall &call)
     {
-        if (m_parts.projection && isCamera(call.object) && isListed(" fov aspect near far zoom ", call.name))
+        const bool isCount = isCamera(call.object) && isListed(" fov aspect near far ", call.name) && m_lens
+                             && m_lens->values.contains(call.name) && number(call.arguments[0]);
+        if (isCount) {
+            m_lens->values[call.name] = glm::dvec3(number(call.arguments[0])->value);
+            m_parts.projection.reset();
+            readProjection(m_lens->call, m_lens->known, m_lens->values, {});
+        } else if (m_parts.projection && isCamera(call.object) && isListed(" fov aspect near far zoom ", call.name))
             m_parts.projection->call += tr(". %1 is ignored: put its value into the call", call.written);
     }
 
@@ -405,9 +425,18 @@ private:
 
     bool isCamera(std::string_view object) const
     {
-        return m_camera.empty() ? lowerCase(object).find("cam") != std::string::npos : object == m_camera;
+        return m_camera.empty() ? lowerCase(object).find("cam") != std::string::npos
+                                : lastName(object) == lastName(m_camera); // this.camera
     }
 
+    /// A three.js camera, whose members the text may set.
+    struct Lens {
+        SourceCall call;
+        KnownCall known;
+        Values values;
+    };
+    std::optional<Lens> m_lens;
+    std::optional<double> m_aspect; ///< of the size
     std::string_view m_program;
     std::string m_text;
     std::vector<SourceCall> m_calls;
@@ -430,13 +459,13 @@ private:
 
 } // namespace
 
-Result<PastedCalls, PasteError> pastedCalls(std::string_view text)
+Result<PastedCalls, PasteError> pastedCalls(std::string_view text, const std::optional<double> &aspect)
 {
     constexpr std::size_t kLongest = 100'000; // too long for a text of a few calls
     if (text.size() > kLongest)
         return PastedCalls();
     try {
-        return Reader(text).read();
+        return Reader(text, aspect).read();
     } catch (PasteError &error) {
         return std::move(error);
     }

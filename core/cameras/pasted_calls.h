@@ -2,6 +2,7 @@
 
 #include "core/cameras/pasted_matrix.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -33,7 +34,8 @@ struct PastedCalls {
 ///   - glam: perspective_rh, orthographic_rh_gl, look_at_rh, look_to_lh
 ///
 /// Angles are in the unit of the API. Matrices are for column vectors in every API.
+/// @param aspect  width / height of the image, where an argument for it has no number; empty: it needs one
 /// @return the call and the argument that cannot be read
-geometry::Result<PastedCalls, PasteError> pastedCalls(std::string_view text);
+geometry::Result<PastedCalls, PasteError> pastedCalls(std::string_view text, const std::optional<double> &aspect = {});
 
 } // namespace unprojector::cameras

@@ -30,9 +30,11 @@ constexpr std::size_t kEntries = 16;
 
 /// The parts of a text: its calls with the matrices beside them, or its matrices.
 /// @param isViewportSet  becomes whether a call sets the viewport
-Result<PastedScene, PasteError> partsOf(const std::string &text, bool &isViewportSet)
+Result<PastedScene, PasteError> partsOf(const std::string &text, const std::optional<ImageSize> &size,
+                                        bool &isViewportSet)
 {
-    const Result<PastedCalls, PasteError> calls = pastedCalls(text);
+    const Result<PastedCalls, PasteError> calls =
+        pastedCalls(text, size ? std::optional(double(size->width) / size->height) : std::nullopt);
     if (!calls)
         return calls.error();
     if (calls->hasAny) {
@@ -149,7 +151,7 @@ public:
     /// @return the error of a text without a matrix, or of one that is needed and missing
     std::optional<PasteError> read(const std::string &text)
     {
-        const auto read = partsOf(text, m_camera.isViewportSet);
+        const auto read = partsOf(text, m_choices.camera.size, m_camera.isViewportSet);
         if (!read) {
             m_camera.hasNumbers = read.error().all > 0 || read.error().line > 0 || read.error().isOfCall;
             return read.error();

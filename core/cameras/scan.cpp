@@ -572,6 +572,10 @@ private:
         addWord(start, end);
         m_at += lengthOf(":9`:"); // main.cpp:123:
         readSubscripts(word);
+        if (const auto length = lengthOf("<&,_9>"); length > 0) { // std::array<double, 9>
+            m_at += length;
+            return endName(Other);
+        }
         if (at(m_at) != '(')
             return;
         constexpr std::string_view kTypes[]{"mat", "vec", "point3", "size", "quat", "dquat", "angleaxis"};

@@ -327,9 +327,16 @@ private slots:
         newRow("two of them") << "glOrtho(0, 2, 0, 2, 0, 2); glOrtho(0, 1, 0, 1, 0, 1);"
                               << "glOrtho: left 0, right 2, bottom 0, top 2, near 0, far 2. glOrtho follows and is "
                                  "ignored: one projection is read";
-        newRow("set afterwards") << "const camera = new THREE.PerspectiveCamera(45, 1, 1, 9);\ncamera.aspect = 2;"
-                                 << "THREE.PerspectiveCamera: fovy 45°, aspect 1, near 1, far 9. camera.aspect is "
-                                    "ignored: put its value into the call";
+        newRow("set afterwards") << "const camera = new THREE.PerspectiveCamera(45, 1, 1, 9);\ncamera.aspect = 2;\n"
+                                    "this.camera.fov = 50"
+                                 << "THREE.PerspectiveCamera: fovy 50°, aspect 2, near 1, far 9";
+        newRow("set to what is no number")
+            << "const camera = new THREE.PerspectiveCamera(45, 1, 1, 9);\ncamera.aspect = innerWidth / innerHeight;"
+            << "THREE.PerspectiveCamera: fovy 45°, aspect 1, near 1, far 9. camera.aspect is ignored: put its value "
+               "into the call";
+        newRow("Vulkan's y") << "proj = glm::perspective(0.7853981633974483, 1.5, 0.1, 10.0);\nproj[1][1] *= -1;"
+                             << "glm::perspective: fovy 45°, aspect 1.5, near 0.1, far 10. [1][1] *= -1 is ignored: "
+                                "the picture is the same";
         newRow("moved by other calls")
             << "gluLookAt(3, 2, 5, 0, 0.5, 0, 0, 1, 0); glTranslatef(0, 0, 1); glRotated(a, 0, 1, 0); glTranslatef(1, "
                "0, "
@@ -470,6 +477,15 @@ private slots:
                                            "gluLookAt(3, 2, 5, 0, 0.5, 0, 0, 1, 0);\n"
                                            + calls.toStdString());
         QVERIFY(camera.isViewportSet && camera.viewport == std::optional(Viewport{0, 0, 800, 600}));
+    }
+
+    void anAspectWithoutNumberIsThatOfTheSize()
+    {
+        const auto calls =
+            pastedCalls("glViewport(0, 0, w, h);\ngluPerspective(45.0, float(w) / h, 0.1, 100.0);", 4.0 / 3.0);
+        QVERIFY(calls && calls->parts.projection && !calls->parts.viewport);
+        QVERIFY(difference(meantMatrix(*calls->parts.projection, NumberOrder::ByColumns), perspective()) <= 1e-12);
+        QVERIFY(calls->parts.projection->call.ends_with(". The aspect float(w) / h is that of the size"));
     }
 
     void constantsAreArguments()
