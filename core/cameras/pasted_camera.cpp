@@ -184,6 +184,7 @@ public:
         for (const ReadMatrix &one : m_camera.matrices)
             take(one);
         noteIgnored(parts);
+        noteAspect();
         if (m_camera.matrices.empty() && !m_camera.isViewportSet)
             return countError(PastedPart::ModelView, 0, kEntries, 0);
         return std::nullopt;
@@ -462,6 +463,22 @@ private:
         } else {
             m_camera.fault = base::Error{tr("it cannot be decomposed; give projection and view"), "product"};
         }
+    }
+
+    /// Says where the projection of a call stretches the picture.
+    void noteAspect()
+    {
+        const ReadMatrix *one = of(MatrixRole::Projection);
+        const auto &viewport = m_camera.viewport;
+        if (!one || one->given.form != MatrixForm::Call || !viewport || !(viewport->height > 0.0)
+            || one->matrix[0][0] == 0.0)
+            return;
+        constexpr double kVisible = 0.01;
+        const double aspect = std::abs(one->matrix[1][1] / one->matrix[0][0]),
+                     ofSize = viewport->width / viewport->height;
+        if (std::abs(aspect / ofSize - 1.0) > kVisible)
+            note(one->part, tr("its aspect is %1, and that of the size is %2: the picture is stretched",
+                               numberText(aspect, Digits::Double, 4), numberText(ofSize, Digits::Double, 4)));
     }
 
     /// Says which matrices of the text do not count, and whether they contradict those that do.
