@@ -316,16 +316,17 @@ CameraValue CameraValues::valueOf(const NamedValue &named) const
             m_files[text]};
 }
 
-/// Takes the only matrix with the form of a K as one, where no name says another: "matrix" beside "distortion".
+/// Takes the only matrix with the form of a K and a name that says nothing as one: "matrix" beside "distortion".
 void CameraValues::takeLensByForm()
 {
     using enum Part;
     std::vector<CameraValue> &others = of(Other);
     const auto isLens = [](const CameraValue &value) {
         constexpr double kLeast = 10.0; // of a focal length, in pixels
+        constexpr std::string_view kNames = " matrix mat calibration calib cameracalibration cam camera ";
         const std::vector<double> &k = value.numbers;
-        return k.size() == 9 && k[0] > kLeast && k[4] > kLeast && k[2] > 0.0 && k[5] > 0.0 && k[3] == 0.0 && k[6] == 0.0
-               && k[7] == 0.0 && k[8] == 1.0;
+        return k.size() == 9 && isListed(kNames, plain(value.name)) && k[0] > kLeast && k[4] > kLeast && k[2] > 0.0
+               && k[5] > 0.0 && k[3] == 0.0 && k[6] == 0.0 && k[7] == 0.0 && k[8] == 1.0;
     };
     if (all(Intrinsics).empty() && all(CameraMatrix).empty() && std::ranges::count_if(others, isLens) == 1) {
         const auto found = std::ranges::find_if(others, isLens);

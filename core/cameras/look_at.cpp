@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -33,7 +34,8 @@ constexpr std::string_view kEyes = "eye eyepos eyeposition position pos camerapo
 
 /// The values around an eye.
 struct Look {
-    const NamedValue *eye = nullptr, *target = nullptr, *direction = nullptr, *up = nullptr, *angle = nullptr;
+    const NamedValue *eye = nullptr, *target = nullptr, *direction = nullptr, *up = nullptr, *angle = nullptr,
+                     *aspect = nullptr;
     std::string name{};
 };
 
@@ -51,8 +53,9 @@ public:
             if (!isTarget && !isDirection && !isCentre)
                 continue;
             const auto nearest = [&](std::string_view names, std::size_t count) { return around(value, names, count); };
-            Look look{nearest(kEyes, 3), isDirection ? nullptr : &value, isDirection ? &value : nullptr,
-                      nearest(kUps, 3), nearest(kAngles, 1)};
+            Look look{
+                nearest(kEyes, 3),   isDirection ? nullptr : &value,  isDirection ? &value : nullptr, nearest(kUps, 3),
+                nearest(kAngles, 1), nearest("aspect aspectratio", 1)};
             if (!look.eye && isTarget) // "center" is the eye's where a target stands beside it
                 look.eye = nearest("center centre", 3);
             if (!look.eye || !look.angle || nearest(kOthers, 1))
@@ -129,7 +132,7 @@ void readLook(Reading &reading)
     const Look look = LookReader(reading).looks()[reading.camera.image];
     if (reading.text.text.find("rthographic\": true") != std::string::npos)
         reading.fail(tr("an orthographic camera of %1 is not read; give its matrices", reading.camera.program));
-    for (const NamedValue *one : {look.eye, look.target, look.direction, look.up, look.angle}) {
+    for (const NamedValue *one : {look.eye, look.target, look.direction, look.up, look.angle, look.aspect}) {
         if (one)
             reading.used.insert(plain(one->written));
     }
@@ -151,10 +154,17 @@ void readLook(Reading &reading)
                        base::quoted(angle.written)));
     if (areRadians && angle.unit.empty() && !hasWord("rad radians"))
         reading.say(tr("%1 is read in radians, because it is at most pi.", base::quoted(angle.written)));
-    if (areRadians)
-        isAcross ? reading.setHorizontalAngle(value) : reading.setVerticalAngle(value);
+    const double radians = areRadians ? value : base::radiansFromDegrees(value);
+    const std::optional<double> aspect = look.aspect ? std::optional(look.aspect->number()) : std::nullopt;
+    if (isAcross)
+        reading.setHorizontalAngle(radians);
     else
-        reading.setDegrees(value, isAcross);
+        reading.setVerticalAngle(radians, aspect);
+    const ImageSize size = reading.neededSize();
+    constexpr double kVisible = 0.01;
+    if (aspect && !isAcross && std::abs(*aspect * size.height / size.width - 1.0) > kVisible)
+        reading.say(
+            tr("The aspect %1 is not that of the size: the picture is stretched.", base::shortestText(*aspect)));
     reading.say(tr("The world is read as right-handed."));
 }
 

@@ -7,6 +7,7 @@
 #include "core/base/text_scanner.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
@@ -29,6 +30,7 @@ constexpr Signature kSignatures[]{
     {" Cal3_S2 ", "fx, fy, skew, cx, cy"}, // GTSAM
 };
 
+constexpr std::string_view kFloor = "\x01\x01"; ///< in the place of Python's //
 constexpr std::string_view kOpening = "([{", kClosing = ")]}";
 
 bool isAmong(char c, std::string_view characters)
@@ -141,7 +143,11 @@ private:
 
 class Writer {
 public:
-    Writer(std::string_view bare, const Constants &constants) : m_bare(bare), m_constants(constants) {}
+    /// @param dropsRest  the text may be of a language whose 1 / 2 is 0
+    Writer(std::string_view bare, const Constants &constants, bool dropsRest)
+        : m_bare(bare), m_constants(constants), m_dropsRest(dropsRest)
+    {
+    }
 
     /// @return the places that change, with their new texts, in the order of the text
     std::map<std::size_t, std::pair<std::size_t, std::string>> changes()
@@ -230,6 +236,13 @@ private:
             return false;
         at += first;
         text = trimmed(text);
+        if (const auto floor = text.find(kFloor); floor != text.npos) {
+            const auto whole = m_constants.numberOf(text.substr(0, floor)),
+                       part = m_constants.numberOf(text.substr(floor + kFloor.size()));
+            if (whole && part && part->value != 0.0)
+                m_changes[at] = {text.size(), shortestText(std::floor(whole->value / part->value))};
+            return whole && part;
+        }
         bool hasConstant = false;
         const auto number = sourceNumber(text, [&](std::string_view name) {
             const auto value = m_constants.textOf(name);
@@ -239,7 +252,7 @@ private:
         if (!number || !hasConstant)
             return false;
         std::string value = shortestText(number->value);
-        if (!number->wholeQuotient.empty()) { // the reader tells what a language makes of it
+        if (!number->wholeQuotient.empty() && m_dropsRest) { // the reader tells what a language makes of it
             value.clear();
             for (std::size_t i = 0; i < text.size();) {
                 const std::string_view name = isLetter(text[i]) ? namesAt(text, i) : std::string_view();
@@ -280,8 +293,28 @@ private:
 
     std::string_view m_bare;
     const Constants &m_constants;
+    bool m_dropsRest;
     std::map<std::size_t, std::pair<std::size_t, std::string>> m_changes;
 };
+
+} // namespace
+
+namespace {
+
+/// The text without comments, with kFloor for the // of "W // 2".
+std::string bareOf(std::string text)
+{
+    for (std::size_t at = text.find("//"); at != text.npos; at = text.find("//", at + 2)) {
+        const auto last = at == 0 ? text.npos : text.find_last_not_of(' ', at - 1);
+        const auto next = text.find_first_not_of(' ', at + 2), end = text.find_first_not_of("0123456789 ", at + 2);
+        const bool isFloor = last != text.npos && (isLetter(text[last]) || isDigit(text[last]) || text[last] == ')')
+                             && next != text.npos && isDigit(text[next]) && end != text.npos
+                             && isAmong(text[end], ",])");
+        if (isFloor)
+            text.replace(at, kFloor.size(), kFloor);
+    }
+    return withoutComments(text);
+}
 
 } // namespace
 
@@ -290,10 +323,10 @@ std::string withValues(std::string text)
     constexpr std::size_t kLongest = 100'000; // too long for a program that sets a camera
     if (text.size() > kLongest)
         return text;
-    const std::string bare = withoutComments(text);
+    const std::string bare = bareOf(text);
     Constants constants(bare);
     constants.addDefined(text);
-    const auto changes = Writer(bare, constants).changes();
+    const auto changes = Writer(bare, constants, text.find(';') != text.npos).changes();
     std::size_t at = 0;
     std::string changed;
     for (const auto &[place, change] : changes) {
