@@ -139,9 +139,9 @@ bool isChange(std::string_view text, const CameraValue &value)
         isIndexed && isAssigned
         && (inside.find(':') != inside.npos
             || (!isArray && value.numbers.size() < 2 && inside.find_first_of("0123456789") != inside.npos));
-    const bool isComputed =
-        isListed(" *= /= += -= ", sign.substr(0, 2))
-        || (!isIndexed && isAssigned && value.numbers.empty() && given.starts_with(value.name + '.'));
+    const bool isComputed = isListed(" *= /= += -= ", sign.substr(0, 2))
+                            || (!isIndexed && isAssigned && value.numbers.empty()
+                                && (given.starts_with(value.name + '.') || given.starts_with('-')));
     return (isEntry || isComputed) && std::ranges::any_of(std::array<std::size_t, 3>{3, 9, 16}, [&](std::size_t count) {
                return cameras::roleOf(value.name, count).has_value();
            });
@@ -499,6 +499,10 @@ void CameraValues::addComponents(const NamedValues &named)
         const auto role = cameras::roleOf(value.written, value.numbers.size());
         return value.words.back() == "qw" || (role && (role->part == Rotation || role->part == Quaternion));
     });
+    const bool hasWhole = std::ranges::any_of(values, [](const NamedValue &value) { // t itself
+        const auto role = value.numbers.size() == 3 ? cameras::roleOf(value.written, 3) : std::nullopt;
+        return role && role->part == Translation;
+    });
     std::vector<CameraValue> found;
     std::vector<bool> isTaken(values.size());
     std::set<std::size_t> read; // places in the text
@@ -518,7 +522,7 @@ void CameraValues::addComponents(const NamedValues &named)
                 break;
         }
         const std::size_t count = places.size();
-        if (count < 3 || axes.contains(3) != (count == 4) || (prefix == "t" && !hasTurn))
+        if (count < 3 || axes.contains(3) != (count == 4) || (prefix == "t" && (!hasTurn || hasWhole)))
             continue;
         const auto role = prefix.empty() ? cameras::roleOf(values[i].parent, count)
                                          : std::optional(Role{count == 4 ? Quaternion : Translation});

@@ -197,6 +197,11 @@ std::optional<KnownCall> knownCall(const SourceCall &call, std::string_view prog
         }
         const bool isOfObject =
             library.objects.empty() ? library.word.empty() || !call.object.empty() : isListed(library.objects, object);
+        // Only the renderer's size is the picture's: not a font's.
+        const std::string owner = lowerCase(call.object);
+        if (row && row->shape.kind == Window && library.family == Three
+            && (owner.find("renderer") == owner.npos || owner.find("css") != owner.npos))
+            continue;
         const bool isHandKnown = library.hand != InName || isLeftHanded || isRightHanded;
         if (!row || !isOfObject || !isHandKnown || !isNamed(library.word))
             continue;

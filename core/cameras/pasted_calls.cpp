@@ -100,7 +100,10 @@ public:
             return {};
         std::vector<std::string_view> leftOut; // calls that change the view
         for (const SourceCall &call : m_calls) {
-            if (const std::optional<KnownCall> known = knownCall(call, m_program))
+            const std::optional<KnownCall> known = knownCall(call, m_program);
+            if (known && std::string_view(m_text).substr(0, call.at).ends_with("inverse("))
+                failCall(tr("%1: the text takes its inverse. Give the numbers of the matrix", call.written));
+            if (known)
                 readKnown(call, *known);
             else if (const std::string_view camera = movedCamera(call); !camera.empty())
                 readMove(call, camera);
@@ -109,7 +112,7 @@ public:
             else if (isLeftOut(call) && std::ranges::find(leftOut, call.written) == leftOut.end())
                 leftOut.push_back(call.written);
         }
-        if (!m_parts.viewport && m_window)
+        if (!m_parts.viewport && m_window && !m_aspect) // a given size counts
             m_parts.viewport = m_window;
         else if (!m_parts.viewport && m_viewportError && !m_aspect)
             throw *m_viewportError;

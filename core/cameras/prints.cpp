@@ -59,6 +59,16 @@ void readVtk(Reading &reading)
     const Numbers n = vtkNumbers(view);
     if (n.empty())
         reading.fail(tr("the camera's position is missing; give its x, y and z"));
+    // Calls that move the camera, or change the picture, behind its place.
+    const std::string_view all = reading.text.text;
+    const std::string_view rest = all.substr(std::min(all.rfind("osition"), all.size()));
+    for (const std::string_view call :
+         {"Azimuth(", "Elevation(", "Roll(", "Pitch(", "Yaw(", "Dolly(", "Zoom(", "zoom(", "ResetCamera(", ".azimuth",
+          ".elevation", ".roll", ".zoom", "ParallelProjectionOn", "HorizontalViewAngle", "SetWindowCenter",
+          "WindowCenter=", "ViewShear"}) {
+        if (rest.find(call) != rest.npos)
+            reading.fail(tr("%1 %2 is not read", "VTK", call.substr(0, call.find_first_of("(="))));
+    }
     const dvec3 eye = vectorOf(n), back = eye - vectorOf(n, 3);
     reading.setLooking(eye, back, vectorOf(n, 6));
     reading.setSize(view, "viewsize|windowsize|size");

@@ -5,6 +5,7 @@
 #include "core/base/number_text.h"
 #include "core/base/source_text.h"
 #include "core/base/text_scanner.h"
+#include "core/cameras/scan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,48 +39,97 @@ bool isAmong(char c, std::string_view characters)
     return characters.find(c) != characters.npos;
 }
 
-/// The constants of a text.
+/// The end of the block of a place: of its braces, or of the lines indented as its own.
+std::size_t blockEnd(std::string_view text, std::size_t at)
+{
+    std::size_t depth = 0, end = at;
+    for (; end < text.size(); ++end) {
+        if (text[end] == '{')
+            ++depth;
+        else if (text[end] == '}' && depth-- == 0)
+            break;
+    }
+    const auto indentAt = [&](std::size_t line) { return text.find_first_not_of(" \t", line) - line; };
+    const std::size_t begin = text.substr(0, at).find_last_of('\n') + 1, indent = indentAt(begin);
+    for (std::size_t line = text.find('\n', at); indent > 0 && line < end; line = text.find('\n', line + 1)) {
+        const std::size_t first = text.find_first_not_of(" \t", line + 1);
+        if (first != text.npos && text[first] != '\n' && indentAt(line + 1) < indent)
+            end = line;
+    }
+    return end;
+}
+
+/// The constants of a text: names that it sets once, to a number, before it uses them in the same block.
 class Constants {
 public:
     /// @param bare  the text without comments
-    explicit Constants(std::string_view bare)
+    /// @param dropsRest  the text may be of a language whose 1 / 2 is 0
+    Constants(std::string_view bare, bool dropsRest) : m_dropsRest(dropsRest)
     {
         for (const SourceCall &one : sourceCalls(bare)) {
             if (one.isAssignment && isStatement(bare, one.at))
-                add(one.written, one.arguments[0]);
+                add(one.written, valueOf(bare, one), one.at, blockEnd(bare, one.at));
         }
-        addOperators(bare);
         addLists(bare);
-        std::erase_if(m_texts, [&](const auto &one) { return !numberOf(one.second); });
+        std::erase_if(m_all, [&](const auto &one) { return !numberOf(one.second.text); });
     }
 
     /// Adds #define W 640.
     void addDefined(std::string_view text)
     {
         constexpr std::string_view kDefine = "#define ";
+        if (text.find("#undef ") != text.npos || text.find("#if") != text.npos) {
+            m_all.clear();
+            return;
+        }
         for (std::size_t at = text.find(kDefine); at != text.npos; at = text.find(kDefine, at + 1)) {
             const std::string_view line = text.substr(at + kDefine.size(), text.find('\n', at) - at - kDefine.size());
             const std::string_view name = namesAt(line, 0);
             const std::string_view value = trimmed(line.substr(name.size(), line.find("//") - name.size()));
-            if (!name.empty() && !value.empty() && numberOf(value))
-                add(name, value);
+            const bool isOne = value.find_first_of("+-*/ ", 1) == value.npos; // others count as their text
+            if (!name.empty() && !value.empty())
+                add(name, isOne && numberOf(value) ? value : "?", 0, text.npos);
         }
     }
 
-    bool isEmpty() const { return m_texts.empty(); }
+    void drop(std::string_view name) { m_all.erase(name); }
+    bool isEmpty() const { return m_all.empty(); }
 
-    std::optional<std::string_view> textOf(std::string_view name) const
+    /// The constant that a name is at a place; null: it is none there.
+    std::optional<std::string_view> textOf(std::string_view name, std::size_t at) const
     {
-        const auto found = m_texts.find(name);
-        return found == m_texts.end() ? std::nullopt : std::optional(found->second);
+        const auto found = m_all.find(name);
+        const bool isIt = found != m_all.end() && at >= found->second.begin && at < found->second.end;
+        return isIt ? std::optional(found->second.text) : std::nullopt;
     }
+    bool has(std::string_view name) const { return m_all.contains(name); }
+    /// Where a constant is set.
+    bool isSetAt(std::string_view name, std::size_t at) const { return m_all.find(name)->second.begin == at; }
 
-    std::optional<SourceNumber> numberOf(std::string_view text) const
+    /// The number of an expression. In a language that drops the rest of whole numbers, a quotient with a rest and
+    /// without a point is none.
+    std::optional<SourceNumber> numberOf(std::string_view text, std::size_t at = std::string_view::npos - 1) const
     {
-        return sourceNumber(text, [this](std::string_view name) { return textOf(name); });
+        bool hasQuotient = text.find('/') != text.npos, hasPoint = text.find('.') != text.npos;
+        auto number = sourceNumber(text, [&](std::string_view name) -> std::optional<std::string_view> {
+            const auto found = m_all.find(name);
+            if (found == m_all.end() || (at != std::string_view::npos - 1 && !textOf(name, at)))
+                return std::nullopt;
+            hasQuotient = hasQuotient || found->second.text.find('/') != std::string_view::npos;
+            hasPoint = hasPoint || found->second.text.find('.') != std::string_view::npos;
+            return found->second.text;
+        });
+        const bool isCut =
+            number && m_dropsRest && hasQuotient && !hasPoint && number->value != std::trunc(number->value);
+        return isCut ? std::nullopt : number;
     }
 
 private:
+    struct Value {
+        std::string_view text;
+        std::size_t begin = 0, end = 0; ///< of the text in which it counts
+    };
+
     /// Returns whether a place is outside of parentheses and lists in its line.
     static bool isStatement(std::string_view text, std::size_t at)
     {
@@ -89,34 +139,27 @@ private:
                && std::ranges::count(line, '[') == std::ranges::count(line, ']');
     }
 
-    /// Adds a value. A name with two values is no constant.
-    void add(std::string_view name, std::string_view value)
+    /// The value of an assignment; "?" if more belongs to it: f = 500, 600, or a line that begins with an operator.
+    static std::string_view valueOf(std::string_view bare, const SourceCall &one)
     {
-        const auto [found, isNew] = m_texts.emplace(name, value);
-        if (!isNew && found->second != value)
-            found->second = "?";
+        const auto next = bare.find_first_not_of(" \t\r\n", one.end);
+        const bool isInLine = bare.find('\n', one.end) > next;
+        if (next == bare.npos || (isInLine && isAmong(bare[next], ";})")))
+            return one.arguments[0];
+        if (isInLine && bare[next] == ',') { // int W = 640, H = 480
+            const std::size_t name = behindBlanks(bare, next + 1);
+            const std::size_t sign = behindBlanks(bare, name + namesAt(bare, name).size());
+            return sign > name && sign < bare.size() && bare[sign] == '=' ? one.arguments[0] : "?";
+        }
+        return isInLine || isAmong(bare[next], "+-*/%") ? "?" : one.arguments[0];
     }
 
-    /// Drops the names that the text changes, as by f *= 0.5, or sets in a loop.
-    void addOperators(std::string_view bare)
+    /// Adds a value. A name with two values is no constant.
+    void add(std::string_view name, std::string_view value, std::size_t at, std::size_t end)
     {
-        for (std::size_t at = bare.find('='); at != bare.npos; at = bare.find('=', at + 1)) {
-            const auto end = at > 0 && isAmong(bare[at - 1], "+-*/") ? at - 1 : 0;
-            const auto last = end > 0 ? bare.find_last_not_of(' ', end - 1) : bare.npos;
-            if (last == bare.npos)
-                continue;
-            const auto first = bare.find_last_of(" \t\n;(){}", last) + 1;
-            add(bare.substr(first, last + 1 - first), "?");
-        }
-        for (std::size_t at = bare.find("for "); at != bare.npos; at = bare.find("for ", at + 1))
-            add(namesAt(bare, behindBlanks(bare, at + 4)), "?");
-        for (const std::string_view step : {"++", "--"}) {
-            for (std::size_t at = bare.find(step); at != bare.npos; at = bare.find(step, at + 2)) {
-                const auto first = bare.find_last_of(" \t\n;(){}", at) + 1;
-                if (first < at)
-                    add(bare.substr(first, at - first), "?");
-            }
-        }
+        const auto [found, isNew] = m_all.emplace(name, Value{value, at, end});
+        if (!isNew)
+            found->second.text = "?";
     }
 
     /// Adds W, H = 640, 480.
@@ -129,25 +172,24 @@ private:
             if (sign == line.npos || names.size() < 2 || sign + 1 == line.size())
                 continue;
             const auto values = commaSeparated(line.substr(sign + 1));
-            for (std::size_t i = 0; i < names.size() && values.size() == names.size(); ++i) {
-                if (namesAt(names[i], 0) == names[i]) {
-                    m_texts.erase(names[i]); // the last name stands before the sign, and was taken alone
-                    add(names[i], values[i]);
-                }
+            for (std::size_t i = 0; i < names.size(); ++i) {
+                if (namesAt(names[i], 0) != names[i])
+                    continue;
+                const auto begin = std::size_t(names[i].data() - bare.data());
+                if (i + 1 == names.size())
+                    m_all.erase(names[i]); // it stands before the sign, and was taken alone
+                add(names[i], values.size() == names.size() ? values[i] : "?", begin, blockEnd(bare, begin));
             }
         }
     }
 
-    std::map<std::string_view, std::string_view> m_texts;
+    std::map<std::string_view, Value> m_all;
+    bool m_dropsRest;
 };
 
 class Writer {
 public:
-    /// @param dropsRest  the text may be of a language whose 1 / 2 is 0
-    Writer(std::string_view bare, const Constants &constants, bool dropsRest)
-        : m_bare(bare), m_constants(constants), m_dropsRest(dropsRest)
-    {
-    }
+    Writer(std::string_view bare, const Constants &constants) : m_bare(bare), m_constants(constants) {}
 
     /// @return the places that change, with their new texts, in the order of the text
     std::map<std::size_t, std::pair<std::size_t, std::string>> changes()
@@ -188,6 +230,10 @@ private:
             if (close == m_bare.npos || isBlock)
                 return at + 1;
         }
+        const std::size_t next = behindBlanks(m_bare, close + 1);
+        const bool isSet = next + 1 < m_bare.size() && m_bare[next] == '=' && m_bare[next + 1] != '='; // (f, g) = …
+        if (isSet || m_bare.substr(0, at).ends_with("swap"))
+            return close + 1;
         std::size_t start = at + 1, depth = 0;
         for (std::size_t i = at + 1; i <= close; ++i) {
             const char c = m_bare[i];
@@ -239,30 +285,28 @@ private:
         if (const auto floor = text.find(kFloor); floor != text.npos) {
             const auto whole = m_constants.numberOf(text.substr(0, floor)),
                        part = m_constants.numberOf(text.substr(floor + kFloor.size()));
-            if (whole && part && part->value != 0.0)
+            if (whole && part && part->value != 0.0 && hasConstant(at, text))
                 m_changes[at] = {text.size(), shortestText(std::floor(whole->value / part->value))};
             return whole && part;
         }
-        bool hasConstant = false;
-        const auto number = sourceNumber(text, [&](std::string_view name) {
-            const auto value = m_constants.textOf(name);
-            hasConstant = hasConstant || value;
-            return value;
-        });
-        if (!number || !hasConstant)
+        if (!hasConstant(at, text))
             return false;
-        std::string value = shortestText(number->value);
-        if (!number->wholeQuotient.empty() && m_dropsRest) { // the reader tells what a language makes of it
-            value.clear();
-            for (std::size_t i = 0; i < text.size();) {
-                const std::string_view name = isLetter(text[i]) ? namesAt(text, i) : std::string_view();
-                const auto constant = m_constants.textOf(name);
-                value += constant ? std::string(*constant) : name.empty() ? std::string(1, text[i]) : std::string(name);
-                i += std::max<std::size_t>(name.size(), 1);
-            }
-        }
-        m_changes[at] = {text.size(), value};
+        const auto number = m_constants.numberOf(text, at);
+        if (!number)
+            return false;
+        m_changes[at] = {text.size(), shortestText(number->value)};
         return true;
+    }
+
+    bool hasConstant(std::size_t at, std::string_view text) const
+    {
+        for (std::size_t i = 0; i < text.size();) {
+            const std::string_view name = isLetter(text[i]) ? namesAt(text, i) : std::string_view();
+            if (m_constants.textOf(name, at))
+                return true;
+            i += std::max<std::size_t>(name.size(), 1);
+        }
+        return false;
     }
 
     void readArguments(const SourceCall &call)
@@ -284,7 +328,13 @@ private:
         // camera->SetPosition(1, 2, 3), as Position=(1, 2, 3)
         constexpr std::string_view kSet = "Set";
         const std::size_t end = call.at + call.written.size();
-        if (call.name.starts_with(kSet) && call.name.size() > kSet.size() && m_bare[end] == '('
+        const std::string object = lowerCase(call.object);
+        const bool isCameras =
+            object.find("cam") != object.npos || (call.name == "SetSize" && object.find("win") != object.npos);
+        // A second one is of another place or time.
+        const std::string written = std::string(call.written) + '(';
+        const bool isOne = m_bare.find(written) == m_bare.rfind(written);
+        if (isCameras && isOne && call.name.starts_with(kSet) && call.name.size() > kSet.size() && m_bare[end] == '('
             && std::ranges::all_of(call.arguments, [&](auto text) { return bool(m_constants.numberOf(text)); })) {
             m_changes[end - call.name.size()] = {kSet.size(), ""};
             m_changes[end] = {0, "="};
@@ -293,7 +343,6 @@ private:
 
     std::string_view m_bare;
     const Constants &m_constants;
-    bool m_dropsRest;
     std::map<std::size_t, std::pair<std::size_t, std::string>> m_changes;
 };
 
@@ -323,10 +372,27 @@ std::string withValues(std::string text)
     constexpr std::size_t kLongest = 100'000; // too long for a program that sets a camera
     if (text.size() > kLongest)
         return text;
-    const std::string bare = bareOf(text);
-    Constants constants(bare);
+    const std::string bare = bareOf(withoutRemarks(text));
+    Constants constants(bare, text.find(';') != text.npos);
     constants.addDefined(text);
-    const auto changes = Writer(bare, constants, text.find(';') != text.npos).changes();
+    auto changes = Writer(bare, constants).changes();
+    // A name in any other place may change it: f++, &f, for f in …
+    for (bool isDropped = true; isDropped && !constants.isEmpty();) {
+        isDropped = false;
+        for (std::size_t at = 0; at < bare.size();) {
+            const auto next = changes.upper_bound(at);
+            const auto change = next == changes.begin() ? changes.end() : std::prev(next);
+            const bool isChanged = change != changes.end() && at < change->first + change->second.first;
+            const std::string_view name = isLetter(bare[at]) ? namesAt(bare, at) : std::string_view();
+            if (!isChanged && constants.has(name) && !constants.isSetAt(name, at)) {
+                constants.drop(name);
+                isDropped = true;
+            }
+            at += std::max<std::size_t>(isDigit(bare[at]) ? namesAt(bare, at).size() : name.size(), 1);
+        }
+        if (isDropped)
+            changes = Writer(bare, constants).changes();
+    }
     std::size_t at = 0;
     std::string changed;
     for (const auto &[place, change] : changes) {

@@ -607,19 +607,17 @@ private:
         }
     }
 
-    /// The number that the text gives a name above, and never another one.
+    /// The number that "fx: 600" above gives a name, and nothing else.
     std::optional<double> valueOf(std::string_view name) const
     {
         std::optional<double> value;
-        if (m_text.substr(0, m_at).find("for " + std::string(name) + ' ') != m_text.npos)
-            return value; // a loop's
         for (const Group &group : m_groups) {
             if (group.kind != Name || group.name != name || group.numbers.empty())
                 continue;
             const bool isPlain = group.numbers.size() == 1 && group.arithmetic.empty() && group.unit.empty();
             const auto end = std::size_t(group.name.data() - m_given.data()) + name.size();
-            const bool isChange = isAmong(at(behind(end, " \t")), "+-*/"); // f *= 2
-            if (!isPlain || isChange || (value && *value != group.numbers[0].value))
+            const bool isSet = at(behind(end, " \t\"'")) != ':'; // by a program: withValues() has its value
+            if (!isPlain || isSet || (value && *value != group.numbers[0].value))
                 return std::nullopt;
             value = group.numbers[0].value;
         }
@@ -759,8 +757,10 @@ private:
         const bool isSum =
             isAmong(c, "+-") && (at(m_at + 1) == ' ' || isApartInList) && isAmong(at(operand), "0123456789+-.[");
         const bool isTransposed = isAmong(before(), "])") && ((c == '\'' && m_at + 1 != m_quoteEnd) || isHere(".T"));
+        const bool isOfList = c == '-' && isAmong(at(operand), "([{"); // -[1, 2, 3]
         // "scale * np.array(…)", "-np.array(…)"
-        const bool isFirst = m_count == 0 && m_isBehindEquals && (m_name.empty() ? lengthOf("-@") > 0 : isProduct);
+        const bool isFirst =
+            m_count == 0 && m_isBehindEquals && (m_name.empty() ? lengthOf("-@") > 0 || isOfList : isProduct);
         if (isFirst)
             setArithmetic(std::string(m_name.substr(0, kMost)) + (m_name.empty() ? "-" : std::string{' ', c}));
         else if (isBehindOperand && isTransposed)

@@ -369,6 +369,9 @@ std::optional<ForeignCamera> readTables(std::span<const NamedText> texts, const 
             camera->program = "DSO";
         return hasDso && !poses.program ? std::move(camera) : std::nullopt;
     }
+    if (camera->images.size() > 1)
+        throw base::Error{.text = tr("the text has %1 lenses; give the one of the poses", camera->images.size()),
+                          .file = rest.front()->name};
     const bool isTimed = std::string_view(poses.program) == "TUM";
     const auto hasFirst = [](const NamedText *text) { return text->text.find("P0:") != std::string::npos; };
     if (poses.program == std::string_view("KITTI") && std::any_of(rest.begin(), rest.end(), hasFirst))
@@ -508,10 +511,17 @@ Cameras multiViewCameras(Reading &reading, const Node &text)
     const std::vector<Row> rows = rowsOf(reading.text.text, true);
     Cameras cameras;
     for (std::size_t i = 1; haveCounts(rows, {1}) && i < rows.size(); ++i) {
-        if (rows[i].numbers.size() != kParameters)
+        const Numbers &n = rows[i].numbers;
+        if (n.size() != kParameters)
             return {};
+        if (n[3] != 0.0 || n[6] != 0.0 || n[7] != 0.0 || n[8] != 1.0)
+            reading.fail(tr("the camera matrix of %1 has not the rows fx skew cx, 0 fy cy, 0 0 1", rows[i].first));
         cameras.push_back({rows[i].first, {}, text, text});
     }
+    if (!cameras.empty() && rows[0].numbers[0] != double(cameras.size()))
+        reading.fail(tr("the first line says %1 images, and there are %2", base::shortestText(rows[0].numbers[0]),
+                        cameras.size()),
+                     1);
     return cameras;
 }
 

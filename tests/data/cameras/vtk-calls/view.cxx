@@ -1,3 +1,5 @@
+actor->SetPosition(9, 9, 9);
+renderer->ResetCamera();
 renWin->SetSize(300, 300);
 if (me > 0)
 {
