@@ -14,6 +14,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace unprojector::cameras {
@@ -24,7 +25,11 @@ class Reading;
 struct Spot {
     std::size_t text = 0, node = 0; ///< its text, and its place in the outline of that
     std::string camera{};           ///< which of several cameras its name says
-    friend auto operator<=>(const Spot &, const Spot &) = default;
+    friend bool operator==(const Spot &, const Spot &) = default;
+    friend bool operator<(const Spot &a, const Spot &b)
+    {
+        return std::tie(a.text, a.node, a.camera) < std::tie(b.text, b.node, b.camera);
+    }
 };
 
 /// A part as a text gives it.

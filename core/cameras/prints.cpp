@@ -379,7 +379,8 @@ UnityDocuments unityDocuments(std::string_view text)
 {
     constexpr std::string_view kMark = "--- !u!";
     UnityDocuments documents;
-    for (std::size_t at = text.find(kMark), end = at; at != text.npos; at = end) {
+    std::size_t end = 0;
+    for (std::size_t at = text.find(kMark); at != text.npos; at = end) {
         end = text.find(kMark, at + 1);
         const std::string_view one = text.substr(at, end - at);
         const Words head = split(base::trimmed(split(one, '\n')[0]), ' ');

@@ -108,6 +108,7 @@ void Reading::chooseImage(std::span<const std::string> ids)
                 base::quoted(choices.image), camera.images.size(), firstNames(camera.images)));
     if (found.size() > 1) {
         std::vector<std::string> names;
+        names.reserve(found.size());
         for (const std::size_t index : found)
             names.push_back(camera.images[index]);
         fail(tr("%1 fits %2 images (%3); give more of its path, or its index from 0, with --image",

@@ -315,8 +315,8 @@ private slots:
                         << "0 numbers found, 16 are needed";
         newRow("nothing") << ""
                           << "it is empty";
-        newRow("UTF-16 without its mark") << QString(QChar(0)).prepend('7')
-                                          << "it has zero bytes, which no text has; save it as UTF-8";
+        newRow("UTF-16 without its mark")
+            << QString(QChar(0)).prepend('7') << "it has zero bytes, which no text has; save it as UTF-8";
         newRow("one short") << "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0"
                             << "15 numbers found, 16 are needed";
         newRow("one number") << "7"
