@@ -6,7 +6,6 @@
 #include "core/cameras/roles.h"
 
 #include <array>
-#include <compare>
 #include <cstddef>
 #include <map>
 #include <optional>

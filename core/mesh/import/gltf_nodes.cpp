@@ -187,32 +187,35 @@ GltfNodes::GltfNodes(const GltfFile &file, std::vector<base::Note> &notes) : m_f
 
 void GltfNodes::setRoots(const std::vector<std::size_t> &listed, std::vector<base::Note> &notes)
 {
+    const auto nameAt = [this](std::size_t node) { return nameOf(node, m_file.array("nodes")[node]); };
     std::vector<bool> areListed(m_parents.size()), areRoots(m_parents.size());
     for (const std::size_t node : listed)
         areListed[node] = true;
     for (const std::size_t node : listed) {
-        const std::size_t top = topOf(node);
-        if (top == kNone)
-            failNoTree();
-        if (!areListed[top])
+        std::size_t root = node, above = node, depth = 0;
+        bool isMoved = false; // by the nodes above the root
+        for (std::size_t parent = m_parents[node]; parent != kNone; parent = m_parents[parent]) {
+            if (++depth > kDeepestNode)
+                failNoTree();
+            isMoved = !areListed[parent] && (isMoved || changesChildren(parent));
+            root = areListed[parent] ? parent : root;
+            above = parent;
+        }
+        if (isMoved)
             failMalformed(tr("the scene lists node %1, but not node %2 that it is below; list node %2 instead",
-                             nameOf(node, m_file.array("nodes")[node]), top));
-        if (node == top && !areRoots[node])
+                             nameAt(node), above));
+        if (node == root && !areRoots[node])
             m_roots.push_back(node);
-        areRoots[node] = node == top;
+        areRoots[node] = node == root;
     }
     base::addNote(notes, listed.size() - m_roots.size(),
                   marked("the scene lists %1 node twice or beside its parent: it is shown once"),
                   marked("the scene lists %1 nodes twice or beside their parents: each is shown once"));
 }
 
-std::size_t GltfNodes::topOf(std::size_t node) const
+bool GltfNodes::changesChildren(std::size_t node) const
 {
-    for (std::size_t depth = 0; m_parents[node] != kNone; node = m_parents[node]) {
-        if (++depth > kDeepestNode)
-            return kNone;
-    }
-    return node;
+    return isHidden(m_file.array("nodes")[node]) || parentFromNode(node).rounded() != glm::dmat4(1.0);
 }
 
 GltfShown GltfNodes::shown() const

@@ -43,10 +43,11 @@ private:
     static constexpr std::size_t kNone = ~std::size_t{0};
 
     geometry::PreciseMatrix parentFromNode(std::size_t node) const;
-    /// @param listed  the nodes that the scene lists; some programs also list descendants of others
+    /// @param listed  the nodes that the scene lists; some programs also list descendants of others,
+    ///         or children of a node without a transform, which they leave out
     void setRoots(const std::vector<std::size_t> &listed, std::vector<base::Note> &notes);
-    /// The root above a node; kNone if the parents form a cycle.
-    std::size_t topOf(std::size_t node) const;
+    /// Returns whether a node moves or hides its children.
+    bool changesChildren(std::size_t node) const;
 
     const GltfFile &m_file;
     std::vector<std::size_t> m_roots;

@@ -825,7 +825,9 @@ Model readPly(const Source &source)
     }
     Model model;
     for (const PlyElement &element : header.elements) {
-        if (&element == vertices && !isAhead) {
+        if (&element == vertices && isAhead) {
+            body.skipAll(element);
+        } else if (&element == vertices) {
             readVertices(element, body, polygons.mesh);
         } else if (element.name == "face" || element.name == "tristrips") {
             readFaces(element, body, polygons);

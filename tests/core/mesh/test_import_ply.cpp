@@ -157,6 +157,7 @@ private slots:
                                "4 1 2 3 0\n0 1 0\n-1 -1 0\n0 0 0\n1 -1 0\n");
         REQUIRE_MODEL(result);
         QCOMPARE(areaOf(result.value()->meshes.front()), 1.0);
+        QCOMPARE(notesOf(**result), QByteArray());
     }
 
     void showsVerticesWithoutFacesAsPoints_data()
