@@ -116,7 +116,9 @@ public:
             m_parts.viewport = m_window;
         else if (!m_parts.viewport && m_viewportError && !m_aspect)
             throw *m_viewportError;
-        if (m_parts.projection && m_program.find("[1][1] *= -1") != m_program.npos)
+        std::string dense = m_text;
+        std::erase(dense, ' ');
+        if (m_parts.projection && dense.find("[1][1]*=-1") != dense.npos)
             m_parts.projection->call += tr(". %1 is ignored: the picture is the same", "[1][1] *= -1");
         if (!m_three.name.empty())
             setView({m_three.name}, {{CallKind::View, {}}, {}},

@@ -85,7 +85,7 @@ void readVtk(Reading &reading)
         return;
     }
     constexpr double kUsualAngle = 30.0;
-    const auto degrees = view.number("cameraviewangle|viewangle");
+    const auto degrees = view.number("cameraviewangle|viewangle|fov|fieldofview");
     if (!degrees)
         reading.say(tr("The vertical field of view is assumed to be %1 degrees, as in a new camera of %2.",
                        base::shortestText(kUsualAngle), "VTK"));

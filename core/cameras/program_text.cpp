@@ -108,12 +108,13 @@ public:
 
     /// The number of an expression. In a language that drops the rest of whole numbers, a quotient with a rest and
     /// without a point is none.
-    std::optional<SourceNumber> numberOf(std::string_view text, std::size_t at = std::string_view::npos - 1) const
+    /// @param at  the place of the expression; empty: any
+    std::optional<SourceNumber> numberOf(std::string_view text, const std::optional<std::size_t> &at = {}) const
     {
         bool hasQuotient = text.find('/') != text.npos, hasPoint = text.find('.') != text.npos;
         auto number = sourceNumber(text, [&](std::string_view name) -> std::optional<std::string_view> {
             const auto found = m_all.find(name);
-            if (found == m_all.end() || (at != std::string_view::npos - 1 && !textOf(name, at)))
+            if (found == m_all.end() || (at && !textOf(name, *at)))
                 return std::nullopt;
             hasQuotient = hasQuotient || found->second.text.find('/') != std::string_view::npos;
             hasPoint = hasPoint || found->second.text.find('.') != std::string_view::npos;
@@ -328,13 +329,15 @@ private:
         // camera->SetPosition(1, 2, 3), as Position=(1, 2, 3)
         constexpr std::string_view kSet = "Set";
         const std::size_t end = call.at + call.written.size();
+        if (!call.name.starts_with(kSet) || call.name.size() == kSet.size() || m_bare[end] != '(')
+            return;
         const std::string object = lowerCase(call.object);
         const bool isCameras =
             object.find("cam") != object.npos || (call.name == "SetSize" && object.find("win") != object.npos);
         // A second one is of another place or time.
         const std::string written = std::string(call.written) + '(';
         const bool isOne = m_bare.find(written) == m_bare.rfind(written);
-        if (isCameras && isOne && call.name.starts_with(kSet) && call.name.size() > kSet.size() && m_bare[end] == '('
+        if (isCameras && isOne
             && std::ranges::all_of(call.arguments, [&](auto text) { return bool(m_constants.numberOf(text)); })) {
             m_changes[end - call.name.size()] = {kSet.size(), ""};
             m_changes[end] = {0, "="};

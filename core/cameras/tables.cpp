@@ -536,11 +536,10 @@ void readMultiView(Reading &reading)
 // distortion, 0; pixels count from the image's middle
 std::vector<Row> sfmRows(const Reading &reading)
 {
-    constexpr std::size_t kLast = 10'000; // lines of images
     std::string_view text = reading.text.text, images = text.substr(text.find('\n') + 1);
     base::TextScanner scanner(images);
     const auto count = base::integerFromWord(scanner.nextWord());
-    for (std::size_t i = 0; count && i < std::min(kLast, std::size_t(std::max(0LL, *count))); ++i) {
+    for (long long i = 0; count && i < *count && !scanner.isAtEnd(); ++i) {
         scanner.skipLine();
         scanner.skipBlankLines();
     }
@@ -561,6 +560,9 @@ Cameras sfmCameras(Reading &reading, const Node &text)
             reading.fail(tr("the file ends in the middle of an entry; it is incomplete"));
         cameras.push_back({rows[i].first, {}, text, text});
     }
+    if (rows.empty() || rows[0].numbers[0] != double(cameras.size()))
+        reading.fail(tr("the first line says %1 images, and there are %2",
+                        rows.empty() ? "?" : base::shortestText(rows[0].numbers[0]), cameras.size()));
     return cameras;
 }
 

@@ -334,7 +334,7 @@ private slots:
             << "const camera = new THREE.PerspectiveCamera(45, 1, 1, 9);\ncamera.aspect = innerWidth / innerHeight;"
             << "THREE.PerspectiveCamera: fovy 45°, aspect 1, near 1, far 9. camera.aspect is ignored: put its value "
                "into the call";
-        newRow("Vulkan's y") << "proj = glm::perspective(0.7853981633974483, 1.5, 0.1, 10.0);\nproj[1][1] *= -1;"
+        newRow("Vulkan's y") << "proj = glm::perspective(0.7853981633974483, 1.5, 0.1, 10.0);\nproj[1][1]*=-1;"
                              << "glm::perspective: fovy 45°, aspect 1.5, near 0.1, far 10. [1][1] *= -1 is ignored: "
                                 "the picture is the same";
         newRow("moved by other calls")
